@@ -1,0 +1,144 @@
+#include "app/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "app/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const std::string& option, const fs::path& path, const std::string& why) {
+  throw InputError(option, fmt::format("'{}': {}", path.string(), why), "a place that can be written", "choose another");
+}
+
+// The folders on the way to `folder` that do not exist yet, outermost first.
+std::vector<fs::path> missingFolders(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
+    missing.insert(missing.begin(), at);
+    if (at == at.parent_path()) break;
+  }
+  return missing;
+}
+
+std::vector<fs::path> makeFolders(const fs::path& folder, const std::string& option) {
+  const std::vector<fs::path> missing = missingFolders(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    for (auto made = missing.rbegin(); made != missing.rend(); ++made) {
+      std::error_code ignored;
+      fs::remove(*made, ignored);
+    }
+    fail(option, folder, error ? error.message() : "not a folder");
+  }
+  return missing;
+}
+
+// Only those still empty go.
+void removeFolders(const std::vector<fs::path>& folders) {
+  std::error_code ignored;
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+fs::path temporaryBeside(const fs::path& path) {
+  return folderOf(path) / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
+}
+
+void writeContent(const fs::path& path, const std::string& content, const std::string& option) {
+  errno = 0;
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (stream.fail()) {
+    const std::string why = errno ? std::strerror(errno) : "cannot be written";
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    fail(option, path.parent_path(), why);
+  }
+}
+
+void refuseFolder(const fs::path& path, const std::string& option) {
+  std::error_code error;
+  if (path.filename().empty() || fs::is_directory(path, error))
+    throw InputError(option, fmt::format("'{}', a folder", path.string()), "the name of a file", "add a file name");
+}
+
+}  // namespace
+
+void checkWritableFile(const fs::path& path, const std::string& option) {
+  refuseFolder(path, option);
+  const auto made = makeFolders(folderOf(path), option);
+  const fs::path probe = temporaryBeside(path);
+  try {
+    writeContent(probe, "", option);
+  } catch (const InputError&) {
+    removeFolders(made);
+    throw;
+  }
+  std::error_code ignored;
+  fs::remove(probe, ignored);
+  removeFolders(made);
+}
+
+void writeFileAtomically(const fs::path& path, const std::string& content, const std::string& option) {
+  refuseFolder(path, option);
+  makeFolders(folderOf(path), option);
+  const fs::path temporary = temporaryBeside(path);
+  writeContent(temporary, content, option);
+  std::error_code error;
+  fs::rename(temporary, path, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  fail(option, path, error.message());
+}
+
+OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
+    : path_(fs::absolute(path).lexically_normal()), option_(option) {
+  if (!path_.has_filename()) path_ = path_.parent_path();  // a name that ends with a slash
+  std::error_code error;
+  if (fs::exists(path_, error) && !fs::is_directory(path_)) fail(option, path_, "a file, not a folder");
+  made_ = makeFolders(path_, option);
+  scratch_ = path_ / fmt::format(".tubeplan.{}.part", ::getpid());
+  fs::create_directory(scratch_, error);
+  if (!error) return;
+  removeFolders(made_);
+  fail(option, path_, error.message());
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  fs::remove_all(scratch_, ignored);
+  removeFolders(made_);
+}
+
+void OutputFolder::write(const std::string& name, const std::string& content) {
+  assert(name.find('/') == std::string::npos);
+  writeContent(scratch_ / name, content, option_);
+  names_.push_back(name);
+}
+
+void OutputFolder::commit() {
+  for (const std::string& name : names_) {
+    std::error_code error;
+    fs::rename(scratch_ / name, path_ / name, error);
+    if (error) fail(option_, path_ / name, error.message());
+  }
+  names_.clear();
+}
+
+}  // namespace tubeplan::app

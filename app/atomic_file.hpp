@@ -1,0 +1,43 @@
+// Files that are there whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tubeplan::app {
+
+/// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, and the place is
+/// no folder. Leaves nothing behind. For use before long work.
+void checkWritableFile(const std::filesystem::path& path, const std::string& option);
+
+/// Writes beside the place and renames, so that no reader ever sees half a file. Makes missing folders. Throws InputError
+/// naming the option.
+void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
+
+/// A folder of results: made and proved writable at once, its files appear together at commit(). Without a commit nothing
+/// remains, not even folders that had to be made.
+class OutputFolder {
+ public:
+  /// Throws InputError, naming the option, for a folder that cannot be made or written.
+  OutputFolder(const std::filesystem::path& path, const std::string& option);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  /// Of a file name without folders.
+  void write(const std::string& name, const std::string& content);
+
+  /// Puts all files in place, over older ones of the same names; others in the folder stay.
+  void commit();
+
+ private:
+  std::filesystem::path path_, scratch_;
+  std::string option_;
+  std::vector<std::filesystem::path> made_;  ///< folders that did not exist, outermost first
+  std::vector<std::string> names_;
+};
+
+}  // namespace tubeplan::app

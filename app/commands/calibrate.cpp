@@ -1,0 +1,55 @@
+// tubeplan calibrate: where the base stands, from touched holes.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/calibration_json.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/cell_writer.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/touch_input.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::CalibrationStatus;
+
+struct CalibrateOptions {
+  std::string cell, measurements, out, json, setup;
+};
+
+int run(const CalibrateOptions& options) {
+  const Cell cell = readCell(options.cell);
+  const auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
+  checkJsonTarget(options.json);
+  if (!options.out.empty()) checkWritableFile(options.out, "--out");
+  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
+    throw InputError(options.measurements, problem, "three or more different holes, well spread", "touch another hole");
+  const auto result = calibration::calibrateBase(cell.arm, touches, cell.X_WB);
+  if (result.status == CalibrationStatus::kDone && !options.out.empty())
+    writeFileAtomically(options.out, cellTextWithBase(cell, {result.X_WB, result.covariance, true}, options.out), "--out");
+  writeJson(options.json, calibrationJson(result, cell.units));
+  if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell.units));
+  return result.status == CalibrationStatus::kDone ? kDone : kNegativeAnswer;
+}
+
+}  // namespace
+
+Run configureCalibrate(CLI::App& cli) {
+  const auto options = std::make_shared<CalibrateOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
+  cli.add_option("--out", options->out, "write the cell with the base found to this file");
+  cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,93 @@
+// tubeplan map: the holes of a cell's tube sheet.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/cell_reader.hpp"
+#include "tubesheets/hole_map_csv.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct MapOptions {
+  std::string cell, csv, json;
+};
+
+Eigen::AlignedBox2d extentsOf(const tubesheets::Sheet& sheet) {
+  Eigen::AlignedBox2d box;
+  for (const auto& tube : sheet.tubes) box.extend(Eigen::Vector2d(tube.x, tube.y));
+  return box;
+}
+
+std::map<std::string, int> countStates(const tubesheets::Sheet& sheet) {
+  std::map<std::string, int> counts;
+  for (const auto& tube : sheet.tubes) ++counts[std::string(tubesheets::tubeStateName(tube.state))];
+  return counts;
+}
+
+nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
+  const auto box = extentsOf(sheet);
+  const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
+  return {{"name", cell.name},
+          {"holes", sheet.tubes.size()},
+          {"rows", sheet.rows},
+          {"columns", sheet.columns},
+          {"layout", sheet.layout_type},
+          {"pitch", length(sheet.pitch)},
+          {"hole_diameter", length(sheet.hole_diameter)},
+          {"leg", tubesheets::legName(sheet.leg)},
+          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"extents", {{"x", {length(box.min().x()), length(box.max().x())}}, {"y", {length(box.min().y()), length(box.max().y())}}}},
+          {"states", countStates(sheet)},
+          {"fingerprint", sheet.fingerprint()},
+          {"units", unitsJson(cell.units)}};
+}
+
+void printMap(const Cell& cell, const tubesheets::Sheet& sheet) {
+  const auto box = extentsOf(sheet);
+  const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
+  const auto unit = cell.units.length().name;
+  fmt::print("{}: {} holes, {} rows, {} columns\n", cell.name, sheet.tubes.size(), sheet.rows, sheet.columns);
+  fmt::print("layout {}, pitch {} {}, hole diameter {} {}\n", sheet.layout_type, length(sheet.pitch), unit, length(sheet.hole_diameter), unit);
+  fmt::print("{} leg, viewed from {}\n", tubesheets::legName(sheet.leg), tubesheets::viewedFromName(sheet.viewed_from));
+  fmt::print("x {} to {} {}, y {} to {} {}\n", length(box.min().x()), length(box.max().x()), unit, length(box.min().y()), length(box.max().y()), unit);
+  for (const auto& [state, count] : countStates(sheet)) fmt::print("{} {}\n", count, state);
+  fmt::print("fingerprint {}\n", sheet.fingerprint());
+}
+
+// The map's format knows in, mm and m.
+const tubesheets::LengthUnit& csvUnit(const Cell& cell) {
+  const auto* unit = tubesheets::findLengthUnit(cell.units.length().name);
+  return unit ? *unit : tubesheets::kInch;
+}
+
+int run(const MapOptions& options) {
+  const Cell cell = readCell(options.cell);
+  const tubesheets::Sheet& sheet = requireSheet(cell, "list its holes");
+  checkJsonTarget(options.json);
+  if (!options.csv.empty()) writeFileAtomically(options.csv, tubesheets::formatHoleMap(sheet, csvUnit(cell)), "--csv");
+  writeJson(options.json, mapJson(cell, sheet));
+  if (printsText(options.json)) printMap(cell, sheet);
+  return kDone;
+}
+
+}  // namespace
+
+Run configureMap(CLI::App& cli) {
+  const auto options = std::make_shared<MapOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("--csv", options->csv, "write the hole map to this file: row,column,x,y,state");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,106 @@
+// tubeplan pose: where the tip is, rigid and deflected.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <nlohmann/json.hpp>
+
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/workcell.hpp"
+#include "deflection/elements/element.hpp"
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct PoseOptions {
+  std::string cell, joints, json;
+  double load = 0;
+  bool all = false;
+};
+
+struct PoseFigures {
+  Eigen::Vector3d position, angles;  ///< m, rad
+};
+
+PoseFigures figuresOf(const deflection::PoseOf<double>& X) { return {X.p, deflection::fixedAnglesOf(X.R)}; }
+
+nlohmann::json figuresJson(const PoseFigures& figures, const Units& units) {
+  return {{"position", vectorJson(figures.position, units, dimension::kLength)}, {"fixed_angles", vectorJson(figures.angles, units, dimension::kAngle)}};
+}
+
+/// What Appendix A keeps of every link: frames, loads and each component's deflection.
+nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape, const Units& units) {
+  nlohmann::json rows = nlohmann::json::array(), components = nlohmann::json::array();
+  const Dimension moment{1, 0, 1};
+  for (std::size_t k = 0; k < shape.rows.size(); ++k) {
+    const auto& row = shape.rows[k];
+    rows.push_back({{"row", arm.rows[k].name},
+                    {"rigid", figuresJson(figuresOf(row.X_BL_rigid), units)},
+                    {"flexible", figuresJson(figuresOf(row.X_BL), units)},
+                    {"force_base", vectorJson(row.force_B, units, dimension::kForce)},
+                    {"moment_base", vectorJson(row.moment_B, units, moment)},
+                    {"force_link", vectorJson(row.force_L, units, dimension::kForce)},
+                    {"moment_link", vectorJson(row.moment_L, units, moment)}});
+  }
+  for (const auto& part : shape.components)
+    components.push_back({{"row", arm.rows[static_cast<std::size_t>(part.row)].name},
+                          {"element", deflection::elementKinds()[static_cast<std::size_t>(part.kind)].key},
+                          {"segment", part.segment + 1},
+                          {"displacement", vectorJson(part.displacement, units, dimension::kLength)},
+                          {"rotation", vectorJson(part.rotation, units, dimension::kAngle)}});
+  return {{"rows", rows}, {"components", components}};
+}
+
+void print(const char* name, const PoseFigures& f, const Units& units) {
+  const double in = units.factor(dimension::kLength), deg = units.factor(dimension::kAngle);
+  fmt::print("{:<9}{:10.4f} {:10.4f} {:10.4f} {}   {:9.4f} {:9.4f} {:9.4f} {}\n", name, f.position.x() / in, f.position.y() / in,
+             f.position.z() / in, units.length().name, f.angles.x() / deg, f.angles.y() / deg, f.angles.z() / deg, units.angle().name);
+}
+
+int run(const PoseOptions& options) {
+  const Cell cell = readCell(options.cell);
+  const deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units), parseLoad(options.load, cell.units),
+                                    deflection::gravityInBase(cell.arm, cell.X_WB)};
+  checkJsonTarget(options.json);
+  const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
+  if (shape.status != deflection::KinematicsStatus::kConverged) {
+    fmt::print(stderr, "{}\n", shape.reason);
+    return kNegativeAnswer;
+  }
+  const PoseFigures rigid = figuresOf(shape.X_BT), flexible = figuresOf(shape.X_BD);
+  PoseFigures change{flexible.position - rigid.position, flexible.angles - rigid.angles};
+  for (int k = 0; k < 3; ++k) change.angles[k] = std::remainder(change.angles[k], 2 * std::numbers::pi);
+  nlohmann::json json = {{"rigid", figuresJson(rigid, cell.units)},       {"flexible", figuresJson(flexible, cell.units)},
+                         {"change", figuresJson(change, cell.units)},     {"iterations", shape.iterations},
+                         {"load", cell.units.toFile(posture.load, dimension::kForce)}, {"units", unitsJson(cell.units)}};
+  if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
+  writeJson(options.json, json);
+  if (!printsText(options.json)) return kDone;
+  fmt::print("tip in the arm's base frame: position, fixed angles (gamma, beta, alpha)\n");
+  print("rigid", rigid, cell.units);
+  print("flexible", flexible, cell.units);
+  print("change", change, cell.units);
+  fmt::print("sag {:.4f} {}, settled in {} passes\n", change.position.norm() / cell.units.factor(dimension::kLength),
+             cell.units.length().name, shape.iterations);
+  return kDone;
+}
+
+}  // namespace
+
+Run configurePose(CLI::App& cli) {
+  const auto options = std::make_shared<PoseOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("--joints", options->joints, "joint readings A,B,C,D in the cell's unit of angle")->required();
+  cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force");
+  cli.add_flag("--all", options->all, "with every frame, force, moment and component's deflection in the JSON");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,210 @@
+// tubeplan score: centring and steps inserted by the true arm, without compensation, with goal-point and with via-point compensation.
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/calibration_json.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/planning_hooks.hpp"
+#include "app/step_experiment.hpp"
+#include "app/stop_signal.hpp"
+#include "app/touch_input.hpp"
+#include "app/touch_rehearsal.hpp"
+#include "app/workcell.hpp"
+#include "planner/tube_reach.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct ScoreOptions {
+  std::string cell, truth, tubes = "spread:60", json;
+  int runs = 0;
+  double unmodelled = -1, stiffness = -1;
+  std::uint64_t seed = 1;
+};
+
+constexpr const char* kModeKeys[] = {"none", "goal_point", "via_point"};
+/// Table 5.7: of ten holes, how many took 0, 1, 2, 3 steps without and with compensation.
+constexpr int kThesisCounts[2][4] = {{7, 2, 1, 0}, {0, 4, 4, 2}};
+
+struct ScoredTube {
+  int tube;
+  std::string reason;  ///< why it could not be scored
+  ModeScores scores;
+};
+
+struct Scored {
+  BothCalibrations calibration;
+  std::vector<ScoredTube> tubes;
+};
+
+std::vector<calibration::Touch> touchBy(const planner::Workcell& truth, const planner::Workcell& model, std::uint64_t seed) {
+  calibration::TouchSimulationOptions options;
+  options.sigma = touchSigmaOf(model.tool);
+  options.seed = seed;
+  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, bestTouches(model, touchCandidates(model, 24), 3), options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone)
+    throw InputError("--truth", simulation.reason, "a true arm that can touch the holes");
+  addNeighbours(model.sheet, simulation.touches);
+  return simulation.touches;
+}
+
+Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes, std::uint64_t seed) {
+  Scored result;
+  result.calibration = calibrateBoth(nominal, touchBy(truth, nominal, seed));
+  if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
+  ScoringModels models{withBase(nominal, result.calibration.flexible), nominal, truth};
+  models.rigid.X_WB = result.calibration.rigid.X_WB;
+  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  const planner::ArmClearance clearance(models.flexible);
+  result.tubes.resize(tubes.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
+    const auto reach = planner::reachTube(clearance, tubes[k]);
+    result.tubes[k] = {tubes[k], reach.reason, {}};
+    if (reach.status == planner::ReachStatus::kReachable) result.tubes[k].scores = scoreModes(models, {tubes[k], reach.branches.front().q});
+  });
+  return result;
+}
+
+nlohmann::json scoresJson(const ModeScores& scores, const Units& units) {
+  nlohmann::json json;
+  for (std::size_t mode = 0; mode < scores.size(); ++mode) {
+    const auto& score = scores[mode];
+    json[kModeKeys[mode]] = score ? nlohmann::json{{"centring_error", lengthOf(score->error, units)},
+                                                   {"dx", lengthOf(score->offset.x(), units)},
+                                                   {"dy", lengthOf(score->offset.y(), units)},
+                                                   {"approach_deviation", lengthOf(score->approach_deviation, units)},
+                                                   {"steps", score->steps}}
+                                  : nlohmann::json();
+  }
+  return json;
+}
+
+std::vector<ModeScores> modeScores(const Scored& scored) {
+  std::vector<ModeScores> scores;
+  for (const auto& tube : scored.tubes)
+    if (tube.reason.empty()) scores.push_back(tube.scores);
+  return scores;
+}
+
+nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, const Units& units) {
+  nlohmann::json tubes = nlohmann::json::array();
+  for (const auto& scored_tube : scored.tubes) {
+    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(scored_tube.tube)];
+    nlohmann::json entry = {{"row", tube.row}, {"column", tube.column}};
+    if (scored_tube.reason.empty()) entry.update(scoresJson(scored_tube.scores, units));
+    else entry["unreachable"] = scored_tube.reason;
+    tubes.push_back(entry);
+  }
+  const auto counts = countByMode(modeScores(scored), static_cast<int>(cell.tool.steps.size()));
+  return {{"units", unitsJson(units)},
+          {"calibration", calibrationJson(scored.calibration.flexible, units)},
+          {"tubes", tubes},
+          {"counts", {{kModeKeys[0], counts[0]}, {kModeKeys[1], counts[1]}, {kModeKeys[2], counts[2]}}}};
+}
+
+void printScored(const Scored& scored, const planner::Workcell& cell, const Units& units) {
+  fmt::print("{}", calibrationText(scored.calibration.flexible, units));
+  const auto scores = modeScores(scored);
+  fmt::print("{} tubes scored, {} unreachable\n", scores.size(), scored.tubes.size() - scores.size());
+  const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
+  fmt::print("compensation   steps 0    1    2    3   mean error  worst, {0}   worst on approach, {0}\n", units.length().name);
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
+    double sum = 0, worst = 0, approach = 0;
+    for (const auto& score : scores)
+      if (score[mode]) {
+        sum += score[mode]->error;
+        worst = std::max(worst, score[mode]->error);
+        approach = std::max(approach, score[mode]->approach_deviation);
+      }
+    fmt::print("{:<14}", planner::nameOf(kCompensations[mode]));
+    for (int count : counts[mode]) fmt::print("{:7}", count);
+    const double unit = units.factor(dimension::kLength);
+    fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n", sum / unit / static_cast<double>(std::max<std::size_t>(1, scores.size())), worst / unit, approach / unit);
+  }
+}
+
+nlohmann::json experimentJson(const StepExperiment& experiment, const Units& units) {
+  nlohmann::json json = {{"units", unitsJson(units)},
+                         {"runs", experiment.runs},
+                         {"refused", experiment.refused},
+                         {"mean_touch_error", lengthOf(experiment.mean_touch_error, units)},
+                         {"thesis_table_5_7", {{"none", kThesisCounts[0]}, {"goal_point", kThesisCounts[1]}}}};
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode)
+    json[kModeKeys[mode]] = {{"mean_counts", experiment.mean_counts[mode]},
+                             {"counts_by_run", experiment.counts_by_run[mode]},
+                             {"mean_centring_error", lengthOf(experiment.mean_error[mode], units)}};
+  return json;
+}
+
+void printExperiment(const StepExperiment& experiment, const Units& units) {
+  const double unit = units.factor(dimension::kLength);
+  fmt::print("{} runs of three calibration holes and ten test holes ({} refused)\n", experiment.runs, experiment.refused);
+  fmt::print("mean error that a fit leaves at 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit, units.length().name);
+  fmt::print("of ten holes, steps inserted       0     1     2     3   mean error, {}\n", units.length().name);
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
+    fmt::print("{:<29}", planner::nameOf(kCompensations[mode]));
+    for (double count : experiment.mean_counts[mode]) fmt::print("{:6.2f}", count);
+    fmt::print("   {:.4f}\n", experiment.mean_error[mode] / unit);
+  }
+  for (int row = 0; row < 2; ++row)
+    fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0], kThesisCounts[row][1],
+               kThesisCounts[row][2], kThesisCounts[row][3]);
+}
+
+int runExperiment(const ScoreOptions& options, const planner::Workcell& model, const planner::Workcell& truth, const Units& units) {
+  StepExperimentOptions settings;
+  settings.runs = options.runs;
+  settings.seed = options.seed;
+  if (options.unmodelled >= 0) settings.unmodelled_sigma = units.toInternal(options.unmodelled, dimension::kLength);
+  if (options.stiffness >= 0) settings.stiffness_sigma = options.stiffness;
+  const auto experiment = runStepExperiment(model, truth, settings, terminalHooks());
+  if (experiment.runs == 0) {
+    fmt::print(stderr, "no run was scored: {}\n", experiment.reason);
+    return kNegativeAnswer;
+  }
+  writeJson(options.json, experimentJson(experiment, units));
+  if (printsText(options.json)) printExperiment(experiment, units);
+  return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;
+}
+
+int run(const ScoreOptions& options) {
+  const Cell cell = readCell(options.cell), true_cell = readCell(options.truth);
+  const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
+  if (model.sheet.fingerprint() != truth.sheet.fingerprint())
+    throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
+  checkJsonTarget(options.json);
+  if (options.runs > 0) return runExperiment(options, model, truth, cell.units);
+  const auto selection = readTubes(options.tubes, model.sheet);
+  const Scored scored = scoreAll(model, truth, selection.tube_indices, options.seed);
+  if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {
+    fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell.units));
+    return kNegativeAnswer;
+  }
+  writeJson(options.json, scoredJson(scored, model, cell.units));
+  if (printsText(options.json)) printScored(scored, model, cell.units);
+  return kDone;
+}
+
+}  // namespace
+
+Run configureScore(CLI::App& cli) {
+  const auto options = std::make_shared<ScoreOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("--truth", options->truth, "the cell of the true arm")->required();
+  cli.add_option("--tubes", options->tubes, "which tubes, as for plan")->capture_default_str();
+  cli.add_option("--runs", options->runs, "repeat the thesis's experiment so often, with a true arm drawn about the given one")->check(CLI::Range(0, 1000000));
+  cli.add_option("--unmodelled", options->unmodelled, "with --runs: sigma of what the true arm does beyond its model, per coordinate")->check(CLI::NonNegativeNumber);
+  cli.add_option("--stiffness", options->stiffness, "with --runs: relative sigma of the true arm's stiffnesses")->check(CLI::NonNegativeNumber);
+  cli.add_option("--seed", options->seed, "of everything random")->capture_default_str();
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

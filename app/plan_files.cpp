@@ -1,0 +1,189 @@
+#include "app/plan_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/calibration_json.hpp"
+#include "app/command_inputs.hpp"
+#include "app/readers/cell_writer.hpp"
+#include "app/report/plan_report.hpp"
+#include "app/touch_input.hpp"
+#include "app/version.hpp"
+#include "app/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// Full precision: a joint value rounded to 12 digits would move the tip by more than the plan promises.
+json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
+  json list = json::array();
+  for (double value : values) list.push_back(value / units.factor(dimension));
+  return list;
+}
+
+json scoreJson(const std::optional<planner::Centring>& score, const Units& units) {
+  if (!score) return nullptr;
+  return {{"error", lengthOf(score->error, units)},
+          {"dx", lengthOf(score->offset.x(), units)},
+          {"dy", lengthOf(score->offset.y(), units)},
+          {"height", lengthOf(score->height, units)},
+          {"approach_deviation", lengthOf(score->approach_deviation, units)},
+          {"steps", score->steps}};
+}
+
+json modesJson(const ModeScores& scores, const Units& units) {
+  return {{"none", scoreJson(scores[0], units)}, {"goal_point", scoreJson(scores[1], units)}, {"via_point", scoreJson(scores[2], units)}};
+}
+
+json tubeJson(const PlanOutcome& outcome, std::size_t k) {
+  const Units& units = outcome.cell.units;
+  const auto& visit = outcome.plan.visits[k];
+  const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)];
+  json entry = {{"row", tube.row},
+                {"column", tube.column},
+                {"name", tubesheets::tubeName(tube.row, tube.column)},
+                {"hole", exactVector(planner::holeCentre(tube), units, dimension::kLength)},
+                {"joints", exactVector(visit.branch.q, units, dimension::kAngle)},
+                {"predicted_tip", exactVector(visit.branch.predicted_tip_W, units, dimension::kLength)},
+                {"centring_error", outcome.predicted[k].error / units.factor(dimension::kLength)},
+                {"tilt", angleOf(visit.branch.tilt, units)},
+                {"steps", outcome.predicted[k].steps},
+                {"approach_deviation", lengthOf(visit.branch.path_deviation, units)},
+                {"probability_by_steps", outcome.probability_by_steps[k]}};
+  if (!outcome.scores.empty()) entry["scored"] = modesJson(outcome.scores[k], units);
+  return entry;
+}
+
+json unreachableJson(const PlanOutcome& outcome) {
+  json list = json::array();
+  for (const auto& missed : outcome.plan.unreachable) {
+    const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
+    json entry = {{"row", tube.row}, {"column", tube.column}, {"reason", missed.reason}};
+    if (!missed.blocking.other.empty())
+      entry["in_the_way"] = {{"body", missed.blocking.body}, {"other", missed.blocking.other}, {"distance", lengthOf(missed.blocking.distance, outcome.cell.units)}};
+    list.push_back(entry);
+  }
+  return list;
+}
+
+json countsJson(const PlanOutcome& outcome) {
+  if (outcome.scores.empty()) return nullptr;
+  const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
+  return {{"none", counts[0]}, {"goal_point", counts[1]}, {"via_point", counts[2]}};
+}
+
+double minClearance(const PlanOutcome& outcome) { return outcome.plan.min_margin + outcome.model.scene.clearance; }
+
+std::string tightestText(const PlanOutcome& outcome) {
+  const auto& tightest = outcome.plan.tightest;
+  return tightest.body.empty() ? tightest.other : tightest.body + " to " + tightest.other;
+}
+
+json sheetJson(const PlanOutcome& outcome) {
+  const auto& sheet = outcome.model.sheet;
+  return {{"name", sheet.name},
+          {"leg", tubesheets::legName(sheet.leg)},
+          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"hole_diameter", lengthOf(sheet.hole_diameter, outcome.cell.units)},
+          {"pitch", lengthOf(sheet.pitch, outcome.cell.units)},
+          {"rows", sheet.rows},
+          {"columns", sheet.columns},
+          {"holes", sheet.tubes.size()},
+          {"fingerprint", sheet.fingerprint()}};
+}
+
+}  // namespace
+
+json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
+  const auto& plan = outcome.plan;
+  json tubes = json::array();
+  for (std::size_t k = 0; k < plan.visits.size(); ++k) tubes.push_back(tubeJson(outcome, k));
+  json result = {{"version", kVersion},
+                 {"seed", request.seed},
+                 {"cell", outcome.cell.name},
+                 {"compensation", planner::nameOf(outcome.compensation)},
+                 {"load", outcome.cell.units.toFile(outcome.model.load, dimension::kForce)},
+                 {"units", unitsJson(outcome.cell.units)},
+                 {"sheet", sheetJson(outcome)},
+                 {"tubes", tubes},
+                 {"unreachable", unreachableJson(outcome)},
+                 {"travel_time_s", plan.travel_time},
+                 {"lower_bound_s", plan.lower_bound},
+                 {"gap", plan.gap},
+                 {"row_by_row_time_s", plan.row_by_row_time},
+                 {"total_time_s", plan.total_time},
+                 {"detours", plan.detours},
+                 {"min_clearance", lengthOf(minClearance(outcome), outcome.cell.units)},
+                 {"clearance_required", lengthOf(outcome.model.scene.clearance, outcome.cell.units)},
+                 {"tightest", tightestText(outcome)},
+                 {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
+                 {"counts", countsJson(outcome)}};
+  if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell.units);
+  return result;
+}
+
+std::string pathCsv(const PlanOutcome& outcome) {
+  const Units& units = outcome.cell.units;
+  std::string text = "time_s,segment,kind";
+  for (int row : deflection::activeRows(outcome.cell.arm))
+    text += fmt::format(",{}_{}", outcome.cell.arm.rows[static_cast<std::size_t>(row)].joint.name, units.angle().name);
+  text += "\n";
+  for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm))) {
+    text += fmt::format("{},{},{}", row.time, row.segment + 1, planner::nameOf(row.kind));
+    for (double q : row.q) text += fmt::format(",{}", q / units.factor(dimension::kAngle));
+    text += "\n";
+  }
+  return text;
+}
+
+void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder) {
+  folder.write("plan.json", planJson(request, outcome).dump(1) + "\n");
+  folder.write("path.csv", pathCsv(outcome));
+  const auto cell_file = folder.path() / "cell.yaml";
+  folder.write("cell.yaml", outcome.calibration
+                                ? cellTextWithBase(outcome.cell, {outcome.model.X_WB, outcome.calibration->flexible.covariance, true}, cell_file)
+                                : cellTextAt(outcome.cell, cell_file));
+  if (!outcome.touches.empty()) folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
+  folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
+  folder.commit();
+}
+
+std::string planText(const PlanOutcome& outcome) {
+  const auto& plan = outcome.plan;
+  const Units& units = outcome.cell.units;
+  const std::string unit(units.length().name);
+  double worst = 0, tilt = 0;
+  for (std::size_t k = 0; k < plan.visits.size(); ++k) {
+    worst = std::max(worst, outcome.predicted[k].error);
+    tilt = std::max(tilt, plan.visits[k].branch.tilt);
+  }
+  std::string text;
+  if (outcome.calibration) text += calibrationText(outcome.calibration->flexible, units);
+  text += fmt::format("tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n", plan.visits.size(),
+                      plan.unreachable.size(), worst / units.factor(dimension::kLength), unit, tilt / units.factor(dimension::kAngle), units.angle().name);
+  for (std::size_t k = 0; k < std::min<std::size_t>(plan.unreachable.size(), 5); ++k) {
+    const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.unreachable[k].tube)];
+    text += fmt::format("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), plan.unreachable[k].reason);
+  }
+  if (plan.unreachable.size() > 5) text += fmt::format("  and {} more, each with its reason in plan.json\n", plan.unreachable.size() - 5);
+  text += fmt::format("travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n", plan.travel_time,
+                      plan.lower_bound, 100 * plan.gap, plan.row_by_row_time, plan.total_time, plan.detours);
+  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for), tightest {}\n", minClearance(outcome) / units.factor(dimension::kLength), unit,
+                      outcome.model.scene.clearance / units.factor(dimension::kLength), tightestText(outcome));
+  if (outcome.scores.empty()) return text;
+  const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
+  text += "steps of the calibration tool that go in, by the true arm:   0    1    2    3\n";
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
+    text += fmt::format("  {:<54}", std::string(planner::nameOf(kCompensations[mode])) + " compensation");
+    for (int count : counts[mode]) text += fmt::format("{:5}", count);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,27 @@
+// What a plan leaves behind: plan.json, path.csv, cell.yaml, touches.csv, report.html.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/atomic_file.hpp"
+#include "app/plan_job.hpp"
+
+namespace tubeplan::app {
+
+/// plan.json as the contract has it.
+[[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
+
+/// time_s,segment,kind,<joint>_<angle>...
+[[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
+
+/// What the report page shows.
+[[nodiscard]] nlohmann::json reportJson(const PlanRequest& request, const PlanOutcome& outcome);
+
+/// All files of a plan, into a folder that appears whole.
+void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
+
+/// The summary for one screen.
+[[nodiscard]] std::string planText(const PlanOutcome& outcome);
+
+}  // namespace tubeplan::app

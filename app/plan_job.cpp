@@ -1,0 +1,109 @@
+#include "app/plan_job.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/touch_input.hpp"
+#include "app/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kTouchCandidates = 24;
+constexpr int kTouchCount = 3;
+
+planner::Compensation compensationOf(const std::string& name) {
+  if (const auto mode = planner::findCompensation(name)) return *mode;
+  throw InputError("--compensation", inQuotes(name), "none, goal-point or via-point");
+}
+
+void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
+  if (cell.sheet.fingerprint() != truth.sheet.fingerprint())
+    throw InputError(file, "another tube sheet (fingerprint " + truth.sheet.fingerprint() + ")", "the cell's (" + cell.sheet.fingerprint() + ")");
+}
+
+std::vector<calibration::Touch> rehearsedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
+  if (!outcome.truth) throw InputError("--touches auto", "no true arm to touch with", "--truth CELL", "name a true cell, or a file of touches");
+  const auto plans = bestTouches(outcome.nominal, touchCandidates(outcome.nominal, kTouchCandidates), kTouchCount);
+  calibration::TouchSimulationOptions options;
+  options.sigma = touchSigmaOf(outcome.nominal.tool);
+  options.load = outcome.truth->load;
+  options.seed = seed;
+  auto simulation = calibration::simulateTouches(outcome.truth->arm, outcome.truth->X_WB, plans, options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone)
+    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch", "give touches in a file");
+  addNeighbours(outcome.nominal.sheet, simulation.touches);
+  return simulation.touches;
+}
+
+std::vector<calibration::Touch> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
+  if (request.touches == "auto") return rehearsedTouches(outcome, request.seed);
+  const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
+  const auto touches = touchesOf(readings, outcome.cell, request.touches);
+  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
+    throw InputError(request.touches, problem, "three or more different holes, well spread", "touch another hole");
+  return touches;
+}
+
+/// The model's own view of each visit: where the tip goes, and how sure that is.
+void predict(PlanOutcome& outcome) {
+  for (const auto& visit : outcome.plan.visits) {
+    const auto hole = planner::holeCentre(outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
+    outcome.predicted.push_back(planner::scoreVisit(outcome.model, hole, visit.branch));
+    const auto tip = calibration::tipInWorld(outcome.model.arm, outcome.model.X_WB, visit.branch.q, outcome.model.load);
+    const Eigen::Matrix2d covariance = calibration::tipCovariance(outcome.model.arm, tip, outcome.model.base_covariance).topLeftCorner<2, 2>();
+    outcome.probability_by_steps.push_back(tubesheets::probabilityBySteps(outcome.model.tool, outcome.predicted.back().offset, covariance));
+  }
+}
+
+void score(PlanOutcome& outcome) {
+  if (!outcome.truth) return;
+  ScoringModels models{outcome.model, outcome.model, *outcome.truth};
+  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  if (outcome.calibration) models.rigid.X_WB = outcome.calibration->rigid.X_WB;
+  outcome.scores.resize(outcome.plan.visits.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, outcome.scores.size(), [&](std::size_t k) {
+    const auto& visit = outcome.plan.visits[k];
+    outcome.scores[k] = scoreModes(models, {visit.tube, visit.branch.q});
+  });
+}
+
+planner::VisitPlanOptions planOptions(const PlanRequest& request, planner::Compensation compensation) {
+  planner::VisitPlanOptions options;
+  options.seed = request.seed;
+  options.reach.compensation.mode = compensation;
+  return options;
+}
+
+}  // namespace
+
+PlanOutcome runPlanJob(const PlanRequest& request, const planner::PlanHooks& hooks) {
+  PlanOutcome outcome;
+  outcome.cell = readCell(request.cell);
+  outcome.compensation = compensationOf(request.compensation);
+  outcome.nominal = workcellOf(outcome.cell, "plan tube visits");
+  outcome.nominal.load = parseLoad(request.load, outcome.cell.units);
+  if (!request.truth.empty()) {
+    outcome.truth = workcellOf(readCell(request.truth), "score against it");
+    outcome.truth->load = outcome.nominal.load;
+    requireSameSheet(outcome.nominal, *outcome.truth, request.truth);
+  }
+  const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
+  outcome.model = outcome.nominal;
+  if (!request.touches.empty()) {
+    outcome.touches = touchesFor(request, outcome);
+    outcome.calibration = calibrateBoth(outcome.nominal, outcome.touches);
+    if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return outcome;
+    outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
+  }
+  outcome.plan = planner::planVisits(outcome.model, selection.tube_indices, planOptions(request, outcome.compensation), hooks);
+  if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return outcome;
+  predict(outcome);
+  score(outcome);
+  return outcome;
+}
+
+}  // namespace tubeplan::app

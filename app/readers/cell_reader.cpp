@@ -1,0 +1,117 @@
+#include "app/readers/cell_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/input_error.hpp"
+#include "app/readers/quantities.hpp"
+#include "app/readers/scene_reader.hpp"
+#include "app/readers/sheet_reader.hpp"
+#include "app/suggestion.hpp"
+#include "deflection/rotation.hpp"
+#include "planner/shape.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+// In file units: length for the first three, angle for the others.
+Matrix6d readCovariance(const YamlNode& node, const Units& units) {
+  Matrix6d covariance;
+  const auto scale = [&](int i) { return units.factor(i < 3 ? dimension::kLength : dimension::kAngle); };
+  const auto& rows = node.list(6, "six lists of six numbers");
+  for (int i = 0; i < 6; ++i) {
+    const auto& numbers = rows[static_cast<std::size_t>(i)].list(6, "six numbers");
+    for (int j = 0; j < 6; ++j) covariance(i, j) = numbers[static_cast<std::size_t>(j)].number() * scale(i) * scale(j);
+  }
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const Matrix6d correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
+  if (!correlation.isApprox(correlation.transpose(), 1e-6)) node.fail("a matrix that is not symmetric", "a covariance", "");
+  if (correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -1e-6) node.fail("a matrix with a negative variance", "a covariance", "");
+  return covariance;
+}
+
+void readBase(const YamlNode& node, Cell& cell) {
+  node.expectKeys({"position", "rpy", "known"}, {"covariance"});
+  cell.X_WB.translation() = readVector(node.at("position"), cell.units, dimension::kLength);
+  cell.X_WB.linear() = deflection::rotationFromFixedAngles<double>(readVector(node.at("rpy"), cell.units, dimension::kAngle));
+  cell.base_known = node.at("known").boolean();
+  if (const YamlNode* covariance = node.find("covariance")) cell.base_covariance = readCovariance(*covariance, cell.units);
+}
+
+void readIdentify(const YamlNode& node, Cell& cell) {
+  std::vector<std::string> known{"geometry", "tool.tip"};
+  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  for (const YamlNode& item : node.list()) {
+    const std::string name = item.text();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      item.fail("the unknown parameter '" + name + "'", "a number of the arm file by its path, or geometry", suggestion(name, known));
+    if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end()) item.fail("'" + name + "' again", "every name once", "");
+    cell.identify.push_back(name);
+  }
+}
+
+// Reads the arm, from its own file or inline.
+ArmSource readCellArm(const YamlNode& node, Cell& cell) {
+  cell.arm_path = cell.path;
+  if (node.kind == YamlNode::Kind::kMap) return readArm(node);
+  const auto folder = std::filesystem::path(cell.path).parent_path();
+  cell.arm_path = (folder / node.text()).lexically_normal().string();
+  if (std::error_code error; !std::filesystem::exists(cell.arm_path, error))
+    node.fail("no file '" + cell.arm_path + "'", "an arm file, relative to this cell's folder", "check the name");
+  cell.arm_source = readYamlFile(cell.arm_path);
+  return readArm(cell.arm_source.root);
+}
+
+// The tip's own body says which way the tool points, where the arm file does not: a named capsule on the last link that an
+// obstacle lets in.
+std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
+  for (const auto& body : scene.bodies) {
+    const auto solid = std::dynamic_pointer_cast<const planner::Solid>(body.shape);
+    const bool on_tool = body.frame_index + 1 == static_cast<int>(scene.links.size());
+    const bool is_let_in = std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const auto& obstacle) {
+      return std::find(obstacle.allow.begin(), obstacle.allow.end(), body.name) != obstacle.allow.end();
+    });
+    if (!on_tool || body.name.empty() || !is_let_in || !solid || !solid->isCapsule()) continue;
+    const Eigen::Vector3d axis = solid->around().to - solid->around().from;
+    if (axis.norm() > 1e-9) return axis.normalized();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Cell readCell(const std::string& path) {
+  Cell cell;
+  cell.path = path;
+  cell.source = readYamlFile(path);
+  const YamlNode& root = cell.source.root;
+  root.expectKeys({"arm", "base"}, {"name", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance"});
+  cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
+  const ArmSource source = readCellArm(root.at("arm"), cell);
+  cell.arm = source.arm;
+  cell.units = source.units;
+  readBase(root.at("base"), cell);
+  if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);
+  if (const YamlNode* tool = root.find("calibration_tool")) {
+    if (!cell.sheet) tool->fail("a calibration tool without a tube sheet", "both", "add `tubesheet`");
+    cell.tool = readSteppedTool(*tool, cell.units, cell.sheet->hole_diameter);
+  }
+  cell.scene = readScene(root, cell.arm, cell.units);
+  if (!source.names_tool_axis) cell.arm.tool_axis_L = findToolAxis(cell.scene).value_or(cell.arm.tool_axis_L);
+  return cell;
+}
+
+const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose) {
+  if (!cell.sheet) throw InputError(cell.path, "no key 'tubesheet'", "one: needed to " + purpose, "add it, as in app/cells/mockup.yaml");
+  return *cell.sheet;
+}
+
+const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose) {
+  if (!cell.tool) throw InputError(cell.path, "no key 'calibration_tool'", "one: needed to " + purpose, "add it, as in app/cells/mockup.yaml");
+  return *cell.tool;
+}
+
+}  // namespace tubeplan::app

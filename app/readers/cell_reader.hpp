@@ -1,0 +1,47 @@
+// A cell: an arm on its base, with the tube sheet, the calibration tool and the scene around it where the file has them.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/readers/arm_reader.hpp"
+#include "app/readers/strict_yaml.hpp"
+#include "app/readers/units.hpp"
+#include "deflection/arm.hpp"
+#include "planner/scene.hpp"
+#include "tubesheets/sheet.hpp"
+#include "tubesheets/stepped_tool.hpp"
+
+namespace tubeplan::app {
+
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Internal units throughout. The cell's file has its numbers in the arm's units.
+struct Cell {
+  std::string path;
+  std::string name;      ///< the file's stem where it states none
+  std::string arm_path;  ///< the cell's own path where the arm stands inline
+  deflection::Arm arm;   ///< with the tool axis that the cell tells, where the arm file does not
+  Units units;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< world = tube-sheet frame
+  bool base_known = false;
+  std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
+  std::optional<tubesheets::Sheet> sheet;
+  std::optional<tubesheets::SteppedTool> tool;
+  planner::Scene scene;                     ///< links only where the file has neither scene nor shapes
+  std::vector<std::string> identify;        ///< dotted names, or `geometry`
+
+  YamlFile source;                          ///< as read, for writing it again with changes
+  YamlFile arm_source;                      ///< the same of the arm's file; empty where it stands inline
+};
+
+/// Throws InputError for anything that is not as documented, naming file, line and key.
+[[nodiscard]] Cell readCell(const std::string& path);
+
+/// The sheet, or InputError that the cell has none; `purpose` continues "needed to ...".
+[[nodiscard]] const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose);
+[[nodiscard]] const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose);
+
+}  // namespace tubeplan::app

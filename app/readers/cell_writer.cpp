@@ -1,0 +1,68 @@
+#include "app/readers/cell_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <vector>
+
+#include "app/readers/yaml_edit.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
+  std::vector<std::string> numbers;
+  for (const double value : values) numbers.push_back(formatNumber(units.toFile(value, dimension)));
+  return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
+std::string covarianceText(const Matrix6d& covariance, const Units& units) {
+  const auto scale = [&](int i) { return units.factor(i < 3 ? dimension::kLength : dimension::kAngle); };
+  std::vector<std::string> rows;
+  for (int i = 0; i < 6; ++i) {
+    std::vector<std::string> numbers;
+    for (int j = 0; j < 6; ++j) numbers.push_back(formatNumber(covariance(i, j) / scale(i) / scale(j)));
+    rows.push_back(fmt::format("[{}]", fmt::join(numbers, ", ")));
+  }
+  return fmt::format("[{}]", fmt::join(rows, ", "));
+}
+
+// Roll, pitch, yaw that give R back to rounding even where the pitch is a right angle: roll is taken from what yaw leaves.
+Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  const Eigen::Matrix3d rest = deflection::rotationZ(-yaw) * R;
+  return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
+}
+
+// A file named in the cell, as it is named from where the cell is written to.
+std::string moved(const std::string& text, const Cell& cell, std::string_view key, const fs::path& out) {
+  const YamlNode* node = findNode(cell.source.root, key);
+  if (!node || node->kind != YamlNode::Kind::kScalar || fs::path(node->scalar).is_absolute()) return text;
+  const fs::path from = fs::weakly_canonical(fs::absolute(cell.path)).parent_path();
+  const fs::path to = fs::weakly_canonical(fs::absolute(out)).parent_path();
+  if (from == to) return text;
+  const std::string name = fs::weakly_canonical(from / node->scalar).lexically_relative(to).generic_string();
+  return withYamlValue(text, key, '"' + name + '"');
+}
+
+}  // namespace
+
+std::string cellTextAt(const Cell& cell, const fs::path& out) {
+  return moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
+}
+
+std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {
+  const Eigen::Vector3d rpy = rollPitchYaw(base.X_WB.linear());
+  std::string text = cellTextAt(cell, out);
+  text = withYamlValue(text, "base.position", listText(base.X_WB.translation(), cell.units, dimension::kLength));
+  text = withYamlValue(text, "base.rpy", listText(rpy, cell.units, dimension::kAngle));
+  text = withYamlValue(text, "base.known", base.known ? "true" : "false");
+  return base.covariance ? withYamlValue(text, "base.covariance", covarianceText(*base.covariance, cell.units)) : text;
+}
+
+}  // namespace tubeplan::app

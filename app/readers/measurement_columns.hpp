@@ -1,0 +1,32 @@
+// The columns of a measurement table: which one holds what, in which unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/readers/units.hpp"
+#include "deflection/arm.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+/// A column of numbers and the unit its name carries.
+struct NumberColumn {
+  std::size_t index = 0;
+  const Unit* unit = nullptr;
+  std::string name;
+};
+
+struct MeasurementColumns {
+  std::size_t id = 0, kind = 0;
+  std::optional<std::size_t> point, setup, split;
+  std::optional<NumberColumn> load, x, y, z, distance, sigma, temperature, time;
+  std::vector<NumberColumn> joints;  ///< one for each active row
+  std::vector<std::size_t> senses;   ///< one for each active row, or none
+};
+
+/// Throws InputError for columns that are unknown, missing, twice there in two units, or without a known unit.
+[[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file, const deflection::Arm& arm);
+
+}  // namespace tubeplan::app

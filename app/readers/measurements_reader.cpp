@@ -1,0 +1,201 @@
+#include "app/readers/measurements_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <map>
+
+#include "app/input_error.hpp"
+#include "app/readers/measurement_columns.hpp"
+#include "app/readers/text_file.hpp"
+#include "app/suggestion.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement;
+using calibration::MeasurementKind;
+
+/// A kind of reading: what it must have. Each needs coordinates but for the touch of an unknown point.
+struct KindRow {
+  const char* name;
+  MeasurementKind kind;
+  bool needs_point, needs_coordinates, needs_distance;
+};
+
+constexpr std::array<KindRow, 4> kKinds{{
+    {"position", MeasurementKind::kPosition, false, true, false},
+    {"touch", MeasurementKind::kTouch, true, false, false},
+    {"deflection", MeasurementKind::kDeflection, false, true, false},
+    {"distance", MeasurementKind::kDistance, false, true, true},
+}};
+
+/// One row of the table, for reading its fields and complaining about them.
+class RowReader {
+ public:
+  RowReader(const tubesheets::CsvTable& table, const tubesheets::CsvRow& row, const std::string& file)
+      : table_(table), row_(row), file_(file) {}
+
+  [[nodiscard]] const std::string& field(std::size_t index) const { return row_.fields[index]; }
+
+  [[nodiscard]] std::string textOr(const std::optional<std::size_t>& index) const { return index ? field(*index) : ""; }
+
+  [[nodiscard]] double number(const NumberColumn& column) const {
+    const auto value = tubesheets::parseNumber(field(column.index));
+    if (!value) fail(column.index, describe(field(column.index)), "a finite number");
+    return (*value + column.unit->offset) * column.unit->factor;
+  }
+
+  /// NaN where there is no such column or nothing in it.
+  [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const {
+    if (!column || field(column->index).empty()) return std::numeric_limits<double>::quiet_NaN();
+    return number(*column);
+  }
+
+  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected, const std::string& advice = "") const {
+    throw InputError(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), found, expected, advice);
+  }
+
+  [[noreturn]] void failRow(const std::string& found, const std::string& expected, const std::string& advice = "") const {
+    throw InputError(fmt::format("{}:{}", file_, row_.line), found, expected, advice);
+  }
+
+  [[nodiscard]] int line() const { return row_.line; }
+
+ private:
+  static std::string describe(const std::string& text) { return text.empty() ? "nothing" : inQuotes(text); }
+
+  const tubesheets::CsvTable& table_;
+  const tubesheets::CsvRow& row_;
+  const std::string& file_;
+};
+
+const KindRow& readKind(const RowReader& row, const MeasurementColumns& columns) {
+  std::vector<std::string> names;
+  for (const KindRow& kind : kKinds) {
+    if (row.field(columns.kind) == kind.name) return kind;
+    names.emplace_back(kind.name);
+  }
+  row.fail(columns.kind, "the kind " + inQuotes(row.field(columns.kind)), alternatives(names), suggestion(row.field(columns.kind), names));
+}
+
+// A reading may lie past a limit by its own noise, but not by more.
+void checkLimits(const RowReader& row, const NumberColumn& column, const deflection::Joint<double>& joint, double q) {
+  const double slack = 1e-9 + 5 * joint.encoder_sigma;
+  if (q >= joint.lower - slack && q <= joint.upper + slack) return;
+  row.fail(column.index, row.field(column.index),
+           fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.unit->factor),
+                       formatNumber(joint.upper / column.unit->factor), column.unit->name));
+}
+
+Eigen::VectorXd readJoints(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm) {
+  const auto active = deflection::activeRows(arm);
+  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const double reading = row.number(columns.joints[i]);
+    checkLimits(row, columns.joints[i], arm.rows[static_cast<std::size_t>(active[i])].joint, reading);
+    q[static_cast<Eigen::Index>(i)] = reading;
+  }
+  return q;
+}
+
+std::optional<Eigen::Vector3d> readCoordinates(const RowReader& row, const MeasurementColumns& columns) {
+  const Eigen::Vector3d p(row.numberOrNaN(columns.x), row.numberOrNaN(columns.y), row.numberOrNaN(columns.z));
+  const auto missing = p.array().isNaN().count();
+  if (missing == 3) return std::nullopt;
+  if (missing > 0) row.failRow("some of the coordinates x, y, z", "all three or none");
+  return p;
+}
+
+std::vector<int> readSenses(const RowReader& row, const MeasurementColumns& columns) {
+  std::vector<int> senses;
+  for (const std::size_t column : columns.senses) {
+    const auto sense = tubesheets::parseInteger(row.field(column));
+    if (!sense || *sense < -1 || *sense > 1) row.fail(column, inQuotes(row.field(column)), "-1, 0 or 1");
+    senses.push_back(*sense);
+  }
+  return senses;
+}
+
+bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
+  if (!column || row.field(*column) == "fit" || row.field(*column).empty()) return false;
+  if (row.field(*column) != "held-out") row.fail(*column, inQuotes(row.field(*column)), "fit or held-out");
+  return true;
+}
+
+// "R10C20" as row and column.
+std::optional<std::pair<int, int>> parseTubeName(std::string_view name) {
+  const std::size_t c = name.find('C');
+  if (!name.starts_with('R') || c == std::string_view::npos) return std::nullopt;
+  const auto row = tubesheets::parseInteger(name.substr(1, c - 1));
+  const auto column = tubesheets::parseInteger(name.substr(c + 1));
+  if (!row || !column) return std::nullopt;
+  return std::pair{*row, *column};
+}
+
+// The sheet's frame is the world's.
+std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns, const std::string& point, const tubesheets::Sheet* sheet) {
+  const auto name = parseTubeName(point);
+  if (!sheet || !name) return std::nullopt;
+  const tubesheets::Tube* tube = sheet->find(name->first, name->second);
+  if (!tube) row.fail(*columns.point, "the hole " + inQuotes(point), fmt::format("a hole of the sheet: rows 1 to {}, columns 1 to {}", sheet->rows, sheet->columns));
+  return Eigen::Vector3d(tube->x, tube->y, 0);
+}
+
+void checkKind(const RowReader& row, const KindRow& kind, const Measurement& m) {
+  if (kind.needs_point && m.point.empty()) row.failRow("a touch without a point", "the point's name in the column 'point'");
+  if (kind.needs_coordinates && !m.p_W) row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
+  if (kind.needs_distance && !(m.distance > 0)) row.failRow("a reading of kind distance without its length", "a number above zero in the column distance_in (or _mm, _m, _ft)");
+  if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
+  if (m.load < 0) row.failRow("a negative load", "zero or more");
+}
+
+Measurement readRow(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm, const tubesheets::Sheet* sheet) {
+  Measurement m;
+  const KindRow& kind = readKind(row, columns);
+  m.line = row.line();
+  m.kind = kind.kind;
+  m.id = row.field(columns.id);
+  if (m.id.empty()) row.fail(columns.id, "nothing", "a name for the reading");
+  m.point = row.textOr(columns.point);
+  m.setup = row.textOr(columns.setup);
+  m.load = columns.load ? row.number(*columns.load) : 0;
+  m.q = readJoints(row, columns, arm);
+  m.p_W = readCoordinates(row, columns);
+  if (!m.p_W && kind.kind == MeasurementKind::kTouch) m.p_W = holeCentre(row, columns, m.point, sheet);
+  m.distance = row.numberOrNaN(columns.distance);
+  m.sigma = row.numberOrNaN(columns.sigma);
+  m.senses = readSenses(row, columns);
+  m.temperature = row.numberOrNaN(columns.temperature);
+  m.time = row.numberOrNaN(columns.time);
+  m.is_held_out = readSplit(row, columns.split);
+  checkKind(row, kind, m);
+  return m;
+}
+
+}  // namespace
+
+std::vector<Measurement> readMeasurements(const std::string& path, const deflection::Arm& arm, const tubesheets::Sheet* sheet) {
+  return parseMeasurements(readTextFile(path), path, arm, sheet);
+}
+
+std::vector<Measurement> parseMeasurements(const std::string& text, const std::string& file, const deflection::Arm& arm, const tubesheets::Sheet* sheet) {
+  const tubesheets::CsvTable table = tubesheets::parseCsv(text);
+  if (table.problem)
+    throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found, table.problem->expected, table.problem->advice);
+  const MeasurementColumns columns = findColumns(table, file, arm);
+  if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
+  std::vector<Measurement> out;
+  std::map<std::string, int> lines;
+  for (const auto& row : table.rows) {
+    const RowReader reader(table, row, file);
+    out.push_back(readRow(reader, columns, arm, sheet));
+    const auto [first, is_new] = lines.emplace(out.back().id, row.line);
+    if (!is_new) reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once", fmt::format("it stands at line {} already", first->second));
+  }
+  return out;
+}
+
+}  // namespace tubeplan::app

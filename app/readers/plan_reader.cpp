@@ -1,0 +1,115 @@
+#include "app/readers/plan_reader.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/text_file.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+using planner::SegmentKind;
+
+json parseJson(const std::string& path) {
+  try {
+    return json::parse(readTextFile(path));
+  } catch (const json::exception& error) {
+    throw InputError(path, error.what(), "JSON as tubeplan plan writes it", "plan again");
+  }
+}
+
+const json& at(const json& object, const char* key, const std::string& where) {
+  if (!object.is_object() || !object.contains(key)) throw InputError(where, std::string("no key ") + key, "it", "plan again");
+  return object[key];
+}
+
+template <class T> T valueAt(const json& object, const char* key, const std::string& where) {
+  try {
+    return at(object, key, where).get<T>();
+  } catch (const json::exception&) {
+    throw InputError(where + " " + key, inQuotes(object[key].dump()), "another type of value", "plan again");
+  }
+}
+
+Eigen::VectorXd vectorAt(const json& object, const char* key, const std::string& where, double factor) {
+  const auto values = valueAt<std::vector<double>>(object, key, where);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())) * factor;
+}
+
+Eigen::Vector3d pointAt(const json& object, const char* key, const std::string& where, double factor) {
+  const Eigen::VectorXd v = vectorAt(object, key, where, factor);
+  if (v.size() != 3) throw InputError(where + " " + key, std::to_string(v.size()) + " numbers", "3", "plan again");
+  return v;
+}
+
+void readTubesOf(const json& document, const std::string& path, const Units& units, PlanFiles& files) {
+  const double length = units.factor(dimension::kLength), angle = units.factor(dimension::kAngle);
+  for (const auto& tube : at(document, "tubes", path))
+    files.plan.tubes.push_back({valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path), pointAt(tube, "hole", path, length),
+                                vectorAt(tube, "joints", path, angle), pointAt(tube, "predicted_tip", path, length)});
+  for (const auto& tube : at(document, "unreachable", path))
+    files.plan.unreachable.emplace_back(valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path));
+}
+
+SegmentKind kindOf(const std::string& name, const std::string& where) {
+  for (SegmentKind kind : {SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat})
+    if (planner::nameOf(kind) == name) return kind;
+  throw InputError(where, inQuotes(name), "travel, approach or retreat");
+}
+
+double numberOf(const std::string& text, const std::string& where) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) throw InputError(where, inQuotes(text), "a finite number");
+  return value;
+}
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells;
+  std::stringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
+  std::stringstream text(readTextFile(path));
+  std::string header = "time_s,segment,kind", line;
+  const auto active = deflection::activeRows(cell.arm);
+  for (int row : active) header += "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + std::string(cell.units.angle().name);
+  std::getline(text, line);
+  if (line != header) throw InputError(path + ":1", inQuotes(line), header, "plan again");
+  const double angle = cell.units.factor(dimension::kAngle);
+  for (int number = 2; std::getline(text, line); ++number) {
+    const std::string where = path + ":" + std::to_string(number);
+    const auto cells = cellsOf(line);
+    if (cells.size() != 3 + active.size()) throw InputError(where, std::to_string(cells.size()) + " columns", std::to_string(3 + active.size()));
+    planner::PathRow row{numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
+    row.q.resize(static_cast<Eigen::Index>(active.size()));
+    for (std::size_t k = 0; k < active.size(); ++k) row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * angle;
+    files.plan.path.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
+PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
+  const std::string path = (folder / "plan.json").string();
+  const json document = parseJson(path);
+  if (at(document, "units", path) != unitsJson(cell.units))
+    throw InputError(path + " units", document["units"].dump(), unitsJson(cell.units).dump(), "verify it with the cell that it was planned for");
+  PlanFiles files;
+  readTubesOf(document, path, cell.units, files);
+  files.compensation = valueAt<std::string>(document, "compensation", path);
+  files.fingerprint = valueAt<std::string>(at(document, "sheet", path), "fingerprint", path);
+  files.load = valueAt<double>(document, "load", path) * cell.units.factor(dimension::kForce);
+  readPath((folder / "path.csv").string(), cell, files);
+  return files;
+}
+
+}  // namespace tubeplan::app

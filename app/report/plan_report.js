@@ -1,0 +1,77 @@
+// ---- plan_report.js: the page itself, section by section.
+
+const SECTIONS = [
+  {id: "sheet", title: "The sheet, before and after", make: sheetMapsSection},
+  {id: "errors", title: "Centring errors", make: errorArrowsSection},
+  {id: "tour", title: "The tour", make: tourSection},
+  {id: "arm", title: "The arm from the side", make: sideViewSection},
+  {id: "touches", title: "Touches and residuals", make: touchesSection},
+  {id: "steps", title: "Steps inserted", make: stepSection},
+  {id: "clearance", title: "Clearance", make: clearanceSection},
+  {id: "time", title: "Time", make: timingSection},
+  {id: "tubes", title: "Every tube", make: tubeTableSection},
+];
+
+/// "60 tubes are visited in 9 min 12 s; with via-point compensation all three steps enter 41 of 60 (0 without)."
+function headSentence(report) {
+  const parts = [];
+  if (Array.isArray(report.tubes)) {
+    const time = object(report.times)?.travel_time_s;
+    parts.push(`${plural(list(report.tubes).length, "tube")} visited${isNumber(time) ? ` in ${duration(time)} of motion` : ""}`);
+  }
+  if (Array.isArray(report.unreachable) && report.unreachable.length > 0) parts.push(`${whole(report.unreachable.length)} cannot be`);
+  const after = countsOf(report, "via_point"), before = countsOf(report, "none");
+  if (after) {
+    const total = after.reduce((sum, count) => sum + count, 0);
+    parts.push(`against the true arm all three steps of the tool enter ${whole(after[3])} of ${whole(total)} with via-point ` +
+      `compensation${before ? `, ${whole(before[3])} without` : ""}`);
+  }
+  if (isNumber(report.min_clearance)) parts.push(`least clearance ${short(report.min_clearance)} ${lengthUnit(report)}`);
+  return parts.length === 0 ? "No results are recorded." : `${parts.join("; ")}.`;
+}
+
+function summaryRows(report) {
+  return (Array.isArray(report.summary) ? report.summary : [])
+    .filter((row) => Array.isArray(row) && row.length >= 2)
+    .map(([name, value]) => [textOf(name), typeof value === "number" ? short(value) : textOf(value)]);
+}
+
+function showHead(report) {
+  const title = textOf(report.title, "Plan report");
+  document.title = title;
+  const rows = summaryRows(report);
+  append(document.getElementById("head"), [el("h1", {}, title), el("p", {class: "sentence"}, headSentence(report)),
+    rows.length === 0 ? notRecorded("The summary")
+      : el("dl", {class: "summary"}, rows.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value))))]);
+}
+
+function showFoot(report) {
+  const facts = [["cell", report.cell], ["tube sheet", object(report.sheet)?.name], ["map fingerprint", object(report.sheet)?.fingerprint],
+    ["seed", report.seed], ["tubeplan", report.version]].filter(([, value]) => textOf(value, "") !== "");
+  append(document.getElementById("foot"), [facts.map(([name, value]) => `${name} ${textOf(value)}`).join(" \u00b7 ")]);
+}
+
+/// A section that cannot be drawn says so and leaves the others alone.
+function makeSection({id, title, make}, number, report, sheet) {
+  let content;
+  try {
+    content = make(report, sheet);
+  } catch (error) {
+    content = [el("p", {class: "missing"}, `This part could not be drawn: ${error.message}`)];
+  }
+  return el("section", {id}, el("h2", {}, el("span", {class: "count"}, number), title), content);
+}
+
+function showReport() {
+  const report = object(JSON.parse(document.getElementById("report").textContent)) ?? {};
+  const sheet = readSheet(report);
+  showHead(report);
+  SECTIONS.forEach((section, i) => {
+    document.getElementById("contents").append(el("a", {href: `#${section.id}`}, section.title));
+    document.getElementById("sections").append(makeSection(section, i + 1, report, sheet));
+  });
+  showFoot(report);
+  followColourScheme();
+}
+
+showReport();

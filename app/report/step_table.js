@@ -1,0 +1,77 @@
+// ---- step_table.js: how many steps of the tool enter, beside the published experiment.
+
+/// Calkins 1994, table 5.7: ten test holes; tubes by number of steps inserted, 0 to 3.
+const THESIS_ROWS = [
+  {name: "Thesis: without", counts: [7, 2, 1, 0]},
+  {name: "Thesis: with", counts: [0, 4, 4, 2]},
+];
+
+function stepRows(report) {
+  const here = MODES.map((mode) => ({name: `Here: ${mode.brief}`, counts: countsOf(report, mode.key)}));
+  return [THESIS_ROWS[0], here[0], THESIS_ROWS[1], here[1], here[2]];
+}
+
+function stepSection(report) {
+  const rows = stepRows(report);
+  const nothing = rows.every((row) => !row.counts || row.name.startsWith("Thesis"));
+  const bars = figure("Share of tubes by steps inserted", (width) => drawStepBars(rows.filter((row) => row.counts), width));
+  return [
+    el("p", {class: "lead"}, "How far the tool enters, by number of tubes. The thesis's rows are from table 5.7: ten test holes " +
+      "on the real arm, so one hole there is 10 %."),
+    nothing ? notRecorded("Scores against a true arm; only the thesis's rows are shown") : null,
+    el("div", {class: "pair"},
+      el("div", {class: "card"}, el("h3", {}, "Tubes by steps inserted, without and with compensation"), stepTable(report, rows)),
+      el("div", {class: "card"}, el("h3", {}, "The same as shares"), bars.element)),
+  ];
+}
+
+function stepTable(report, rows) {
+  const tolerances = list(report.steps).map((step) => step.tolerance).filter(isNumber);
+  const heads = ["", ...CASES.map((mark, i) => el("span", {}, markIcon(mark), ` ${mark.name.replace(" ", "\u00a0")}`, el("small", {}, errorRange(tolerances, i)))), "of"];
+  const cells = rows.map(({name, counts}) => {
+    if (!counts) return [name, null, null, null, null, "not recorded"];
+    const total = counts.reduce((sum, count) => sum + count, 0);
+    return [name, ...counts.map((count) => `${whole(count)} (${percent(total > 0 ? count / total : null)})`), whole(total)];
+  });
+  return [table(heads, cells), list(report.steps).length === 0 ? notRecorded("The tool's steps") : toolNote(report)];
+}
+
+/// The centring errors of a case: above the first tolerance, or up to the step's own.
+function errorRange(tolerances, index) {
+  if (tolerances.length !== 3) return "";
+  return index === 0 ? `> ${exact(tolerances[0])}` : `\u2264 ${exact(tolerances[index - 1])}`;
+}
+
+function toolNote(report) {
+  const unit = lengthUnit(report);
+  const steps = list(report.steps).map((step, i) => `step ${i + 1}: ${exact(step.diameter)}`).join(", ");
+  return el("p", {class: "note"}, `Below each case, its centring error (${unit}). Diameters (${unit}): ${steps}; ` +
+    `hole: ${exact(object(report.sheet)?.hole_diameter)}.`);
+}
+
+/// Stacked bars of shares; every part carries its case's symbol and its count.
+function drawStepBars(rows, width) {
+  const tall = 24, gap = 34, left = 2, wide = width - 4;
+  const height = rows.length * (tall + gap) + 4;
+  const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
+  rows.forEach(({name, counts}, i) => {
+    const y = i * (tall + gap) + 20, total = counts.reduce((sum, count) => sum + count, 0) || 1;
+    append(drawing, [label(left, y - 6, `${name} (${whole(total)})`)]);
+    let x = left;
+    counts.forEach((count, index) => {
+      const part = wide * count / total;
+      if (count > 0) append(drawing, [barPart(x, y, part, tall, CASES[index], whole(count))]);
+      x += part;
+    });
+  });
+  return drawing;
+}
+
+function barPart(x, y, width, height, mark, text) {
+  const icon = SHAPES[mark.shape];
+  const middle = y + height / 2, start = x + Math.min(14, width / 2);
+  return svg("g", {}, svg("rect", {x: x + 0.5, y, width: Math.max(1, width - 1), height, rx: 2, class: "bar", fill: `var(--${mark.colour})`}),
+    width > 14 ? svg("path", {d: icon.path(start, middle, 5), class: icon.stroked ? "bar-cross" : "bar-mark"}) : null,
+    width > 34 ? label(start + 11, middle + 4, text, {class: "bar-text"}) : null,
+    svg("title", {}, `${mark.name}: ${text}`));
+}

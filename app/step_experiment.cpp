@@ -1,0 +1,177 @@
+#include "app/step_experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "app/touch_input.hpp"
+#include "app/touch_rehearsal.hpp"
+#include "deflection/parameters.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::CalibrationStatus, calibration::TouchPlan;
+using Eigen::Vector3d;
+
+constexpr int kCandidates = 80;
+constexpr int kTouchFits = 20;
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : random_(seed) {}
+  double normal(double sigma) { return sigma * normal_(random_); }
+  Vector3d vector(double sigma) {
+    const double x = normal(sigma), y = normal(sigma), z = normal(sigma);
+    return {x, y, z};
+  }
+  std::uint64_t seed() { return random_(); }
+  template <class T> void shuffle(std::vector<T>& items) {
+    for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[random_() % k]);
+  }
+
+ private:
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_{0, 1};
+};
+
+/// A true arm about the given one: another base, other stiffnesses.
+planner::Workcell drawTruth(planner::Workcell truth, const StepExperimentOptions& options, Draw& draw) {
+  calibration::BaseStep step;
+  step << draw.vector(options.base_shift_sigma), draw.vector(options.base_turn_sigma);
+  truth.X_WB = calibration::moved(truth.X_WB, step);
+  for (const auto& parameter : deflection::parametersOf(truth.arm)) {
+    const bool is_stiffness = parameter.quantity == deflection::Quantity::kTorquePerAngle || parameter.quantity == deflection::Quantity::kLengthToTheFourth;
+    if (is_stiffness) deflection::locate(truth.arm, parameter.path) *= std::exp(draw.normal(options.stiffness_sigma));
+  }
+  return truth;
+}
+
+struct TestHole {
+  TouchPlan plan;
+  int tube;
+  Vector3d tip_error;  ///< belongs to the posture: the same when the hole is touched and when it is scored
+};
+
+/// Touches of the first `count` holes by the true arm; empty when one is out of its reach.
+std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std::vector<TestHole>& holes, int count, double sigma, Draw& draw) {
+  std::vector<TouchPlan> plans;
+  for (int k = 0; k < count; ++k) {
+    plans.push_back(holes[static_cast<std::size_t>(k)].plan);
+    plans.back().id = "T" + std::to_string(k + 1);
+    // The true arm's own error is met by steering against it: its model's tip then stands that much aside.
+    plans.back().p_WH -= holes[static_cast<std::size_t>(k)].tip_error;
+  }
+  calibration::TouchSimulationOptions options;
+  options.sigma = sigma;
+  options.seed = draw.seed();
+  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone) return {};
+  for (int k = 0; k < count; ++k) simulation.touches[static_cast<std::size_t>(k)].p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
+  addNeighbours(truth.sheet, simulation.touches);
+  return simulation.touches;
+}
+
+std::vector<TestHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count, double error_sigma, Draw& draw) {
+  draw.shuffle(candidates);
+  std::vector<TestHole> holes;
+  for (int k = 0; k < count; ++k) {
+    const auto& plan = candidates[static_cast<std::size_t>(k)];
+    const auto name = parseHoleName(plan.hole);
+    holes.push_back({plan, *cell.sheet.indexOf(name->row, name->column), draw.vector(error_sigma)});
+  }
+  return holes;
+}
+
+/// Mean error that a base fitted to many touches leaves at them.
+double meanTouchError(const planner::Workcell& model, const planner::Workcell& truth, const std::vector<TouchPlan>& candidates,
+                      const StepExperimentOptions& options) {
+  Draw draw(options.seed ^ 0x5bd1e995u);
+  double sum = 0;
+  int count = 0;
+  for (int fit = 0; fit < kTouchFits; ++fit) {
+    const auto drawn = drawTruth(truth, options, draw);
+    const auto holes = drawHoles(model, candidates, options.touch_fit_points, options.unmodelled_sigma, draw);
+    const auto touches = touch(drawn, holes, options.touch_fit_points, touchSigmaOf(model.tool), draw);
+    if (touches.empty()) continue;
+    const auto base = calibration::calibrateBase(model.arm, touches, model.X_WB);
+    for (const auto& residual : base.residuals) sum += residual.residual_W.norm(), ++count;
+  }
+  return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Three well-spread holes first: a line of them would place no base.
+bool areWellSpread(const std::vector<TestHole>& holes, int count) {
+  std::vector<calibration::Touch> touches;
+  for (int k = 0; k < count; ++k) {
+    calibration::Touch touch;
+    touch.hole = holes[static_cast<std::size_t>(k)].plan.hole;
+    touch.p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
+    touches.push_back(touch);
+  }
+  calibration::BaseCalibrationOptions options;
+  options.collinear_ratio = 0.3;
+  return calibration::findTouchProblem(touches, options).empty();
+}
+
+void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& experiment) {
+  const auto counts = countByMode(scores, steps);
+  for (std::size_t mode = 0; mode < counts.size(); ++mode) {
+    experiment.counts_by_run[mode].push_back(counts[mode]);
+    experiment.mean_counts[mode].resize(counts[mode].size(), 0);
+    for (std::size_t k = 0; k < counts[mode].size(); ++k) experiment.mean_counts[mode][k] += counts[mode][k];
+    for (const auto& score : scores)
+      if (score[mode]) experiment.mean_error[mode] += score[mode]->error / static_cast<double>(scores.size());
+  }
+  ++experiment.runs;
+}
+
+/// One calibration and its ten holes; false where the touches were refused.
+bool runOnce(const planner::Workcell& model, const planner::Workcell& truth, const std::vector<TouchPlan>& candidates,
+             const StepExperimentOptions& options, std::uint64_t seed, StepExperiment& experiment) {
+  Draw draw(seed);
+  const planner::Workcell drawn = drawTruth(truth, options, draw);
+  std::vector<TestHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
+  while (!areWellSpread(holes, options.calibration_holes)) holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
+  const auto touches = touch(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw);
+  if (touches.empty()) return false;
+  const BothCalibrations base = calibrateBoth(model, touches);
+  if (base.flexible.status != CalibrationStatus::kDone || base.rigid.status != CalibrationStatus::kDone) return false;
+  ScoringModels models{withBase(model, base.flexible), withBase(model, base.rigid), drawn};
+  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  std::vector<ModeScores> scores;
+  for (const auto& hole : holes) scores.push_back(scoreModes(models, {hole.tube, hole.plan.q_start, hole.tip_error}, false));
+  addRun(scores, static_cast<int>(model.tool.steps.size()), experiment);
+  return true;
+}
+
+}  // namespace
+
+StepExperiment runStepExperiment(const planner::Workcell& model, const planner::Workcell& truth, const StepExperimentOptions& options,
+                                 const planner::PlanHooks& hooks) {
+  StepExperiment experiment;
+  const auto candidates = touchCandidates(model, kCandidates);
+  if (static_cast<int>(candidates.size()) < std::max(options.test_holes, options.touch_fit_points)) {
+    experiment.status = StepExperimentStatus::kTooFewHoles;
+    experiment.reason = "only " + std::to_string(candidates.size()) + " holes spread over the sheet can be reached";
+    return experiment;
+  }
+  Draw seeds(options.seed);
+  for (int run = 0; run < options.runs; ++run) {
+    if (hooks.stop && hooks.stop()) break;
+    if (hooks.progress) hooks.progress("runs", static_cast<std::size_t>(run) + 1, static_cast<std::size_t>(options.runs));
+    experiment.refused += !runOnce(model, truth, candidates, options, seeds.seed(), experiment);
+  }
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
+    for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
+    experiment.mean_error[mode] /= std::max(1, experiment.runs);
+  }
+  experiment.mean_touch_error = meanTouchError(model, truth, candidates, options);
+  const bool complete = experiment.runs + experiment.refused == options.runs;
+  experiment.status = complete ? StepExperimentStatus::kDone : StepExperimentStatus::kStopped;
+  if (!complete) experiment.reason = "stopped after " + std::to_string(experiment.runs) + " runs, which are kept";
+  return experiment;
+}
+
+}  // namespace tubeplan::app

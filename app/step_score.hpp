@@ -1,0 +1,38 @@
+// The three compensation modes side by side, tube by tube, against the true arm.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "calibration/base_calibration.hpp"
+#include "planner/scoring.hpp"
+
+namespace tubeplan::app {
+
+inline constexpr std::array kCompensations{planner::Compensation::kNone, planner::Compensation::kGoalPoint, planner::Compensation::kViaPoint};
+
+/// The models that the modes plan with, and the truth.
+struct ScoringModels {
+  planner::Workcell flexible;  ///< base as calibrated by the flexible model
+  planner::Workcell rigid;     ///< the arm taken as rigid, base as calibrated so
+  planner::Workcell truth;
+};
+
+/// A tube and the posture whose branch is to be scored.
+struct TubeToScore {
+  int tube = -1;
+  Eigen::VectorXd q;
+  Eigen::Vector3d tip_error_W = Eigen::Vector3d::Zero();  ///< of the true arm beyond its own model [m]
+};
+
+/// Centring by mode, in the order of kCompensations; empty where that mode finds no posture in the branch.
+using ModeScores = std::array<std::optional<planner::Centring>, kCompensations.size()>;
+
+/// Without approach only the centring at the hole is scored.
+[[nodiscard]] ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach = true);
+
+/// Counts by mode of 0, 1, ... steps.
+[[nodiscard]] std::array<std::vector<int>, kCompensations.size()> countByMode(const std::vector<ModeScores>& scores, int steps);
+
+}  // namespace tubeplan::app

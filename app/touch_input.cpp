@@ -1,0 +1,88 @@
+#include "app/touch_input.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "app/input_error.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement, calibration::MeasurementKind, calibration::Touch;
+
+double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& file) {
+  if (std::isfinite(reading.sigma)) return reading.sigma;
+  if (cell.tool) return touchSigmaOf(*cell.tool);
+  throw InputError(fmt::format("{}:{}", file, reading.line), "a touch without sigma", "its centring noise",
+                   "add a column sigma_" + std::string(cell.units.length().name));
+}
+
+void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
+  std::set<std::string> setups;
+  for (const auto& reading : readings)
+    if (reading.kind == MeasurementKind::kTouch) setups.insert(reading.setup);
+  if (!setup.empty() && !setups.contains(setup))
+    throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
+  if (setup.empty() && setups.size() > 1)
+    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches of one placing of the base", "choose one with --setup");
+}
+
+}  // namespace
+
+double touchSigmaOf(const tubesheets::SteppedTool& tool) { return tool.steps.back().tolerance / 2; }
+
+std::optional<HoleName> parseHoleName(const std::string& name) {
+  HoleName hole;
+  int used = 0;
+  if (std::sscanf(name.c_str(), "R%dC%d%n", &hole.row, &hole.column, &used) != 2) return std::nullopt;
+  if (used != static_cast<int>(name.size())) return std::nullopt;
+  return hole;
+}
+
+void addNeighbours(const tubesheets::Sheet& sheet, std::vector<Touch>& touches) {
+  for (auto& touch : touches) {
+    const auto name = parseHoleName(touch.hole);
+    const auto index = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
+    if (!index) continue;
+    for (int neighbour : sheet.neighbours(*index)) {
+      const auto& tube = sheet.tubes[static_cast<std::size_t>(neighbour)];
+      touch.neighbours.push_back({tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube)});
+    }
+  }
+}
+
+std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file, const std::string& setup) {
+  requireOneSetup(readings, file, setup);
+  std::vector<Touch> touches;
+  for (const auto& reading : readings) {
+    if (reading.kind != MeasurementKind::kTouch || !reading.p_W || (!setup.empty() && reading.setup != setup)) continue;
+    const std::string hole = reading.point.empty() ? reading.id : reading.point;
+    touches.push_back({reading.id, hole, *reading.p_W, reading.q, reading.load, sigmaOf(reading, cell, file), {}});
+  }
+  if (touches.empty())
+    throw InputError(file, "no touch of a known hole", "rows of kind touch with a hole's name (R10C20) or x, y, z");
+  if (cell.sheet) addNeighbours(*cell.sheet, touches);
+  return touches;
+}
+
+std::string touchesCsv(const std::vector<Touch>& touches, const Cell& cell) {
+  const std::string length(cell.units.length().name), force(cell.units.force().name), angle(cell.units.angle().name);
+  std::string text = "id,kind,point,load_" + force;
+  const auto active = deflection::activeRows(cell.arm);
+  for (int row : active) text += "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + angle;
+  text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", length);
+  for (const auto& touch : touches) {
+    text += fmt::format("{},touch,{},{}", touch.id, touch.hole, formatNumber(cell.units.toFile(touch.load, dimension::kForce)));
+    for (int k = 0; k < touch.q.size(); ++k) text += "," + formatNumber(cell.units.toFile(touch.q[k], dimension::kAngle));
+    for (int k = 0; k < 3; ++k) text += "," + formatNumber(cell.units.toFile(touch.p_WH[k], dimension::kLength));
+    text += "," + formatNumber(cell.units.toFile(touch.sigma, dimension::kLength)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,33 @@
+// Touches out of a measurement file, with the holes that each may have been mistaken for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/readers/cell_reader.hpp"
+#include "calibration/base_calibration.hpp"
+#include "calibration/measurement.hpp"
+
+namespace tubeplan::app {
+
+/// The touches of known holes among the readings. `file` is for messages. Throws InputError where there are none, where they come
+/// from several set-ups and none is chosen, or where a touch says no sigma and the cell has no tool to take it from.
+[[nodiscard]] std::vector<calibration::Touch> touchesOf(const std::vector<calibration::Measurement>& readings, const Cell& cell,
+                                                        const std::string& file, const std::string& setup = "");
+
+/// The neighbours of the hole a touch names, for telling a mistaken one.
+void addNeighbours(const tubesheets::Sheet& sheet, std::vector<calibration::Touch>& touches);
+
+/// Centring noise of the tool's last step, as one sigma of a coordinate: half of what that step lets through.
+[[nodiscard]] double touchSigmaOf(const tubesheets::SteppedTool& tool);
+
+/// Touches as a measurement file that `calibrate` reads.
+[[nodiscard]] std::string touchesCsv(const std::vector<calibration::Touch>& touches, const Cell& cell);
+
+/// Row and column of a name such as R10C20.
+struct HoleName {
+  int row = 0, column = 0;
+};
+[[nodiscard]] std::optional<HoleName> parseHoleName(const std::string& name);
+
+}  // namespace tubeplan::app

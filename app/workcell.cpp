@@ -1,0 +1,26 @@
+#include "app/workcell.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::app {
+
+planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
+  planner::Workcell work;
+  work.arm = cell.arm;
+  work.X_WB = cell.X_WB;
+  if (cell.base_covariance) work.base_covariance = *cell.base_covariance;
+  work.sheet = requireSheet(cell, purpose);
+  work.tool = requireTool(cell, purpose);
+  work.scene = cell.scene;
+  return work;
+}
+
+nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units) {
+  const Eigen::Vector3d rpy = deflection::fixedAnglesOf(X.linear());
+  return {{"position", vectorJson(X.translation(), units, dimension::kLength)}, {"rpy", vectorJson(rpy, units, dimension::kAngle)}};
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,36 @@
+// Touches that cannot place a base, told before anything is solved.
+#include <algorithm>
+#include <set>
+
+#include "calibration/base_calibration.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+/// Least spread of the points across any line, against their longest spread: zero on a line.
+double flatness(const std::vector<Touch>& touches) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const auto& touch : touches) centre += touch.p_WH / static_cast<double>(touches.size());
+  Eigen::Matrix3Xd points(3, touches.size());
+  for (std::size_t k = 0; k < touches.size(); ++k) points.col(static_cast<Eigen::Index>(k)) = touches[k].p_WH - centre;
+  const Eigen::Vector3d spread = Eigen::JacobiSVD<Eigen::MatrixXd>(points).singularValues();
+  return spread[0] > 0 ? spread[1] / spread[0] : 0;
+}
+
+}  // namespace
+
+std::string findTouchProblem(const std::vector<Touch>& touches, const BaseCalibrationOptions& options) {
+  if (touches.size() < 3)
+    return "a base needs at least three touched holes, and there " + std::string(touches.size() == 1 ? "is " : "are ") +
+           std::to_string(touches.size());
+  std::set<std::string> holes;
+  for (const auto& touch : touches)
+    if (!holes.insert(touch.hole).second)
+      return "hole " + touch.hole + " is touched twice (second time by " + touch.id + "): every touch needs a hole of its own";
+  if (flatness(touches) < options.collinear_ratio)
+    return "the touched holes lie nearly on a line, so the turn about that line cannot be told: touch one hole well off it";
+  return {};
+}
+
+}  // namespace tubeplan::calibration

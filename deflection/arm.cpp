@@ -1,0 +1,45 @@
+#include "deflection/arm.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tubeplan::deflection {
+
+namespace {
+
+double offsetLength(const Row<double>& row) {
+  if (const auto* dh = std::get_if<DenavitHartenberg<double>>(&row.placement)) return std::hypot(dh->a, dh->d);
+  return std::get<Origin<double>>(row.placement).position.norm();
+}
+
+double slideLength(const Joint<double>& joint) {
+  if (joint.type != JointType::kPrismatic) return 0;
+  const double longest = std::max(std::abs(joint.lower), std::abs(joint.upper));
+  return std::abs(joint.offset) + (std::isfinite(longest) ? longest : 0);
+}
+
+}  // namespace
+
+std::vector<int> activeRows(const Arm& arm) {
+  std::vector<int> active;
+  for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i)
+    if (arm.rows[i].joint.type != JointType::kPassive) active.push_back(i);
+  return active;
+}
+
+Arm rigidCopy(const Arm& arm) {
+  Arm rigid = arm;
+  for (auto& row : rigid.rows) {
+    row.joint_stiffness.setConstant(kRigid);
+    row.beam.reset();
+  }
+  return rigid;
+}
+
+double reachOf(const Arm& arm) {
+  double reach = arm.p_LT.norm();
+  for (const auto& row : arm.rows) reach += offsetLength(row) + slideLength(row.joint);
+  return reach;
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,94 @@
+// What makes an arm unusable, found before anything is computed with it.
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "deflection/arm.hpp"
+#include "deflection/chain.hpp"
+#include "deflection/parameters.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+std::string text(double x) {
+  std::string s = std::to_string(x);
+  return s;
+}
+
+constexpr const char* kAxis[3] = {"x", "y", "z"};
+constexpr const char* kInertia[3] = {"Ix", "Iy", "Iz"};
+
+void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
+  Row<double> copy = row;
+  for (const auto& field : parameterFields()) {
+    if (field.of_tool) continue;
+    const int lumps = field.of_lump ? static_cast<int>(row.weight.lumps.size()) : 1;
+    for (int lump = 0; lump < lumps; ++lump) {
+      const double* number = field.find(copy, lump);
+      if (!number) continue;
+      const std::string path = row.name + "." + field.name;
+      const bool may_be_rigid = field.quantity == Quantity::kTorquePerAngle || field.quantity == Quantity::kPressure ||
+                                field.quantity == Quantity::kLengthToTheFourth;
+      if (std::isnan(*number) || (std::isinf(*number) && !may_be_rigid))
+        out.push_back({path, text(*number), "a finite number"});
+      else if (*number < field.lower || *number > field.upper || (may_be_rigid && *number <= 0))
+        out.push_back({path, *number <= 0 ? (*number < 0 ? "a negative number" : "zero") : text(*number),
+                       may_be_rigid ? "more than zero (leave the axis out where it is rigid)" : "a value in its physical range"});
+    }
+  }
+}
+
+void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
+  const auto& joint = row.joint;
+  const std::string path = row.name + ".joint";
+  if (!(joint.lower < joint.upper)) out.push_back({path + ".limits", text(joint.lower) + ", " + text(joint.upper), "a lower limit below the upper one"});
+  if (!(joint.max_speed > 0)) out.push_back({path + ".max_speed", text(joint.max_speed), "more than zero"});
+  if (!(joint.max_acceleration > 0)) out.push_back({path + ".max_acceleration", text(joint.max_acceleration), "more than zero"});
+  if (!(joint.encoder_sigma >= 0)) out.push_back({path + ".encoder_sigma", text(joint.encoder_sigma), "zero or more"});
+}
+
+void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
+  const Row<double>& row = arm.rows[index];
+  if (!row.beam) return;
+  const std::string path = row.name + ".beam";
+  if (row.beam->segments < 1 || row.beam->segments > 1000)
+    out.push_back({path + ".segments", std::to_string(row.beam->segments), "1 to 1000"});
+  const bool slides = row.joint.type == JointType::kPrismatic;
+  const bool last = index + 1 == static_cast<int>(arm.rows.size());
+  const Eigen::Vector3d member = slides ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
+                                 : last ? arm.p_LT
+                                        : offsetInPreviousAxes<double>(arm.rows[index + 1]);
+  if (member.norm() < 1e-9) {
+    out.push_back({path, "a flexible member of length zero", "a next row (or tip) away from this row's origin"});
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+    if (std::isfinite(row.beam->I[k]) && std::abs(member.normalized()[k]) > 1 - 1e-9)
+      out.push_back({path + "." + kInertia[k], std::string("bending about the member's own axis ") + kAxis[k],
+                     "G and J for twist about that axis"});
+}
+
+}  // namespace
+
+std::vector<ArmProblem> findProblems(const Arm& arm) {
+  std::vector<ArmProblem> out;
+  if (arm.rows.empty()) out.push_back({"links", "no rows", "at least one row"});
+  std::set<std::string> rows, joints;
+  for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i) {
+    const Row<double>& row = arm.rows[i];
+    if (!rows.insert(row.name).second) out.push_back({row.name, "a second row of that name", "names that differ"});
+    if (row.joint.type != JointType::kPassive && !joints.insert(row.joint.name).second)
+      out.push_back({row.name + ".joint.name", "a second joint '" + row.joint.name + "'", "names that differ"});
+    checkNumbers(row, out);
+    if (row.joint.type != JointType::kPassive) checkJoint(row, out);
+    checkBeam(arm, i, out);
+  }
+  if (!arm.p_LT.allFinite()) out.push_back({"tool.tip", "a number that is not finite", "three finite lengths"});
+  if (std::abs(arm.gravity_W.norm() - 1) > 1e-9) out.push_back({"gravity", "a direction of length zero", "three numbers, not all zero"});
+  if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9) out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
+  if (joints.empty()) out.push_back({"links", "no joint", "at least one revolute or prismatic row"});
+  return out;
+}
+
+}  // namespace tubeplan::deflection

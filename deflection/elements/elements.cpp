@@ -1,0 +1,21 @@
+// The element table: every law by which a component of the arm gives.
+#include <array>
+
+#include "deflection/elements/beam.hpp"
+#include "deflection/elements/element.hpp"
+#include "deflection/elements/joint_stiffness.hpp"
+
+namespace tubeplan::deflection {
+
+std::span<const ElementKind> elementKinds() {
+  static constexpr std::array kKinds{
+      ElementKind{"joint_stiffness", "rotation = moment / stiffness, about each axis (2.17)", ElementPlace::kOrigin,
+                  joint_stiffness::isFlexible, joint_stiffness::segments, joint_stiffness::deflect<double>,
+                  joint_stiffness::deflect<Dual>},
+      ElementKind{"beam", "cantilever under end force, end moment and its own weight (2.8 to 2.16)", ElementPlace::kMember,
+                  beam::isFlexible, beam::segments, beam::deflect<double>, beam::deflect<Dual>},
+  };
+  return kKinds;
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,72 @@
+// Flexible forward kinematics: the shape of the arm under its weight and a hung load (Calkins 1994, table 2.1).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deflection/arm.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::deflection {
+
+/// Where the arm is asked to be: joint readings (rad, m; one per active row), load hung on the tip [N], and the direction of
+/// gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone.
+template <class S> struct PostureOf {
+  Eigen::Matrix<S, Eigen::Dynamic, 1> q;
+  S load{0};
+  Vector3<S> gravity_B = -Vector3<S>::UnitZ();
+};
+using Posture = PostureOf<double>;
+
+/// Direction of gravity in the base frame, for a base placed at X_WB.
+inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_WB) {
+  return X_WB.linear().transpose() * arm.gravity_W;
+}
+
+struct FlexibleKinematicsOptions {
+  double tolerance = 1e-10;  ///< least tip motion between two passes that asks for another, as a share of the arm's reach
+  int max_iterations = 100;
+};
+
+enum class KinematicsStatus { kNotRun, kConverged, kNotConverged };
+
+/// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
+template <class S> struct RowStateOf {
+  PoseOf<S> X_BL_rigid, X_BL;        ///< frame without and with deflection
+  Vector3<S> force_B, moment_B;      ///< N, N m, in base axes
+  Vector3<S> force_L, moment_L;      ///< the same in the row's deflected axes
+};
+
+/// Deflection of one element: which row, which law (index into elementKinds()), which segment of the member.
+template <class S> struct ComponentStateOf {
+  int row = -1;
+  int kind = -1;
+  int segment = 0;
+  Vector3<S> displacement = Vector3<S>::Zero();  ///< m, in the element's near-end axes
+  Vector3<S> rotation = Vector3<S>::Zero();      ///< rad
+};
+
+template <class S> struct FlexibleKinematicsOf {
+  KinematicsStatus status = KinematicsStatus::kNotRun;
+  std::string reason;
+  int iterations = 0;
+  std::vector<RowStateOf<S>> rows;
+  std::vector<ComponentStateOf<S>> components;
+  PoseOf<S> X_BT;  ///< tool frame at the tip, rigid
+  PoseOf<S> X_BD;  ///< tool frame at the tip, deflected
+};
+using FlexibleKinematics = FlexibleKinematicsOf<double>;
+
+/// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put together
+/// again, until the tip rests. For dual numbers the derivatives are iterated to rest as well, from the values' fixed point, so they
+/// are exact derivatives of the converged shape. `posture.q` must have one entry per active row.
+[[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
+                                                         const FlexibleKinematicsOptions& options = {});
+[[nodiscard]] FlexibleKinematicsOf<Dual> solveFlexibleKinematics(const ArmOf<Dual>& arm, const PostureOf<Dual>& posture,
+                                                                 const FlexibleKinematics& values,
+                                                                 const FlexibleKinematicsOptions& options = {});
+
+/// Poses of all row frames as deflected, in the world.
+std::vector<Eigen::Isometry3d> rowFramesInWorld(const FlexibleKinematics& kinematics, const Eigen::Isometry3d& X_WB);
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,159 @@
+#include "deflection/parameters.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace tubeplan::deflection {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kTiny = 1e-12;
+
+/// Both scalar versions of one accessor, a generic lambda from (row, lump) to a pointer.
+template <class Find>
+ParameterField field(const char* name, Quantity quantity, double lower, double upper, Find, bool of_lump = false) {
+  return {name,  quantity, lower, upper, false, of_lump, [](Row<double>& row, int lump) { return Find{}(row, lump); },
+          [](Row<Dual>& row, int lump) { return Find{}(row, lump); }};
+}
+
+ParameterField toolField(const char* name) { return {name, Quantity::kLength, -kInfinity, kInfinity, true, false, nullptr, nullptr}; }
+
+template <class S> DenavitHartenberg<S>* dhOf(Row<S>& row) { return std::get_if<DenavitHartenberg<S>>(&row.placement); }
+template <class S> Origin<S>* originOf(Row<S>& row) { return std::get_if<Origin<S>>(&row.placement); }
+template <class S> bool moves(const Row<S>& row) { return row.joint.type != JointType::kPassive; }
+
+}  // namespace
+
+const std::vector<ParameterField>& parameterFields() {
+  using Q = Quantity;
+  static const std::vector<ParameterField> kFields{
+      field("dh.alpha", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* dh = dhOf(r); return dh ? &dh->alpha : nullptr; }),
+      field("dh.a", Q::kLength, -kInfinity, kInfinity, [](auto& r, int) { auto* dh = dhOf(r); return dh ? &dh->a : nullptr; }),
+      field("dh.d", Q::kLength, -kInfinity, kInfinity, [](auto& r, int) { auto* dh = dhOf(r); return dh ? &dh->d : nullptr; }),
+      field("dh.theta", Q::kAngle, -kTurn, kTurn,
+            [](auto& r, int) { auto* dh = dhOf(r); return dh && !moves(r) ? &dh->theta : nullptr; }),
+      field("origin.position.x", Q::kLength, -kInfinity, kInfinity,
+            [](auto& r, int) { auto* o = originOf(r); return o ? &o->position[0] : nullptr; }),
+      field("origin.position.y", Q::kLength, -kInfinity, kInfinity,
+            [](auto& r, int) { auto* o = originOf(r); return o ? &o->position[1] : nullptr; }),
+      field("origin.position.z", Q::kLength, -kInfinity, kInfinity,
+            [](auto& r, int) { auto* o = originOf(r); return o ? &o->position[2] : nullptr; }),
+      field("origin.rpy.r", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* o = originOf(r); return o ? &o->rpy[0] : nullptr; }),
+      field("origin.rpy.p", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* o = originOf(r); return o ? &o->rpy[1] : nullptr; }),
+      field("origin.rpy.y", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* o = originOf(r); return o ? &o->rpy[2] : nullptr; }),
+      field("joint.offset", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { return moves(r) ? &r.joint.offset : nullptr; }),
+      field("joint_stiffness.x", Q::kTorquePerAngle, kTiny, kInfinity, [](auto& r, int) { return &r.joint_stiffness[0]; }),
+      field("joint_stiffness.y", Q::kTorquePerAngle, kTiny, kInfinity, [](auto& r, int) { return &r.joint_stiffness[1]; }),
+      field("joint_stiffness.z", Q::kTorquePerAngle, kTiny, kInfinity, [](auto& r, int) { return &r.joint_stiffness[2]; }),
+      field("beam.E", Q::kPressure, kTiny, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->E : nullptr; }),
+      field("beam.Ix", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->I[0] : nullptr; }),
+      field("beam.Iy", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->I[1] : nullptr; }),
+      field("beam.Iz", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->I[2] : nullptr; }),
+      field("beam.G", Q::kPressure, kTiny, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->G : nullptr; }),
+      field("beam.J", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->J : nullptr; }),
+      field("weight.distributed", Q::kForcePerLength, 0, kInfinity, [](auto& r, int) { return &r.weight.distributed; }),
+      field("weight.end", Q::kForce, 0, kInfinity, [](auto& r, int) { return &r.weight.end; }),
+      field("weight.lumps", Q::kForce, 0, kInfinity, [](auto& r, int lump) { return &r.weight.lumps[lump].weight; }, true),
+      toolField("tip.x"), toolField("tip.y"), toolField("tip.z"),
+  };
+  return kFields;
+}
+
+namespace {
+
+int toolAxis(const ParameterField& f) { return f.name[4] - 'x'; }
+
+template <class S> S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
+  const ParameterField& f = parameterFields().at(path.field);
+  if (f.of_tool) return arm.p_LT[toolAxis(f)];
+  S* found = nullptr;
+  if constexpr (std::is_same_v<S, double>)
+    found = f.find(arm.rows.at(path.row), path.lump);
+  else
+    found = f.findDual(arm.rows.at(path.row), path.lump);
+  assert(found);
+  return *found;
+}
+
+template <class To, class From> To castScalar(const From& x) { return To(valueOf(x)); }
+template <class To, class From> Vector3<To> castVector(const Vector3<From>& v) { return valuesOf(v).template cast<To>(); }
+
+template <class To, class From> Row<To> castRow(const Row<From>& row) {
+  Row<To> out;
+  out.name = row.name;
+  if (const auto* dh = std::get_if<DenavitHartenberg<From>>(&row.placement))
+    out.placement = DenavitHartenberg<To>{castScalar<To>(dh->alpha), castScalar<To>(dh->a), castScalar<To>(dh->d), castScalar<To>(dh->theta)};
+  else {
+    const auto& origin = std::get<Origin<From>>(row.placement);
+    out.placement = Origin<To>{castVector<To>(origin.position), castVector<To>(origin.rpy)};
+  }
+  const auto& j = row.joint;
+  out.joint = {j.name, j.type, castScalar<To>(j.offset), j.lower, j.upper, j.max_speed, j.max_acceleration, j.encoder_sigma};
+  out.joint_stiffness = castVector<To>(row.joint_stiffness);
+  if (row.beam)
+    out.beam = Beam<To>{castScalar<To>(row.beam->E), castVector<To>(row.beam->I), castScalar<To>(row.beam->G),
+                        castScalar<To>(row.beam->J), row.beam->segments};
+  out.weight.distributed = castScalar<To>(row.weight.distributed);
+  out.weight.end = castScalar<To>(row.weight.end);
+  for (const auto& lump : row.weight.lumps) out.weight.lumps.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
+  return out;
+}
+
+Parameter makeParameter(Arm& arm, const ParameterPath& path) {
+  const ParameterField& f = parameterFields()[path.field];
+  std::string name = (f.of_tool ? "tool" : arm.rows[path.row].name) + "." + f.name;
+  if (f.of_lump) name += "." + std::to_string(path.lump + 1);
+  return {name, f.quantity, path, locateIn(arm, path), f.lower, f.upper};
+}
+
+void appendRowParameters(Arm& arm, int row, std::vector<Parameter>& out) {
+  const auto& fields = parameterFields();
+  for (int f = 0; f < static_cast<int>(fields.size()); ++f) {
+    if (fields[f].of_tool) continue;
+    const int lumps = static_cast<int>(arm.rows[row].weight.lumps.size());
+    for (int lump = fields[f].of_lump ? 0 : -1; lump < (fields[f].of_lump ? lumps : 0); ++lump) {
+      const double* number = fields[f].find(arm.rows[row], lump);
+      if (number && std::isfinite(*number)) out.push_back(makeParameter(arm, {row, f, lump}));
+    }
+  }
+}
+
+}  // namespace
+
+template <class To, class From> ArmOf<To> castArm(const ArmOf<From>& arm) {
+  ArmOf<To> out;
+  out.name = arm.name;
+  out.gravity_W = castVector<To>(arm.gravity_W);
+  for (const auto& row : arm.rows) out.rows.push_back(castRow<To>(row));
+  out.p_LT = castVector<To>(arm.p_LT);
+  out.tool_axis_L = castVector<To>(arm.tool_axis_L);
+  out.reference_temperature = arm.reference_temperature;
+  return out;
+}
+
+template ArmOf<Dual> castArm<Dual, double>(const ArmOf<double>&);
+template ArmOf<double> castArm<double, Dual>(const ArmOf<Dual>&);
+
+double& locate(Arm& arm, const ParameterPath& path) { return locateIn(arm, path); }
+Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path) { return locateIn(arm, path); }
+
+std::vector<Parameter> parametersOf(const Arm& arm) {
+  Arm copy = arm;
+  std::vector<Parameter> parameters;
+  for (int row = 0; row < static_cast<int>(copy.rows.size()); ++row) appendRowParameters(copy, row, parameters);
+  const auto& fields = parameterFields();
+  for (int f = 0; f < static_cast<int>(fields.size()); ++f)
+    if (fields[f].of_tool) parameters.push_back(makeParameter(copy, {-1, f, -1}));
+  return parameters;
+}
+
+std::optional<Parameter> findParameter(const Arm& arm, std::string_view name) {
+  for (auto& parameter : parametersOf(arm))
+    if (parameter.name == name) return parameter;
+  return std::nullopt;
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,57 @@
+// Every number of an arm under its dotted name, for any scalar: what identification frees and derivatives are taken by.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deflection/arm.hpp"
+
+namespace tubeplan::deflection {
+
+/// What kind of number a parameter is; readers and printers find its unit from it.
+enum class Quantity { kNone, kLength, kAngle, kForce, kForcePerLength, kTorquePerAngle, kPressure, kLengthToTheFourth };
+
+/// Where a parameter lives: `row` -1 is the tool; `field` indexes parameterFields(); `lump` counts the row's lumps.
+struct ParameterPath {
+  int row = -1;
+  int field = -1;
+  int lump = -1;
+  bool operator==(const ParameterPath&) const = default;
+};
+
+/// A kind of number a row (or the tool) can have. An open table: a new number is one row in parameters.cpp.
+struct ParameterField {
+  const char* name;  ///< within the row: "joint_stiffness.z"
+  Quantity quantity;
+  double lower, upper;  ///< physical bounds in internal units
+  bool of_tool, of_lump;
+  double* (*find)(Row<double>&, int lump);  ///< nullptr where the row has no such number
+  Dual* (*findDual)(Row<Dual>&, int lump);
+};
+
+const std::vector<ParameterField>& parameterFields();
+
+struct Parameter {
+  std::string name;  ///< dotted path in the arm file: "tool.joint_stiffness.z", "tool.tip.x"
+  Quantity quantity = Quantity::kNone;
+  ParameterPath path;
+  double value = 0;
+  double lower = 0, upper = 0;
+};
+
+/// All finite numbers of the arm, in file order; rigid axes are not among them.
+std::vector<Parameter> parametersOf(const Arm& arm);
+
+/// The parameter of that dotted name, or nothing.
+std::optional<Parameter> findParameter(const Arm& arm, std::string_view name);
+
+/// The number itself; the path must be one of parametersOf() of an arm of the same shape.
+double& locate(Arm& arm, const ParameterPath& path);
+Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path);
+
+/// The same arm in another scalar (derivatives zero, or dropped).
+template <class To, class From> ArmOf<To> castArm(const ArmOf<From>& arm);
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,80 @@
+// Rotations and poses for any scalar of the physics.
+#pragma once
+
+#include <cmath>
+
+#include "deflection/scalar.hpp"
+
+namespace tubeplan::deflection {
+
+/// Pose of a frame: p_out = R p_in + p.
+template <class S> struct PoseOf {
+  Matrix3<S> R = Matrix3<S>::Identity();
+  Vector3<S> p = Vector3<S>::Zero();
+};
+
+template <class S> PoseOf<S> operator*(const PoseOf<S>& X_AB, const PoseOf<S>& X_BC) {
+  return {X_AB.R * X_BC.R, X_AB.R * X_BC.p + X_AB.p};
+}
+
+inline Eigen::Isometry3d toIsometry(const PoseOf<double>& X) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = X.R;
+  result.translation() = X.p;
+  return result;
+}
+
+template <class S> Matrix3<S> rotationX(const S& angle) {
+  using std::cos, std::sin;
+  const S c = cos(angle), s = sin(angle), zero(0), one(1);
+  Matrix3<S> R;
+  R << one, zero, zero, zero, c, S(-s), zero, s, c;
+  return R;
+}
+
+template <class S> Matrix3<S> rotationY(const S& angle) {
+  using std::cos, std::sin;
+  const S c = cos(angle), s = sin(angle), zero(0), one(1);
+  Matrix3<S> R;
+  R << c, zero, s, zero, one, zero, S(-s), zero, c;
+  return R;
+}
+
+template <class S> Matrix3<S> rotationZ(const S& angle) {
+  using std::cos, std::sin;
+  const S c = cos(angle), s = sin(angle), zero(0), one(1);
+  Matrix3<S> R;
+  R << c, S(-s), zero, s, c, zero, zero, zero, one;
+  return R;
+}
+
+/// Fixed-axis roll, pitch, yaw [rad]: Rz(yaw) Ry(pitch) Rx(roll), Craig's X-Y-Z fixed angles (gamma, beta, alpha).
+template <class S> Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
+  return rotationZ<S>(rpy.z()) * rotationY<S>(rpy.y()) * rotationX<S>(rpy.x());
+}
+
+/// The fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2].
+inline Eigen::Vector3d fixedAnglesOf(const Eigen::Matrix3d& R) {
+  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))), std::atan2(R(1, 0), R(0, 0))};
+}
+
+/// exp of a rotation vector [rad]. The series below 0.1 rad keeps derivatives finite at zero (error under 1e-15).
+template <class S> Matrix3<S> rotationFromVector(const Vector3<S>& v) {
+  using std::cos, std::sin, std::sqrt;
+  const S t2 = v.squaredNorm();
+  S a, b;
+  if (valueOf(t2) < 0.01) {
+    a = S(1) - t2 / 6 * (S(1) - t2 / 20 * (S(1) - t2 / 42 * (S(1) - t2 / 72)));
+    b = S(0.5) - t2 / 24 * (S(1) - t2 / 30 * (S(1) - t2 / 56 * (S(1) - t2 / 90)));
+  } else {
+    const S t = sqrt(t2);
+    a = sin(t) / t;
+    b = (S(1) - cos(t)) / t2;
+  }
+  Matrix3<S> K;
+  const S zero(0);
+  K << zero, S(-v.z()), v.y(), v.z(), zero, S(-v.x()), S(-v.y()), v.x(), zero;
+  return Matrix3<S>::Identity() + a * K + b * (K * K);
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,23 @@
+// The number types of the physics: plain doubles, and dual numbers that carry exact derivatives through the same code.
+#pragma once
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace tubeplan::deflection {
+
+/// How many derivatives one pass carries; more variables take more passes.
+inline constexpr int kDualSize = 8;
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kDualSize, 1>>;
+
+template <class S> using Vector3 = Eigen::Matrix<S, 3, 1>;
+template <class S> using Matrix3 = Eigen::Matrix<S, 3, 3>;
+
+inline double valueOf(double x) { return x; }
+inline double valueOf(const Dual& x) { return x.value(); }
+
+template <class Derived> auto valuesOf(const Eigen::MatrixBase<Derived>& m) {
+  return m.unaryExpr([](const typename Derived::Scalar& x) { return valueOf(x); }).eval();
+}
+
+}  // namespace tubeplan::deflection

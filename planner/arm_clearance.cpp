@@ -1,0 +1,127 @@
+#include "planner/arm_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deflection/chain.hpp"
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+using deflection::FlexibleKinematics;
+using Eigen::Isometry3d, Eigen::Vector3d;
+
+/// A posture's deflection changes with the joints too: at most some 3 in of sag over a radian, against 60 in of reach.
+constexpr double kDeflectionFactor = 1.1;
+
+/// What the tool's bodies may touch, they may touch on approach only.
+Scene travelScene(Scene scene) {
+  if (scene.links.empty()) return scene;
+  const std::string& tool = scene.links.back().name;
+  const auto isTool = [&](const std::string& name) {
+    return name == tool || std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+             return body.link == tool && body.name == name;
+           });
+  };
+  for (auto& obstacle : scene.obstacles) std::erase_if(obstacle.allow, isTool);
+  for (auto& body : scene.bodies)
+    if (body.link == tool)
+      std::erase_if(body.allow, [&](const std::string& name) {
+        return std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const Obstacle& o) { return o.name == name; });
+      });
+  return scene;
+}
+
+Vector3d memberOf(const deflection::Arm& arm, int row) {
+  return row + 1 < static_cast<int>(arm.rows.size()) ? deflection::offsetInPreviousAxes<double>(arm.rows[row + 1]) : arm.p_LT;
+}
+
+/// Greatest distance of a bent element from its chord, of the cubic with its end displacement d and end rotation w.
+double bowOf(const Vector3d& member, const Vector3d& d, const Vector3d& w) {
+  double bow = 0;
+  const Vector3d slope = w.cross(member);
+  for (double s : {0.25, 1. / 3, 0.5, 2. / 3, 0.75})
+    bow = std::max(bow, ((3 * s * s - 2 * s * s * s - s) * d + (s * s * s - s * s) * slope).norm());
+  return 1.1 * bow;
+}
+
+double bowOfRow(const deflection::Arm& arm, const FlexibleKinematics& shape, int row) {
+  double bow = 0, turn = 0;
+  int segments = 0;
+  for (const auto& component : shape.components) {
+    if (component.row != row || deflection::elementKinds()[component.kind].place != deflection::ElementPlace::kMember) continue;
+    ++segments;
+    turn += component.rotation.norm();
+    bow = bowOf(memberOf(arm, row), component.displacement, component.rotation);
+  }
+  return segments > 1 ? 1.1 * memberOf(arm, row).norm() * turn / 8 : bow;
+}
+
+/// Far end of a row's member as deflected, in the base frame.
+Vector3d farEnd(const FlexibleKinematics& shape, int row) {
+  return row + 1 < static_cast<int>(shape.rows.size()) ? shape.rows[row + 1].X_BL.p : shape.X_BD.p;
+}
+
+std::vector<Isometry3d> framesAlongChords(const Workcell& cell, const FlexibleKinematics& shape, double* bow) {
+  std::vector<Isometry3d> frames;
+  if (bow) *bow = 0;
+  for (int row = 0; row < static_cast<int>(shape.rows.size()); ++row) {
+    Isometry3d X_BL = deflection::toIsometry(shape.rows[row].X_BL);
+    if (cell.arm.rows[row].beam && cell.arm.rows[row].joint.type != deflection::JointType::kPrismatic) {
+      const Vector3d chord = farEnd(shape, row) - X_BL.translation();
+      const Vector3d member = X_BL.linear() * memberOf(cell.arm, row);
+      X_BL.linear() = Eigen::Quaterniond::FromTwoVectors(member, chord).toRotationMatrix() * X_BL.linear();
+      if (bow) *bow = std::max(*bow, bowOfRow(cell.arm, shape, row));
+    }
+    frames.push_back(cell.X_WB * X_BL);
+  }
+  return frames;
+}
+
+TravelBound travelOf(const Workcell& cell, const std::vector<double>& body_reach) {
+  std::vector<LinkReach> links;
+  for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) {
+    const auto& joint = cell.arm.rows[row].joint;
+    LinkReach link;
+    link.step = memberOf(cell.arm, row).norm();
+    link.body = body_reach.at(row);
+    link.joint = joint.type == deflection::JointType::kPassive     ? LinkReach::Joint::kNone
+                 : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
+                                                                   : LinkReach::Joint::kRevolute;
+    // A slide lengthens the way from the row before it to its own frame.
+    if (joint.type == deflection::JointType::kPrismatic && !links.empty())
+      links.back().step += std::max(std::abs(joint.lower + joint.offset), std::abs(joint.upper + joint.offset));
+    links.push_back(link);
+  }
+  return travelBoundOf(links, kDeflectionFactor);
+}
+
+}  // namespace
+
+std::vector<Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow) {
+  const auto shape = deflection::solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)});
+  if (shape.status != deflection::KinematicsStatus::kConverged) return {};
+  return framesAlongChords(cell, shape, bow);
+}
+
+ArmClearance::ArmClearance(const Workcell& cell)
+    : cell_(cell), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)), approach_world_(cell.scene),
+      travel_world_(travelScene(cell.scene)), travel_(travelOf(cell, approach_world_.bodyReach())) {}
+
+Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
+  double bow = 0;
+  const auto frames = bodyFrames(cell_, q, &bow);
+  Clearance clearance;
+  if (frames.empty()) {
+    clearance.other = "the deflected shape does not settle";
+    return clearance;
+  }
+  clearance = (rule == ContactRule::kTravel ? travel_world_ : approach_world_).closest(frames);
+  clearance.distance -= bow;
+  clearance.margin -= bow;
+  return clearance;
+}
+
+}  // namespace tubeplan::planner

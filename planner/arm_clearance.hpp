@@ -1,0 +1,37 @@
+// How far the arm, bent by its weight and load, is from what it must not touch.
+#pragma once
+
+#include "planner/clearance.hpp"
+#include "planner/travel_bound.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::planner {
+
+/// The tool may enter holes only while it approaches or retreats; in between it keeps off the sheet as everything does.
+enum class ContactRule { kTravel, kApproach };
+
+/// Clearance of postures of one workcell. Const use from several threads is safe.
+class ArmClearance {
+ public:
+  explicit ArmClearance(const Workcell& cell);
+
+  /// Least margin at joint readings q, on the deflected shape; the bow of a bent member between its frames is taken off. A shape
+  /// that does not settle has a NaN margin, with the reason in `other`.
+  [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
+
+  /// Bound on any body point's travel, deflection's change included.
+  [[nodiscard]] const TravelBound& travel() const { return travel_; }
+
+  [[nodiscard]] const Workcell& cell() const { return cell_; }
+
+ private:
+  const Workcell& cell_;
+  Eigen::Vector3d gravity_B_;
+  CollisionWorld approach_world_, travel_world_;
+  TravelBound travel_;
+};
+
+/// Poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the bent member's chord.
+std::vector<Eigen::Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow);
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,130 @@
+#include "planner/clearance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "planner/separation.hpp"
+
+namespace tubeplan::planner {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+struct CollisionWorld::Placed {
+  std::span<const Isometry3d> X_WL;
+  std::vector<Capsule> around_W;  ///< one per body
+};
+
+std::string describe(const Clearance& clearance) {
+  if (clearance.body.empty() && clearance.other.empty())
+    return std::isfinite(clearance.margin) ? fmt::format("the arm has {:.4g} m to spare", clearance.margin)
+                                           : "nothing is near the arm";
+  if (std::isnan(clearance.distance))
+    return clearance.body.empty() ? clearance.other : fmt::format("{}: {}", clearance.body, clearance.other);
+  const double required = clearance.distance - clearance.margin;
+  if (clearance.distance < 0) return fmt::format("{} runs into {}", clearance.body, clearance.other);
+  return fmt::format("{} is {:.4f} m from {}, {:.4f} m required", clearance.body, clearance.distance, clearance.other,
+                     required);
+}
+
+CollisionWorld::CollisionWorld(Scene scene) : scene_(std::move(scene)), body_reach_(scene_.links.size(), 0.0) {
+  assert(findSceneProblems(scene_).empty());
+  for (const Body& body : scene_.bodies) {
+    solids_.push_back(dynamic_cast<const Solid*>(body.shape.get()));
+    double& reach = body_reach_[body.frame_index];
+    reach = std::max(reach, solids_.back()->farthestFrom(Vector3d::Zero()).norm());
+  }
+  const std::vector<int> groups = rigidGroups(scene_);
+  for (int i = 0; i < static_cast<int>(scene_.bodies.size()); ++i) {
+    for (int k = 0; k < static_cast<int>(scene_.obstacles.size()); ++k) {
+      const Obstacle& obstacle = scene_.obstacles[k];
+      addPair({i, k, false, dynamic_cast<const Solid*>(obstacle.shape.get())}, mayTouch(obstacle, scene_.bodies[i]));
+    }
+    for (int k = 0; k < i; ++k)
+      if (groups[i] - groups[k] > 1 || groups[k] - groups[i] > 1)
+        addPair({i, k, true, solids_[k]}, mayTouch(scene_.bodies[k], scene_.bodies[i]));
+  }
+  // Exact pairs first: they cost little, and what they find spares most of the others.
+  std::ranges::stable_partition(pairs_, [this](const Pair& pair) { return !needsLibrary(pair); });
+}
+
+void CollisionWorld::addPair(const Pair& pair, bool allowed) { (allowed ? allowed_pairs_ : pairs_).push_back(pair); }
+
+bool CollisionWorld::needsLibrary(const Pair& pair) const {
+  return pair.solid && !(pair.solid->isCapsule() && solids_[pair.body]->isCapsule());
+}
+
+CollisionWorld::Placed CollisionWorld::place(std::span<const Isometry3d> X_WL) const {
+  assert(X_WL.size() == scene_.links.size());
+  Placed placed{X_WL, {}};
+  placed.around_W.reserve(solids_.size());
+  for (std::size_t i = 0; i < solids_.size(); ++i)
+    placed.around_W.push_back(transformed(X_WL[scene_.bodies[i].frame_index], solids_[i]->around()));
+  return placed;
+}
+
+/// By the capsules around the two; minus infinity against a region.
+double CollisionWorld::quickLowerBound(const Pair& pair, const Placed& placed) const {
+  if (!pair.solid) return -std::numeric_limits<double>::infinity();
+  const Capsule& other = pair.with_body ? placed.around_W[pair.other] : pair.solid->around();
+  return separation(placed.around_W[pair.body], other).distance;
+}
+
+Separation CollisionWorld::pairSeparation(const Pair& pair, const Placed& placed) const {
+  const Isometry3d& X_WB = placed.X_WL[scene_.bodies[pair.body].frame_index];
+  if (!pair.with_body) return scene_.obstacles[pair.other].shape->separationFrom(X_WB, *solids_[pair.body]);
+  return separation(X_WB, *solids_[pair.body], placed.X_WL[scene_.bodies[pair.other].frame_index], *pair.solid);
+}
+
+Clearance CollisionWorld::named(const Pair& pair, const Separation& separation) const {
+  const std::string& other = pair.with_body ? bodyLabel(scene_.bodies[pair.other]) : scene_.obstacles[pair.other].name;
+  return {separation.distance, separation.distance - scene_.clearance, bodyLabel(scene_.bodies[pair.body]), other,
+          separation.point};
+}
+
+std::optional<Clearance> CollisionWorld::findLostBody(std::span<const Isometry3d> X_WL) const {
+  for (const Body& body : scene_.bodies)
+    if (!X_WL[body.frame_index].matrix().allFinite()) {
+      Clearance lost;
+      lost.body = bodyLabel(body);
+      lost.other = "its pose is not a number";
+      return lost;
+    }
+  return std::nullopt;
+}
+
+Clearance CollisionWorld::closest(std::span<const Isometry3d> X_WL, double stop_below) const {
+  const Placed placed = place(X_WL);
+  if (auto lost = findLostBody(X_WL)) return *lost;
+  const Pair* nearest = nullptr;
+  Separation least{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
+  for (const Pair& pair : pairs_) {
+    if (quickLowerBound(pair, placed) >= least.distance) continue;
+    const Separation found = pairSeparation(pair, placed);
+    if (found.distance >= least.distance) continue;
+    least = found;
+    nearest = &pair;
+    if (least.distance - scene_.clearance < stop_below) break;
+  }
+  if (nearest) return named(*nearest, least);
+  Clearance nothing;
+  nothing.distance = nothing.margin = std::numeric_limits<double>::infinity();
+  return nothing;
+}
+
+std::vector<PairClearance> CollisionWorld::allPairs(std::span<const Isometry3d> X_WL) const {
+  const Placed placed = place(X_WL);
+  std::vector<PairClearance> all;
+  for (const Pair& pair : pairs_) all.push_back({named(pair, pairSeparation(pair, placed)), false});
+  for (const Pair& pair : allowed_pairs_) {
+    all.push_back({named(pair, pairSeparation(pair, placed)), true});
+    all.back().clearance.margin = std::numeric_limits<double>::infinity();
+  }
+  std::ranges::stable_sort(all, {}, [](const PairClearance& pair) { return pair.clearance.distance; });
+  return all;
+}
+
+}  // namespace tubeplan::planner

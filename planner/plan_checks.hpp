@@ -1,0 +1,55 @@
+// Proves a written plan again: by the plan's own numbers and the model, with other code than made it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "planner/visit_plan.hpp"
+
+namespace tubeplan::planner {
+
+/// A tube as a plan file states it. [m, rad]
+struct StatedTube {
+  int row = 0, column = 0;
+  Eigen::Vector3d hole_W = Eigen::Vector3d::Zero();
+  Eigen::VectorXd q;
+  Eigen::Vector3d predicted_tip_W = Eigen::Vector3d::Zero();
+};
+
+/// A plan as read from its files.
+struct StatedPlan {
+  std::vector<StatedTube> tubes;
+  std::vector<std::pair<int, int>> unreachable;  ///< row, column
+  std::vector<PathRow> path;
+};
+
+struct PlanCheckOptions {
+  double centring_tolerance = 2.54e-8;  ///< m (1e-6 in)
+  double stated_tolerance = 2.54e-8;    ///< m, between stated numbers and those found again
+  double joint_tolerance = 1e-9;        ///< rad, between a tube's joints and the end of its approach
+  double approach_tolerance = 2.8e-5;   ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
+  bool via_points = true;               ///< the approach was compensated at every via point
+  double least_travel = 1e-4;           ///< m, finest step of the clearance proof
+  double distance_accuracy = 1e-5;      ///< m
+};
+
+enum class PlanCheckStatus { kNotRun, kProved, kRefuted };
+
+struct PlanCheck {
+  PlanCheckStatus status = PlanCheckStatus::kNotRun;
+  std::vector<std::string> findings;  ///< what is wrong, at most 100
+  int tubes = 0, rows = 0;
+  double worst_centring = 0;          ///< m
+  double worst_approach = 0;          ///< m
+  double worst_speed_share = 0;       ///< of the limit
+  double worst_acceleration_share = 0;
+  double least_margin = std::numeric_limits<double>::infinity();  ///< m, proved between rows
+  std::string tightest;
+};
+
+/// Checks tubes, centring, order, joint limits, speeds, accelerations, continuity and clearance of the deflected arm.
+[[nodiscard]] PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options = {},
+                                  const PlanHooks& hooks = {});
+
+}  // namespace tubeplan::planner

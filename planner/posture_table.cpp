@@ -1,0 +1,49 @@
+#include "planner/posture_table.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tubeplan::planner {
+
+PostureTable::PostureTable(const Route& route)
+    : route_(&route),
+      visits_(static_cast<int>(route.visits.size())),
+      joints_(static_cast<int>(route.speeds.max_speed.size())),
+      has_extra_(static_cast<bool>(route.extra_time)) {
+  first_.push_back(0);
+  const auto addPosture = [&](const Eigen::VectorXd& q) {
+    for (int j = 0; j < joints_; ++j) {
+      by_speed_.push_back(q[j] / route.speeds.max_speed[j]);
+      by_acceleration_.push_back(q[j] / route.speeds.max_acceleration[j]);
+    }
+    node_of_.push_back(nodes());
+  };
+  const auto closeNode = [&] { first_.push_back(static_cast<int>(node_of_.size())); };
+  for (const Visit& visit : route.visits) {
+    for (const Eigen::VectorXd& q : visit.branches) addPosture(q);
+    closeNode();
+  }
+  const auto addEnd = [&](const std::optional<Eigen::VectorXd>& q) {
+    if (!q) return -1;
+    addPosture(*q);
+    closeNode();
+    return nodes() - 1;
+  };
+  start_node_ = addEnd(route.start);
+  end_node_ = addEnd(route.end);
+  const Eigen::ArrayXd ratio = route.speeds.max_speed.array() / route.speeds.max_acceleration.array();
+  ratio_ = ratio[0];
+  one_ratio_ = std::isfinite(ratio_) && (ratio == ratio_).all();
+}
+
+double PostureTable::extra(int a, int b) const {
+  const auto visitOf = [&](int node) { return node == start_node_ ? kStartPosture : node == end_node_ ? kEndPosture : node; };
+  const int node_a = node_of_[a], node_b = node_of_[b];
+  const double seconds =
+      route_->extra_time(visitOf(node_a), a - first_[node_a], visitOf(node_b), b - first_[node_b]);
+  assert(seconds >= 0);
+  return std::min(seconds, kForbiddenTime);
+}
+
+}  // namespace tubeplan::planner

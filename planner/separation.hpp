@@ -1,0 +1,26 @@
+// Distance between two convex solids.
+#pragma once
+
+#include "planner/shape.hpp"
+
+namespace tubeplan::planner {
+
+/// The nearest points of two segments a0-a1 and b0-b1, degenerate ones included; exact.
+struct SegmentPair {
+  Eigen::Vector3d on_a, on_b;
+};
+[[nodiscard]] SegmentPair nearestPoints(const Eigen::Vector3d& a0, const Eigen::Vector3d& a1, const Eigen::Vector3d& b0,
+                                        const Eigen::Vector3d& b1);
+
+[[nodiscard]] Capsule transformed(const Eigen::Isometry3d& X_WF, const Capsule& capsule_F);
+
+/// Distance of two capsules, exact: negative where they overlap. The point is on a's surface.
+[[nodiscard]] Separation separation(const Capsule& a, const Capsule& b);
+
+/// Distance between solids a and b placed in W. Exact for two capsules (spheres among them). For others the distance
+/// library proposes the nearest points, and what is returned is the width of the gap between the two supporting planes
+/// across them: a lower bound of the distance whatever the library proposed. The point is a's, in W.
+[[nodiscard]] Separation separation(const Eigen::Isometry3d& X_WA, const Solid& a, const Eigen::Isometry3d& X_WB,
+                                    const Solid& b);
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,11 @@
+#include "planner/shape.hpp"
+
+#include "planner/separation.hpp"
+
+namespace tubeplan::planner {
+
+Separation Solid::separationFrom(const Eigen::Isometry3d& X_FB, const Solid& body) const {
+  return separation(X_FB, body, Eigen::Isometry3d::Identity(), *this);
+}
+
+}  // namespace tubeplan::planner

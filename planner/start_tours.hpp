@@ -1,0 +1,16 @@
+// Nearest-neighbour routes to begin the search from. Internal to the ordering.
+#pragma once
+
+#include <vector>
+
+#include "planner/neighbour_lists.hpp"
+#include "planner/posture_table.hpp"
+
+namespace tubeplan::planner {
+
+/// Orders of all visits: one by the least time over the branches of two visits, then one for each branch of its first visit, which
+/// goes on to the nearest posture from there, so that the arm keeps to one branch while it can.
+[[nodiscard]] std::vector<std::vector<int>> startTours(const PostureTable& table,
+                                                       const std::vector<std::vector<Neighbour>>& neighbours);
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,58 @@
+#include "planner/tube_reach.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+/// How far a branch came before it failed; the furthest failure is the telling one.
+enum class Hurdle { kNone, kKinematics, kStandoff, kApproach };
+
+struct BranchVerdict {
+  Hurdle failed = Hurdle::kNone;
+  std::string reason;
+  Clearance blocking;
+};
+
+std::string inTheWay(const Clearance& clearance) {
+  if (clearance.body.empty()) return clearance.other;
+  return clearance.body + " comes too near " + clearance.other;
+}
+
+BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, const TubeReachOptions& options) {
+  if (branch.status != deflection::BranchStatus::kConverged) return {Hurdle::kKinematics, branch.reason, {}};
+  const Clearance at_standoff = clearance.at(branch.approach.front(), ContactRule::kTravel);
+  if (!(at_standoff.margin >= 0)) return {Hurdle::kStandoff, "collision below the hole: " + inTheWay(at_standoff), at_standoff};
+  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, ContactRule::kApproach); };
+  for (std::size_t k = 0; k + 1 < branch.approach.size(); ++k) {
+    const auto check = checkMotion(branch.approach[k], branch.approach[k + 1], margin, clearance.travel(), options.check);
+    if (check.status != MotionCheckStatus::kFree)
+      return {Hurdle::kApproach, "approach blocked: " + inTheWay(check.tightest), check.tightest};
+  }
+  return {};
+}
+
+}  // namespace
+
+TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options) {
+  TubeReach reach;
+  reach.tube = tube;
+  reach.status = ReachStatus::kUnreachable;
+  reach.reason = "the place is out of the arm's reach";
+  Hurdle furthest = Hurdle::kNone;
+  for (auto& branch : compensate(clearance.cell(), holeCentre(clearance.cell().sheet.tubes.at(tube)), options.compensation)) {
+    const BranchVerdict verdict = judge(clearance, branch, options);
+    if (verdict.failed == Hurdle::kNone) {
+      reach.branches.push_back(std::move(branch));
+    } else if (verdict.failed > furthest) {
+      furthest = verdict.failed;
+      reach.reason = verdict.reason;
+      reach.blocking = verdict.blocking;
+    }
+  }
+  if (reach.branches.empty()) return reach;
+  reach.status = ReachStatus::kReachable;
+  reach.reason.clear();
+  return reach;
+}
+
+}  // namespace tubeplan::planner

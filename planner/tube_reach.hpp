@@ -1,0 +1,30 @@
+// Which tubes the arm can serve, in which branches, and why not the others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/arm_clearance.hpp"
+#include "planner/compensation.hpp"
+#include "planner/motion_check.hpp"
+
+namespace tubeplan::planner {
+
+struct TubeReachOptions {
+  CompensationOptions compensation;
+  MotionCheckOptions check;
+};
+
+enum class ReachStatus { kNotRun, kReachable, kUnreachable };
+
+struct TubeReach {
+  ReachStatus status = ReachStatus::kNotRun;
+  int tube = -1;                     ///< index in the sheet
+  std::vector<TubeBranch> branches;  ///< usable: reach the hole, within limits, clear at the hole and all the way up
+  std::string reason;                ///< when there is none: what stops the branch that came furthest
+  Clearance blocking;                ///< the pair in the way, where that is a collision
+};
+
+[[nodiscard]] TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options = {});
+
+}  // namespace tubeplan::planner

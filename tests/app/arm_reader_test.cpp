@@ -1,0 +1,99 @@
+#include "app/readers/arm_reader.hpp"
+
+#include <numbers>
+
+#include "app/readers/strict_yaml.hpp"
+#include "deflection/parameters.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180, kPound = 4.4482216152605;
+
+std::string cobraText() { return contentOf(shippedCells() / "cobra-arm.yaml"); }
+
+ArmSource armOf(const std::string& text) { return readArm(parseYaml(text, "arm.yaml")); }
+
+std::string refusal(const std::string& from, const std::string& to) {
+  return messageOf([&] { (void)armOf(changed(cobraText(), from, to)); });
+}
+
+TEST(ArmReader, readsTheCobra) {
+  const auto source = armOf(cobraText());
+  const auto& arm = source.arm;
+  ASSERT_EQ(arm.rows.size(), 6u);
+  EXPECT_EQ(deflection::activeRows(arm), (std::vector<int>{2, 3, 4, 5}));
+  const auto& platform = std::get<deflection::DenavitHartenberg<double>>(arm.rows[1].placement);
+  EXPECT_DOUBLE_EQ(platform.alpha, -91.37 * kDegree);
+  EXPECT_DOUBLE_EQ(platform.a, 15 * kInch);
+  EXPECT_NEAR(arm.rows[5].joint_stiffness.z(), 5588 * kPound * kInch / kDegree, 1e-9);
+  EXPECT_EQ(arm.rows[5].joint_stiffness.x(), deflection::kRigid);
+  EXPECT_DOUBLE_EQ(arm.rows[3].weight.end, 20 * kPound);
+  EXPECT_DOUBLE_EQ(arm.p_LT.y(), 7.8471 * kInch);
+  ASSERT_TRUE(arm.rows[0].beam.has_value());
+  EXPECT_NEAR(arm.rows[0].beam->E, 1.0121e7 * kPound / (kInch * kInch), 1);
+  EXPECT_FALSE(source.names_tool_axis);
+}
+
+TEST(ArmReader, takesSpeedsPerSecondWhateverTheUnitOfTime) {
+  const auto& joint = armOf(cobraText()).arm.rows[2].joint;
+  EXPECT_DOUBLE_EQ(joint.max_speed, 6 * kDegree);
+  EXPECT_DOUBLE_EQ(joint.max_acceleration, 12 * kDegree);
+}
+
+TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
+  const auto arm = armOf("units: {length: mm, angle: deg, force: N}\nlinks:\n"
+                         "  - name: rail\n    origin: {position: [0, 0, 100], rpy: [0, 90, 0]}\n"
+                         "    joint: {name: s, type: prismatic, offset: 10, limits: [0, 500], max_speed: 50}\n"
+                         "    beam: {E: 70000, Ix: 500, G: 26000, J: 900, segments: 4}\n"
+                         "    weight: {lumps: [{weight: 3, at: [1, 2, 3]}]}\n"
+                         "tool: {tip: [100, 0, 0], axis: [0, 3, 4]}\nreference_temperature: 25\n").arm;
+  EXPECT_DOUBLE_EQ(arm.rows[0].joint.offset, 0.01);
+  EXPECT_DOUBLE_EQ(arm.rows[0].joint.upper, 0.5);
+  EXPECT_DOUBLE_EQ(arm.rows[0].joint.max_speed, 0.05);
+  EXPECT_NEAR(arm.rows[0].beam->E, 70e9, 1e-3);
+  EXPECT_EQ(arm.rows[0].beam->segments, 4);
+  EXPECT_DOUBLE_EQ(arm.rows[0].weight.lumps.at(0).at.z(), 0.003);
+  EXPECT_TRUE(arm.tool_axis_L.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
+  EXPECT_DOUBLE_EQ(arm.reference_temperature, 298.15);
+}
+
+TEST(ArmReader, refusesUnknownMissingAndIllTypedKeys) {
+  EXPECT_SAYS(refusal("max_speed: 6", "maxspeed: 6"), "did you mean 'max_speed'?");
+  EXPECT_SAYS(refusal("a: 13.202, ", ""), "no key 'a'");
+  EXPECT_SAYS(refusal("alpha: 90, a: 0", "alpha: ninety, a: 0"), "'ninety'");
+  EXPECT_SAYS(refusal("type: revolute", "type: revolving"), "revolute or prismatic");
+  EXPECT_SAYS(refusal("dh: {alpha: 0, a: 26.406, d: 0}", "origin: {position: [0, 0], rpy: [0, 0, 0]}"), "three numbers");
+  EXPECT_SAYS(refusal("{E: 1.0121e7, Iz: 0.394}", "{Iz: 0.394}"), "without E");
+  EXPECT_SAYS(refusal("a: 0, d: 0, theta: 0}", "a: 0, d: 0}"), "'theta'");
+}
+
+TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
+  const std::string negative = refusal("{z: 5588}", "{z: -5588}");
+  EXPECT_SAYS(negative, "arm.yaml:38:");
+  EXPECT_SAYS(negative, "tool.joint_stiffness.z");
+  EXPECT_SAYS(negative, "-5588");
+  EXPECT_SAYS(refusal("a: 26.406", "a: 0"), "length zero");
+  EXPECT_SAYS(refusal("limits: [0, 180]", "limits: [180, 0]"), "latch-link.joint.limits");
+  EXPECT_SAYS(refusal("name: forearm", "name: tool"), "a second row");
+  EXPECT_SAYS(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
+}
+
+// Every number of the arm, changed by its dotted name in the text, is what is read again, and nothing else changes.
+TEST(ArmReader, writesEveryParameterBack) {
+  const std::string text = changed(cobraText(), "weight: {distributed: 0.126, end: 10.4}", "weight: {lumps: [{weight: 1, at: [0, 0, 1]}, {weight: 2, at: [1, 0, 0]}]}");
+  const YamlNode root = parseYaml(text, "arm.yaml");
+  const ArmSource source = readArm(root);
+  const auto parameters = deflection::parametersOf(source.arm);
+  ASSERT_GT(parameters.size(), 30u);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double value = parameters[i].value * 1.01 + 1e-3;
+    const auto again = deflection::parametersOf(armOf(withArmParameters(text, root, source, {{parameters[i].name, value}})).arm);
+    ASSERT_EQ(again.size(), parameters.size());
+    for (std::size_t k = 0; k < again.size(); ++k) EXPECT_NEAR(again[k].value, k == i ? value : parameters[k].value, 1e-11 * (std::abs(value) + 1)) << parameters[i].name;
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,111 @@
+// The program from outside: what it refuses, with which words and exit code.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+class Program : public FolderTest {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const int status = std::system(command.c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"), contentOf(folder / "err.txt")};
+    fs::remove(folder / "out.txt");
+    fs::remove(folder / "err.txt");
+    return outcome;
+  }
+
+  /// Refused as bad input: exit code 2, one line with these words, nothing on standard output, no file made.
+  void expectRefused(const std::string& arguments, const std::vector<std::string>& words) const {
+    const auto files_before = std::distance(fs::recursive_directory_iterator(folder), {});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& word : words) EXPECT_SAYS(outcome.err, word);
+    EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder), {}), files_before) << arguments;
+  }
+
+  /// The mock-up with one piece of its cell or arm changed.
+  void writeMockup(const std::string& file, const std::string& from, const std::string& to) const {
+    for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) {
+      const std::string text = contentOf(shippedCells() / name);
+      write(name, file == name ? changed(text, from, to) : text);
+    }
+  }
+};
+
+TEST_F(Program, mapsTheMockUp) {
+  const Outcome outcome = run("map '" + (shippedCells() / "mockup.yaml").string() + "' --json - --csv holes.csv");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["holes"], 4674);
+  EXPECT_EQ(json["rows"], 49);
+  EXPECT_EQ(json["columns"], 114);
+  EXPECT_EQ(json["units"]["length"], "in");
+  const std::string csv = contentOf(folder / "holes.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "row,column,x_in,y_in,state");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4675);
+}
+
+TEST_F(Program, helpsWithAnExampleForEachCommand) {
+  for (const char* words : {"", "help", "--help"}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_SAYS(outcome.out, "tubeplan map ");
+  }
+  for (const char* words : {"map --help", "help map"}) EXPECT_SAYS(run(words).out, "Example:");
+  EXPECT_EQ(run("--version").out.substr(0, 9), "tubeplan ");
+}
+
+TEST_F(Program, refusesCommandLinesThatMakeNoSense) {
+  expectRefused("mapp", {"'mapp'", "did you mean 'map'?"});
+  expectRefused("map", {"CELL"});
+  expectRefused("map a.yaml --frobnicate", {"--frobnicate"});
+  expectRefused("--frobnicate", {"--frobnicate"});
+}
+
+TEST_F(Program, refusesBadCells) {
+  expectRefused("map none.yaml --json -", {"none.yaml", "no such file"});
+  write("empty.yaml", "");
+  expectRefused("map empty.yaml --json -", {"empty.yaml", "an empty file"});
+  writeMockup("mockup.yaml", "  hole_diameter", "\thole_diameter");
+  expectRefused("map mockup.yaml --json -", {"mockup.yaml:9:1", "a tab"});
+  writeMockup("mockup.yaml", "  leg: hot\n", "  leg: hot\n  leg: cold\n");
+  expectRefused("map mockup.yaml --json -", {"mockup.yaml:11:3", "'leg' a second time"});
+  writeMockup("mockup.yaml", "pitch: 1.0625", "pitch: .nan");
+  expectRefused("map mockup.yaml --json -", {"tubesheet.layout.pitch", "finite"});
+}
+
+TEST_F(Program, refusesBadArms) {
+  writeMockup("cobra-arm.yaml", "length: in", "length: inches");
+  expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:10:", "'inches'", "in, mm, m or ft"});
+  writeMockup("cobra-arm.yaml", "{z: 5588}", "{z: -5588}");
+  expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:38:", "tool.joint_stiffness.z", "-5588"});
+  writeMockup("cobra-arm.yaml", "a: 26.406", "a: 0");
+  expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:", "latch-link.beam", "length zero"});
+}
+
+TEST_F(Program, refusesPlacesThatCannotBeWritten) {
+  writeMockup("", "", "");
+  write("file", "x");
+  expectRefused("map mockup.yaml --csv file/holes.csv", {"--csv", "file"});
+  expectRefused("map mockup.yaml --json /proc/none/x.json", {"--json"});
+  expectRefused("map mockup.yaml --csv good.csv --json /proc/none/x.json", {"--json"});
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,125 @@
+#include "app/readers/cell_reader.hpp"
+
+#include <numbers>
+#include <random>
+
+#include "app/readers/cell_writer.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+constexpr double kInch = 0.0254;
+
+class CellReader : public FolderTest {
+ protected:
+  /// The mock-up cell with one piece of text changed, beside a copy of its arm.
+  std::string mockupWith(const std::string& from, const std::string& to) const {
+    std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml", std::filesystem::copy_options::overwrite_existing);
+    return write("cell.yaml", changed(contentOf(shippedCells() / "mockup.yaml"), from, to));
+  }
+
+  std::string refusal(const std::string& from, const std::string& to) const {
+    return messageOf([&] { (void)readCell(mockupWith(from, to)); });
+  }
+};
+
+TEST_F(CellReader, readsTheMockUp) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  EXPECT_EQ(cell.name, "cobra-mockup");
+  ASSERT_TRUE(cell.sheet.has_value());
+  EXPECT_EQ(cell.sheet->tubes.size(), 4674u);
+  ASSERT_TRUE(cell.tool.has_value());
+  EXPECT_DOUBLE_EQ(cell.tool->steps.at(2).tolerance, 0.010 * kInch);
+  EXPECT_FALSE(cell.base_known);
+  EXPECT_TRUE(cell.X_WB.translation().isApprox(Eigen::Vector3d(0, 43, -44) * kInch));
+  EXPECT_TRUE((cell.X_WB.linear() * Eigen::Vector3d::UnitX()).isApprox(-Eigen::Vector3d::UnitY()));
+  EXPECT_EQ(cell.scene.obstacles.size(), 5u);
+  EXPECT_EQ(cell.scene.bodies.size(), 6u);
+  EXPECT_EQ(cell.scene.links.size(), 6u);
+  EXPECT_EQ(cell.scene.bodies.back().frame_index, 5);
+  EXPECT_DOUBLE_EQ(cell.scene.clearance, 0.25 * kInch);
+}
+
+TEST_F(CellReader, takesTheToolAxisFromTheTipsBody) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  const Eigen::Vector3d along = Eigen::Vector3d(16.2493 - 16.25, 7.6, 0).normalized();
+  EXPECT_TRUE(cell.arm.tool_axis_L.isApprox(along, 1e-12));
+}
+
+TEST_F(CellReader, readsEveryShippedCell) {
+  for (const char* name : {"bench.yaml", "bowl.yaml", "mockup-true.yaml"}) EXPECT_FALSE(readCell((shippedCells() / name).string()).arm.rows.empty()) << name;
+  EXPECT_EQ(readCell((shippedCells() / "bench.yaml").string()).identify.size(), 6u);
+}
+
+TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
+  write("holes.csv", "row,column,x_in,y_in,state\n1,1,0,3,open\n1,2,1,3,plugged\n2,1,0,4,open\n");
+  const std::string cell_path = write("cell.yaml", "arm:\n  units: {length: in, angle: deg, force: lbf}\n  links:\n"
+                                                   "    - {name: one, dh: {alpha: 0, a: 0, d: 1}, joint: {name: q, type: revolute}}\n"
+                                                   "  tool: {tip: [1, 0, 0]}\nbase: {position: [0, 0, 0], rpy: [0, 0, 0], known: true}\n"
+                                                   "tubesheet: {map: holes.csv, pitch: 1, hole_diameter: 0.5, leg: hot}\n");
+  const Cell cell = readCell(cell_path);
+  EXPECT_EQ(cell.arm_path, cell_path);
+  ASSERT_TRUE(cell.sheet.has_value());
+  ASSERT_EQ(cell.sheet->tubes.size(), 3u);
+  EXPECT_EQ(cell.sheet->find(1, 2)->state, tubesheets::TubeState::kPlugged);
+}
+
+TEST_F(CellReader, refusesWhatItDoesNotKnow) {
+  EXPECT_SAYS(refusal("hole_diameter: 0.760", "hole_diametre: 0.760"), "did you mean 'hole_diameter'?");
+  EXPECT_SAYS(refusal("type: square", "type: sqare"), "did you mean 'square'?");
+  EXPECT_SAYS(refusal("leg: hot", "leg: warm"), "warm");
+  EXPECT_SAYS(refusal("cylinder:", "cone:"), "'cone'");
+  EXPECT_SAYS(refusal("sphere:", "ball:"), "'ball'");
+  EXPECT_SAYS(refusal("radius: 0.29", "radius: -0.29"), "tool");
+  EXPECT_SAYS(refusal("  forearm:    [", "  upperarm:    ["), "'upperarm'");
+  EXPECT_SAYS(refusal("allow: [tool-tip]", "allow: [tooltip]"), "tooltip");
+  EXPECT_SAYS(refusal("known: false", "known: no"), "true or false");
+  EXPECT_SAYS(refusal("cobra-arm.yaml", "cobra-leg.yaml"), "cobra-leg.yaml");
+  EXPECT_SAYS(refusal("tolerance: 0.010", "tolerance: 0.070"), "calibration_tool.steps[2].tolerance");
+  EXPECT_SAYS(refusal("hole_diameter: 0.760", "hole_diameter: 1.2"), "hole_diameter");
+  EXPECT_SAYS(refusal("columns: 114", "columns: 116"), "columns");
+  EXPECT_SAYS(refusal("clearance: 0.25", "clearance: -1"), "clearance");
+  EXPECT_SAYS(refusal("clearance: 0.25", "clearence: 0.25"), "did you mean 'clearance'?");
+  EXPECT_SAYS(refusal("clearance: 0.25", "clearance: 0.25\nidentify: [forearm.joint_stiffness.x]"), "forearm.joint_stiffness.x");
+}
+
+Eigen::Isometry3d randomPose(std::mt19937_64& random) {
+  const auto next = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 * 2 - 1; };
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = Eigen::Quaterniond(next(), next(), next(), next()).normalized().toRotationMatrix();
+  X.translation() = Eigen::Vector3d(next(), next(), next());
+  return X;
+}
+
+TEST_F(CellReader, writesTheBaseBack) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  std::mt19937_64 random(11);
+  std::vector<Eigen::Isometry3d> poses;
+  for (int i = 0; i < 20; ++i) poses.push_back(randomPose(random));
+  poses.push_back(Eigen::Isometry3d(Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX())));
+  poses.push_back(Eigen::Isometry3d(Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitY())));
+  for (const auto& X_WB : poses) {
+    const Matrix6d root = Matrix6d::Random();
+    const Matrix6d covariance = 1e-8 * root * root.transpose();
+    // Elsewhere, so that the arm's file must be named anew.
+    const std::string text = cellTextWithBase(cell, {X_WB, covariance, true}, folder / "deeper" / "cell2.yaml");
+    std::filesystem::create_directories(folder / "deeper");
+    const Cell again = readCell(write("deeper/cell2.yaml", text));
+    EXPECT_TRUE(again.X_WB.isApprox(X_WB, 1e-11));
+    EXPECT_TRUE(again.base_known);
+    ASSERT_TRUE(again.base_covariance.has_value());
+    EXPECT_TRUE(again.base_covariance->isApprox(covariance, 1e-10));
+    EXPECT_SAYS(text, "# allowed: z < 0; only the tip may enter a hole");
+  }
+}
+
+TEST_F(CellReader, readsItsOwnCovarianceAndNoOther) {
+  const std::string base = "base: {position: [0, 43.0, -44.0], rpy: [0, 0, -90], known: false";
+  EXPECT_SAYS(refusal(base, base + ", covariance: [[1, 2], [3, 4]]"), "six lists");
+  EXPECT_SAYS(refusal(base, base + ", covariance: [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,5,1]]"), "not symmetric");
+  EXPECT_SAYS(refusal(base, base + ", covariance: [[1,2,0,0,0,0],[2,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]"), "negative variance");
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,98 @@
+#include "app/readers/measurements_reader.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "app/readers/cell_reader.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using calibration::MeasurementKind;
+
+constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180;
+const char* const kHeader = "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
+
+class MeasurementsReader : public ::testing::Test {
+ protected:
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+
+  [[nodiscard]] auto read(const std::string& text) const { return parseMeasurements(text, "m.csv", cell.arm, &*cell.sheet); }
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    return messageOf([&] { (void)read(text); });
+  }
+};
+
+TEST_F(MeasurementsReader, readsAPosition) {
+  const auto readings = read(std::string(kHeader) + "a,position,P1,20,10,90,-20,5,1,2,3,0.003\n");
+  ASSERT_EQ(readings.size(), 1u);
+  const auto& m = readings.front();
+  EXPECT_EQ(m.kind, MeasurementKind::kPosition);
+  EXPECT_NEAR(m.load, 20 * 4.4482216152605, 1e-12);
+  EXPECT_NEAR(m.q[1], 90 * kDegree, 1e-15);
+  ASSERT_TRUE(m.p_W.has_value());
+  EXPECT_TRUE(m.p_W->isApprox(Eigen::Vector3d(1, 2, 3) * kInch));
+  EXPECT_NEAR(m.sigma, 0.003 * kInch, 1e-18);
+  EXPECT_EQ(m.line, 2);
+  EXPECT_TRUE(m.senses.empty());
+  EXPECT_TRUE(std::isnan(m.temperature));
+}
+
+TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
+  const auto readings = read("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C57,0,90,0,0\n2,touch,elsewhere,0,90,0,0\n");
+  ASSERT_TRUE(readings[0].p_W.has_value());
+  EXPECT_TRUE(readings[0].p_W->isApprox(Eigen::Vector3d(-1.0625 / 2, 2.28, 0) * kInch));
+  EXPECT_FALSE(readings[1].p_W.has_value());
+  EXPECT_SAYS(refusal("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R99C1,0,90,0,0\n"), "R99C1");
+}
+
+TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
+  const auto readings = read("time_s,temperature_degC,id,kind,setup,split,distance_mm,theta1_rad,theta2_rad,theta3_deg,theta4_deg,x_m,y_m,z_m,"
+                             "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n60,20,\"a,b\",distance,s1,held-out,100,0.5,1,0,0,1,2,3,-1,0,1,1\n");
+  const auto& m = readings.at(0);
+  EXPECT_EQ(m.id, "a,b");
+  EXPECT_EQ(m.setup, "s1");
+  EXPECT_TRUE(m.is_held_out);
+  EXPECT_EQ(m.time, 60);
+  EXPECT_EQ(m.temperature, 293.15);
+  EXPECT_DOUBLE_EQ(m.distance, 0.1);
+  EXPECT_EQ(m.q[0], 0.5);
+  EXPECT_EQ(m.p_W->z(), 3);
+  EXPECT_EQ(m.senses, (std::vector<int>{-1, 0, 1, 1}));
+}
+
+TEST_F(MeasurementsReader, refusesBadHeaders) {
+  EXPECT_SAYS(refusal("id,kind,theta1_deg,theta2_deg,theta3_deg\n"), "no column 'theta4_");
+  EXPECT_SAYS(refusal(changed(kHeader, "x_in", "x_inch")), "unknown unit 'inch'");
+  EXPECT_SAYS(refusal(changed(kHeader, "point", "pionts")), "'pionts'");
+  EXPECT_SAYS(refusal(changed(kHeader, "kind", "sort")), "no column 'kind'");
+  EXPECT_SAYS(refusal(changed(kHeader, "y_in", "x_mm")), "both 'x_in' and 'x_mm'");
+  EXPECT_SAYS(refusal(changed(kHeader, "y_in", "x_in")), "x_in");
+  EXPECT_SAYS(refusal(changed(kHeader, "sigma_in", "theta1_dir")), "one for each of the 4 joints");
+  EXPECT_SAYS(refusal(kHeader), "without readings");
+}
+
+TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
+  const std::string good = "a,touch,P1,20,10,90,-20,5,1,2,3,0.003\n";
+  const auto with = [&](const std::string& from, const std::string& to) { return refusal(kHeader + changed(good, from, to)); };
+  ASSERT_EQ(read(kHeader + good).size(), 1u);
+  EXPECT_SAYS(with(",90,", ",nan,"), "m.csv:2 (column theta2_deg): found 'nan', expected a finite number");
+  EXPECT_SAYS(with(",90,", ",,"), "found nothing");
+  EXPECT_SAYS(with(",90,", ",9O,"), "'9O'");
+  EXPECT_SAYS(with(",90,", ",inf,"), "'inf'");
+  EXPECT_SAYS(with(",90,", ",190,"), "between the joint's limits, 0 and 180 deg");
+  EXPECT_SAYS(with("touch", "tuoch"), "did you mean 'touch'?");
+  EXPECT_SAYS(with("P1", ""), "without a point");
+  EXPECT_SAYS(with("1,2,3", "1,,3"), "some of the coordinates");
+  EXPECT_SAYS(with("touch", "distance"), "without its length");
+  EXPECT_SAYS(with("0.003", "0"), "sigma");
+  EXPECT_SAYS(with("0.003", "0.003,7"), "13 fields");
+  EXPECT_SAYS(with("P1", "\"P1"), "quote");
+  EXPECT_SAYS(with("20,10", "-20,10"), "negative load");
+  EXPECT_SAYS(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "without x, y, z");
+  EXPECT_SAYS(refusal(kHeader + good + good), "m.csv:3 (column id): found the id 'a' again");
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,65 @@
+// Folders and messages for the tests of the application.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "app/input_error.hpp"
+
+namespace tubeplan::app {
+
+/// The message of the InputError that the action throws; a failure where it throws none.
+template <class Action> std::string messageOf(Action&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return "";
+}
+
+#define EXPECT_SAYS(message, part) EXPECT_NE((message).find(part), std::string::npos) << "message: " << (message)
+
+inline std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+inline std::filesystem::path shippedCells() { return std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells"; }
+
+/// With one piece of text changed, which must be there.
+inline std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << "no '" << from << "' to change";
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// A folder of its own for each test, gone afterwards.
+class FolderTest : public ::testing::Test {
+ protected:
+  FolderTest() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder = std::filesystem::temp_directory_path() /
+             (std::string("tubeplan_") + info->test_suite_name() + "_" + info->name() + "_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+  }
+  ~FolderTest() override { std::filesystem::remove_all(folder); }
+
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(folder / name, std::ios::binary) << content;
+    return (folder / name).string();
+  }
+
+  std::filesystem::path folder;
+};
+
+}  // namespace tubeplan::app

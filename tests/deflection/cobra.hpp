@@ -1,0 +1,40 @@
+// The shipped Cobra arm, and random postures of it.
+#pragma once
+
+#include <numbers>
+#include <random>
+
+#include "app/readers/arm_reader.hpp"
+#include "app/readers/strict_yaml.hpp"
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::deflection {
+
+inline constexpr double kInch = 0.0254, kPound = 4.4482216152605, kDegree = std::numbers::pi / 180;
+
+inline Arm cobraArm(int segments = 1) {
+  static const Arm kArm = app::readArm(app::readYamlFile(TUBEPLAN_SOURCE_DIR "/app/cells/cobra-arm.yaml").root).arm;
+  Arm arm = kArm;
+  for (auto& row : arm.rows)
+    if (row.beam) row.beam->segments = segments;
+  arm.tool_axis_L = Eigen::Vector3d::UnitY();
+  return arm;
+}
+
+inline Eigen::VectorXd randomJoints(const Arm& arm, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> share(0.02, 0.98);
+  const auto active = activeRows(arm);
+  Eigen::VectorXd q(active.size());
+  for (int k = 0; k < q.size(); ++k) {
+    const auto& joint = arm.rows[active[k]].joint;
+    q[k] = joint.lower + share(random) * (joint.upper - joint.lower);
+  }
+  return q;
+}
+
+inline Eigen::Vector3d randomDirection(std::mt19937_64& random) {
+  std::normal_distribution<double> normal(0, 1);
+  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+}
+
+}  // namespace tubeplan::deflection

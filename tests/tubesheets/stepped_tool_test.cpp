@@ -1,0 +1,269 @@
+// The stepped tool: which step enters, and how probable each is, against closed forms and sampling.
+#include "tubesheets/stepped_tool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+
+namespace tubeplan::tubesheets {
+namespace {
+
+constexpr double kInch = 0.0254;
+constexpr double kHole = 0.760 * kInch;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// The tool of table 5.7.
+SteppedTool thesisTool() {
+  return {{{0.582 * kInch, 0.089 * kInch}, {0.644 * kInch, 0.058 * kInch}, {0.740 * kInch, 0.010 * kInch}},
+          {0.5 * kInch, 0.5 * kInch, 0.5 * kInch}};
+}
+
+Eigen::Matrix2d covarianceOf(double sigma_1, double sigma_2, double angle) {
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return R * Eigen::Vector2d(sigma_1 * sigma_1, sigma_2 * sigma_2).asDiagonal() * R.transpose();
+}
+
+TEST(StepsInserted, FollowsTable57) {
+  const SteppedTool tool = thesisTool();
+  EXPECT_EQ(stepsInserted(tool, 0), 3);
+  EXPECT_EQ(stepsInserted(tool, 0.010 * kInch), 3);
+  EXPECT_EQ(stepsInserted(tool, 0.0101 * kInch), 2);
+  EXPECT_EQ(stepsInserted(tool, 0.058 * kInch), 2);
+  EXPECT_EQ(stepsInserted(tool, 0.0581 * kInch), 1);
+  EXPECT_EQ(stepsInserted(tool, 0.089 * kInch), 1);
+  EXPECT_EQ(stepsInserted(tool, 0.0891 * kInch), 0);
+  EXPECT_EQ(stepsInserted(tool, kNan), 0);
+  EXPECT_EQ(stepsInserted(tool, std::numeric_limits<double>::infinity()), 0);
+}
+
+TEST(StepsInserted, ALaterStepNeedsAllEarlierOnes) {
+  const SteppedTool tool{{{0.01, 0.001}, {0.012, 0.003}, {0.014, 0.0005}}, {}};
+  EXPECT_EQ(stepsInserted(tool, 0.002), 0);
+  EXPECT_EQ(stepsInserted(tool, 0.0007), 2);
+}
+
+TEST(ProbabilityWithin, IsRayleighForARoundSpreadAboutTheAxis) {
+  for (const double sigma : {1e-6, 1e-4, 1e-3, 0.02, 3.0})
+    for (const double radius : {1e-5, 2e-4, 1e-3, 0.0022606, 0.05})
+      EXPECT_NEAR(probabilityWithin(radius, {0, 0}, covarianceOf(sigma, sigma, 0.3)),
+                  -std::expm1(-radius * radius / (2 * sigma * sigma)), 1e-11)
+          << sigma << " " << radius;
+}
+
+/// Rice: an offset of a round spread, by the series of Poisson weights times chi-square with 2j + 2 degrees of freedom.
+double riceWithin(double radius, double offset, double sigma) {
+  const double a = offset * offset / (2 * sigma * sigma), b = radius * radius / (2 * sigma * sigma);
+  double weight = std::exp(-a), term = std::exp(-b), tail = term, sum = 0;
+  for (int j = 0; j < 600; ++j) {
+    sum += weight * (1 - tail);
+    weight *= a / (j + 1);
+    term *= b / (j + 1);
+    tail += term;
+  }
+  return sum;
+}
+
+TEST(ProbabilityWithin, IsRiceForARoundSpreadOffTheAxis) {
+  for (const double offset : {0.0, 0.3, 1.0, 2.0, 5.0})
+    for (const double radius : {0.1, 0.9, 1.0, 2.5, 6.0})
+      for (const double turn : {0.0, 1.0, 2.5})
+        EXPECT_NEAR(probabilityWithin(radius * 1e-3, 1e-3 * offset * Eigen::Vector2d(std::cos(turn), std::sin(turn)),
+                                      covarianceOf(0.7e-3, 0.7e-3, 0)),
+                    riceWithin(radius, offset, 0.7), 1e-11)
+            << offset << " " << radius << " " << turn;
+}
+
+TEST(ProbabilityWithin, KnowsALineAndAPoint) {
+  const double radius = 2e-3, sigma = 1e-3;
+  const auto band = [&](double half, double mean) {
+    return (std::erf((half - mean) / (sigma * std::sqrt(2))) + std::erf((half + mean) / (sigma * std::sqrt(2)))) / 2;
+  };
+  EXPECT_NEAR(probabilityWithin(radius, {0, 0}, covarianceOf(sigma, 0, 0)), band(radius, 0), 1e-12);
+  EXPECT_NEAR(probabilityWithin(radius, {0.5e-3, 1.2e-3}, covarianceOf(sigma, 0, 0)), band(1.6e-3, 0.5e-3), 1e-12);
+  EXPECT_EQ(probabilityWithin(radius, {0, 2.1e-3}, covarianceOf(sigma, 0, 0)), 0);
+  EXPECT_EQ(probabilityWithin(radius, {1e-3, 1.7e-3}, Eigen::Matrix2d::Zero()), 1);
+  EXPECT_EQ(probabilityWithin(radius, {1.2e-3, 1.7e-3}, Eigen::Matrix2d::Zero()), 0);
+}
+
+TEST(ProbabilityWithin, ApproachesTheLineAsTheSpreadThins) {
+  const Eigen::Vector2d mean(0.5e-3, 1.2e-3);
+  const double line = probabilityWithin(2e-3, mean, covarianceOf(1e-3, 0, 0));
+  double last = std::numeric_limits<double>::infinity();
+  for (const double thin : {1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-11, 1e-13}) {
+    const double error = std::abs(probabilityWithin(2e-3, mean, covarianceOf(1e-3, thin, 0)) - line);
+    EXPECT_LE(error, std::max(1e-11, last / 10)) << thin;
+    last = error;
+  }
+  EXPECT_LT(last, 1e-11);
+}
+
+TEST(ProbabilityWithin, DoesNotTurnWithTheAxes) {
+  for (const double ratio : {1.0, 0.3, 1e-2, 1e-4}) {
+    const Eigen::Vector2d mean(0.8e-3, -1.1e-3);
+    const double straight = probabilityWithin(1.5e-3, mean, covarianceOf(1e-3, ratio * 1e-3, 0));
+    for (const double turn : {0.1, 0.785, 1.5, 3.0}) {
+      const Eigen::Vector2d turned = Eigen::Rotation2Dd(turn) * mean;
+      EXPECT_NEAR(probabilityWithin(1.5e-3, turned, covarianceOf(1e-3, ratio * 1e-3, turn)), straight, 1e-10);
+    }
+  }
+}
+
+/// P by plain summation in polar coordinates: slow, other code, good to 1e-9 for smooth spreads.
+double sumWithin(double radius, const Eigen::Vector2d& mean, const Eigen::Matrix2d& covariance) {
+  const Eigen::Matrix2d information = covariance.inverse();
+  const double scale = 1 / (2 * M_PI * std::sqrt(covariance.determinant()));
+  const int rings = 4000, angles = 720;
+  double sum = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double r = radius * (i + 0.5) / rings;
+    double ring = 0;
+    for (int j = 0; j < angles; ++j) {
+      const double angle = 2 * M_PI * j / angles;
+      const Eigen::Vector2d e = Eigen::Vector2d(r * std::cos(angle), r * std::sin(angle)) - mean;
+      ring += std::exp(-0.5 * e.dot(information * e));
+    }
+    sum += ring * r;
+  }
+  return scale * sum * (radius / rings) * (2 * M_PI / angles);
+}
+
+TEST(ProbabilityWithin, AgreesWithPlainSummation) {
+  for (const unsigned seed : {5u, 6u, 7u, 8u}) {
+    std::mt19937_64 random(seed);
+    const auto uniform = [&](double low, double high) { return low + (high - low) * std::ldexp(random() >> 11, -53); };
+    const Eigen::Vector2d mean(uniform(-2, 2), uniform(-2, 2));
+    const Eigen::Matrix2d covariance = covarianceOf(uniform(0.3, 2), uniform(0.3, 2), uniform(0, 3));
+    const double radius = uniform(0.5, 3);
+    EXPECT_NEAR(probabilityWithin(radius, mean, covariance), sumWithin(radius, mean, covariance), 3e-8);
+  }
+}
+
+/// P by strips across the other (wide) axis with the trapezoidal rule.
+double sumAcrossWide(double radius, const Eigen::Vector2d& mean, double wide, double thin) {
+  const int strips = 400000;
+  double sum = 0;
+  for (int i = 0; i < strips; ++i) {
+    const double angle = M_PI * ((i + 0.5) / strips - 0.5);
+    const double x = radius * std::sin(angle), half = radius * std::cos(angle), deviate = (x - mean.x()) / wide;
+    const double band =
+        std::erfc((mean.y() - half) / (thin * std::sqrt(2))) - std::erfc((mean.y() + half) / (thin * std::sqrt(2)));
+    sum += std::exp(-deviate * deviate / 2) / (wide * std::sqrt(2 * M_PI)) * band / 2 * half;
+  }
+  return sum * M_PI / strips;
+}
+
+TEST(ProbabilityWithin, AgreesWithStripsAcrossTheOtherAxis) {
+  for (const double thin : {0.9, 0.1, 0.01, 0.003})
+    for (const Eigen::Vector2d& mean : {Eigen::Vector2d(0.2, 0.4), Eigen::Vector2d(0.6, 0.8), Eigen::Vector2d(0.01, 1)})
+      EXPECT_NEAR(probabilityWithin(1, mean, covarianceOf(0.7, thin * 0.7, 0)), sumAcrossWide(1, mean, 0.7, thin * 0.7),
+                  1e-10)
+          << thin << " " << mean.transpose();
+}
+
+TEST(ProbabilityWithin, OnTheRimIsHalfAsTheSpreadShrinks) {
+  // The rim's curvature takes sigma / (radius sqrt(8 pi)) off the half-plane's 1/2.
+  for (const double sigma : {1e-3, 1e-5, 1e-7, 1e-9})
+    EXPECT_NEAR(probabilityWithin(1, {0.6, 0.8}, covarianceOf(sigma, sigma, 0)), 0.5 - sigma / std::sqrt(8 * M_PI),
+                1e-7 * sigma / 1e-3 + 1e-8)
+        << sigma;
+}
+
+TEST(ProbabilityBySteps, AgreesWithSampling) {
+  const SteppedTool tool = thesisTool();
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    const Eigen::Vector2d mean = 0.03 * kInch * Eigen::Vector2d(normal(random), normal(random));
+    const Eigen::Matrix2d covariance = covarianceOf(0.04 * kInch, 0.01 * kInch * seed, 0.4 * seed);
+    const Eigen::Matrix2d root = covariance.llt().matrixL();
+    std::vector<double> counts(4, 0);
+    const int runs = 200000;
+    for (int i = 0; i < runs; ++i)
+      ++counts[stepsInserted(tool, (mean + root * Eigen::Vector2d(normal(random), normal(random))).norm())];
+    const std::vector<double> probability = probabilityBySteps(tool, mean, covariance);
+    for (int k = 0; k <= 3; ++k) {
+      const double sigma = std::sqrt(probability[k] * (1 - probability[k]) / runs);
+      EXPECT_NEAR(counts[k] / runs, probability[k], 4.5 * sigma + 1e-9) << k;
+    }
+  }
+}
+
+TEST(ProbabilityBySteps, IsADistribution) {
+  const SteppedTool tool = thesisTool();
+  for (const double offset : {0.0, 1e-6, 0.01, 0.058, 0.1, 10.0})
+    for (const double wide : {0.0, 1e-9, 1e-4, 0.01, 1.0, 1e6})
+      for (const double thin : {0.0, 1e-12, 1e-3, 1.0}) {
+        const auto probability = probabilityBySteps(tool, Eigen::Vector2d(0, offset * kInch),
+                                                    covarianceOf(wide * kInch, thin * wide * kInch, 0.7));
+        ASSERT_EQ(probability.size(), 4u);
+        for (const double p : probability)
+          EXPECT_TRUE(p >= 0 && p <= 1) << offset << " " << wide << " " << thin << " " << p;
+        EXPECT_NEAR(std::accumulate(probability.begin(), probability.end(), 0.0), 1, 1e-12);
+      }
+}
+
+TEST(ProbabilityBySteps, OfAKnownOffsetIsItsStep) {
+  const auto probability = probabilityBySteps(thesisTool(), {0.02 * kInch, 0}, Eigen::Matrix2d::Zero());
+  EXPECT_EQ(probability, (std::vector<double>{0, 0, 1, 0}));
+}
+
+TEST(ProbabilityBySteps, HonoursStepsThatBlockLaterOnes) {
+  const SteppedTool tool{{{0.01, 0.001}, {0.012, 0.003}}, {}};
+  const auto probability = probabilityBySteps(tool, {0, 0}, covarianceOf(1e-3, 1e-3, 0));
+  EXPECT_NEAR(probability[0], std::exp(-0.5), 1e-11);
+  EXPECT_EQ(probability[1], 0);
+}
+
+TEST(ProbabilityBySteps, IsNaNForNonsense) {
+  const auto allNaN = [](const Eigen::Vector2d& mean, const Eigen::Matrix2d& covariance) {
+    const auto probability = probabilityBySteps(thesisTool(), mean, covariance);
+    return probability.size() == 4 &&
+           std::all_of(probability.begin(), probability.end(), [](double p) { return std::isnan(p); });
+  };
+  EXPECT_TRUE(allNaN({kNan, 0}, Eigen::Matrix2d::Identity()));
+  EXPECT_TRUE(allNaN({0, 0}, Eigen::Matrix2d::Constant(kNan)));
+  EXPECT_TRUE(allNaN({0, 0}, Eigen::Vector2d(1, -1).asDiagonal().toDenseMatrix()));
+  EXPECT_TRUE(allNaN({0, 0}, -Eigen::Matrix2d::Identity()));
+  EXPECT_TRUE(allNaN({0, std::numeric_limits<double>::infinity()}, Eigen::Matrix2d::Identity()));
+}
+
+TEST(ToolProblems, TheThesisToolHasNone) {
+  const auto problems = findToolProblems(thesisTool(), kHole);
+  EXPECT_TRUE(problems.empty()) << problems.front().sentence();
+}
+
+TEST(ToolProblems, NameTheStep) {
+  const auto first = [](auto change) {
+    SteppedTool tool = thesisTool();
+    change(tool);
+    const auto problems = findToolProblems(tool, kHole);
+    return problems.empty() ? std::string("none") : problems.front().what;
+  };
+  EXPECT_EQ(first([](auto& tool) { tool.steps.clear(); }), "steps");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[1].tolerance = kNan; }), "steps[1].tolerance");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[1].tolerance = 0; }), "steps[1].tolerance");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[2].tolerance = -0.001; }), "steps[2].tolerance");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[0].tolerance = 0.089; }),
+            "steps[0].tolerance");  // inches taken for metres
+  EXPECT_EQ(first([](auto& tool) { tool.steps[2].diameter = kHole; }), "steps[2].diameter");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[0].diameter = kNan; }), "steps[0].diameter");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[1].diameter = std::numeric_limits<double>::infinity(); }),
+            "steps[1].diameter");
+  EXPECT_EQ(first([](auto& tool) { std::swap(tool.steps[0], tool.steps[1]); }), "steps[1].diameter");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[2].diameter = tool.steps[1].diameter; }), "steps[2].diameter");
+  EXPECT_EQ(first([](auto& tool) { tool.steps[1].tolerance = tool.steps[2].tolerance; }), "steps[2].tolerance");
+  EXPECT_EQ(first([](auto& tool) { tool.lengths.pop_back(); }), "lengths");
+  EXPECT_EQ(first([](auto& tool) { tool.lengths[1] = -1; }), "lengths[1]");
+  EXPECT_EQ(first([](auto& tool) { tool.lengths.clear(); }), "none");
+  EXPECT_FALSE(findToolProblems(thesisTool(), kNan).empty());
+}
+
+}  // namespace
+}  // namespace tubeplan::tubesheets

@@ -1,0 +1,105 @@
+// Work lists as tables: what is read, and what is refused with its line.
+#include <gtest/gtest.h>
+
+#include "example_sheets.hpp"
+#include "tubesheets/hole_map_csv.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::tubesheets {
+namespace {
+
+Sheet smallSheet(Leg leg = Leg::kHot) {
+  SheetDescription description = smallDescription();
+  description.leg = leg;
+  return makeSheet(description);
+}
+
+TEST(WorkListCsv, SelectsInSheetOrder) {
+  const Sheet sheet = smallSheet();
+  const WorkList list = parseWorkListCsv("priority,row,column,comment\n1,4,4,\"first, please\"\n2,1,1,\n9,2,3,late\n");
+  ASSERT_EQ(list.status, WorkListStatus::kRead) << list.problem->sentence();
+  const Selection selection = selectTubes(sheet, list);
+  ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
+  EXPECT_EQ(selection.tube_indices,
+            (std::vector<int>{*sheet.indexOf(1, 1), *sheet.indexOf(2, 3), *sheet.indexOf(4, 4)}));
+}
+
+TEST(WorkListCsv, AHoleMapIsAWorkList) {
+  const Sheet sheet = smallSheet();
+  EXPECT_EQ(selectTubes(sheet, parseWorkListCsv(formatHoleMap(sheet))).tube_indices.size(), sheet.tubes.size());
+}
+
+TEST(WorkListCsv, AcceptsItsOwnLegAndSheet) {
+  const Sheet sheet = smallSheet(Leg::kCold);
+  const WorkList list = parseWorkListCsv("row,column,leg,sheet\n1,1,CL," + sheet.fingerprint() + "\n1,2,cold," +
+                                         sheet.fingerprint() + "\n");
+  EXPECT_EQ(selectTubes(sheet, list).status, SelectionStatus::kSelected);
+}
+
+TEST(WorkListCsv, RefusesAHotLegListOnTheColdLeg) {
+  const WorkList list = parseWorkListCsv("row,column,leg\n1,1,hot\n");
+  EXPECT_EQ(selectTubes(smallSheet(Leg::kHot), list).status, SelectionStatus::kSelected);
+  const Selection selection = selectTubes(smallSheet(Leg::kCold), list);
+  EXPECT_EQ(selection.status, SelectionStatus::kRefused);
+  EXPECT_EQ(selection.reason, "line 2: this list is for the hot leg, but the sheet is cold");
+}
+
+TEST(WorkListCsv, RefusesAnotherSheetsFingerprint) {
+  const WorkList list = parseWorkListCsv("row,column,sheet\n1,1," + smallSheet(Leg::kCold).fingerprint() + "\n");
+  const Selection selection = selectTubes(smallSheet(Leg::kHot), list);
+  EXPECT_EQ(selection.status, SelectionStatus::kRefused);
+  EXPECT_NE(selection.reason.find("but this sheet is " + smallSheet().fingerprint()), std::string::npos)
+      << selection.reason;
+}
+
+TEST(WorkListCsv, RefusesATubeThatIsNotThere) {
+  const Selection selection = selectTubes(smallSheet(), parseWorkListCsv("row,column\n1,1\n60,3\n"));
+  EXPECT_EQ(selection.status, SelectionStatus::kRefused);
+  EXPECT_EQ(selection.reason, "line 3: R60C3 is not on this sheet: rows 1 to 4, columns 1 to 8");
+}
+
+TEST(WorkListCsv, RefusesAListThatWasNeverReadOrRefused) {
+  EXPECT_EQ(selectTubes(smallSheet(), WorkList{}).status, SelectionStatus::kRefused);
+  const Selection selection = selectTubes(smallSheet(), parseWorkListCsv("row,column\n1,x\n"));
+  EXPECT_EQ(selection.status, SelectionStatus::kRefused);
+  EXPECT_NE(selection.reason.find("line 2"), std::string::npos) << selection.reason;
+}
+
+struct BadList {
+  std::string name;
+  std::string text;
+  int line;
+  std::string found;
+};
+
+void PrintTo(const BadList& list, std::ostream* out) { *out << list.name; }
+
+class RefusedWorkList : public testing::TestWithParam<BadList> {};
+
+TEST_P(RefusedWorkList, SaysWhereAndWhat) {
+  const WorkList list = parseWorkListCsv(GetParam().text);
+  ASSERT_EQ(list.status, WorkListStatus::kRefused);
+  ASSERT_TRUE(list.problem.has_value());
+  EXPECT_EQ(list.problem->line, GetParam().line) << list.problem->sentence();
+  EXPECT_NE(list.problem->sentence().find(GetParam().found), std::string::npos) << list.problem->sentence();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedWorkList,
+    testing::Values(BadList{"Empty", "", 0, "nothing in it"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
+                    BadList{"NoHeader", "1,1\n2,2\n", 1, "add a header line"},
+                    BadList{"NoColumn", "row\n1\n", 1, "\"column\""},
+                    BadList{"UnknownColumn", "row,column,legg\n1,1,hot\n", 1, "\"legg\""},
+                    BadList{"Duplicate", "row,column\n1,1\n2,2\n1,1\n", 4, "first on line 2"},
+                    BadList{"NaN", "row,column\n1,nan\n", 2, "\"nan\""},
+                    BadList{"Huge", "row,column\n1,1000000\n", 2, "100000"},
+                    BadList{"Junk", "row,column\nR1C1,\n", 2, "\"R1C1\""},
+                    BadList{"UnknownLeg", "row,column,leg\n1,1,warm\n", 2, "\"warm\""},
+                    BadList{"TwoLegs", "row,column,leg\n1,1,hot\n1,2,cold\n", 3, "one list for each leg"},
+                    BadList{"LegLeftOut", "row,column,leg\n1,1,hot\n1,2,\n", 3, "no leg"},
+                    BadList{"TwoSheets", "row,column,sheet\n1,1,a\n1,2,b\n", 3, "one list for each sheet"},
+                    BadList{"MissingField", "row,column\n1\n", 2, "1 fields"}),
+    [](const auto& sheet) { return sheet.param.name; });
+
+}  // namespace
+}  // namespace tubeplan::tubesheets

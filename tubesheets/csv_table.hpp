@@ -1,0 +1,52 @@
+// Comma-separated text as named columns of fields, each row with its line number. Text only: files are read elsewhere.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tubesheets/problem.hpp"
+
+namespace tubeplan::tubesheets {
+
+struct CsvRow {
+  int line = 0;  ///< from 1
+  std::vector<std::string> fields;
+};
+
+/// A header and rows of as many fields. Blank lines and lines that start with # are skipped; fields are trimmed, and
+/// may be in double quotes, where "" is a quote.
+struct CsvTable {
+  std::vector<std::string> columns;
+  int header_line = 0;
+  std::vector<CsvRow> rows;
+  std::optional<Problem> problem;  ///< the first fault; then nothing else is to be used
+
+  /// Where that column is.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
+};
+
+/// Faults: no header, an empty or repeated column name or a number in its place, a row with more or fewer fields, an
+/// open quote, a zero byte.
+[[nodiscard]] CsvTable parseCsv(std::string_view text);
+
+/// The whole field as a finite number, or as an integer; empty when it is anything else.
+[[nodiscard]] std::optional<double> parseNumber(std::string_view field);
+[[nodiscard]] std::optional<int> parseInteger(std::string_view field);
+
+/// Without blanks at both ends.
+[[nodiscard]] std::string_view trimBlanks(std::string_view text);
+
+/// The row and column numbers of a data row; a problem when they are not whole numbers from 1 to 100,000.
+struct TubeNumbers {
+  int row = 0;
+  int column = 0;
+  std::optional<Problem> problem;
+};
+[[nodiscard]] TubeNumbers parseTubeNumbers(const CsvTable& table, const CsvRow& row);
+
+/// A problem when one of the columns row and column is missing, or when there is one that is not in `known`.
+[[nodiscard]] std::optional<Problem> findColumnProblem(const CsvTable& table, const std::vector<std::string>& known);
+
+}  // namespace tubeplan::tubesheets

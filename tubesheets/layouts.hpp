@@ -1,0 +1,38 @@
+// The open table of layout types: one row each. A new pattern is a maker and a row.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tubesheets/layout.hpp"
+
+namespace tubeplan::tubesheets {
+
+/// A number that a layout type takes: a length [m] or a count, and the member that holds it.
+struct LayoutKey {
+  std::string_view name;
+  std::variant<double Layout::*, int Layout::*> field;
+  bool required = false;  ///< required numbers must be above zero, the others not below
+  std::string_view meaning;
+};
+
+struct LayoutType {
+  std::string_view name;
+  std::string_view sentence;
+  std::vector<LayoutKey> keys;
+  bool covers_full_sheet = false;  ///< else one leg, mirrored for the cold one
+  int columns_modulo_two = -1;     ///< parity that a stated number of columns must have; -1 = any
+  std::vector<Tube> (*make_tubes)(const Layout&) = nullptr;
+};
+
+[[nodiscard]] const std::vector<LayoutType>& layoutTypes();
+
+/// Null when there is no such type.
+[[nodiscard]] const LayoutType* findLayoutType(std::string_view name);
+
+/// "square, triangular, disc", for messages.
+[[nodiscard]] std::string layoutTypeNames();
+
+}  // namespace tubeplan::tubesheets

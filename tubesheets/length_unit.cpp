@@ -1,0 +1,48 @@
+#include "tubesheets/length_unit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace tubeplan::tubesheets {
+namespace {
+
+constexpr std::array kUnits{kInch, kMillimetre, kMetre};
+constexpr int kGridExponent = 44;
+constexpr double kLargestSnapped = 256;  // m; beyond it a double is coarser than the grid
+
+double readBack(std::string_view text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+std::span<const LengthUnit> lengthUnits() { return kUnits; }
+
+const LengthUnit* findLengthUnit(std::string_view suffix) {
+  const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const LengthUnit& u) { return u.suffix == suffix; });
+  return unit == kUnits.end() ? nullptr : &*unit;
+}
+
+double snapLength(double metres) {
+  if (!(std::abs(metres) < kLargestSnapped)) return metres;
+  return std::ldexp(std::round(std::ldexp(metres, kGridExponent)), -kGridExponent) + 0.0;  // + 0.0: no negative zero
+}
+
+std::string formatLength(double metres, const LengthUnit& unit) {
+  assert(std::isfinite(metres));
+  const double value = metres / unit.metres;
+  for (int digits = 4; digits < 17; ++digits) {
+    std::string text = fmt::format("{:.{}g}", value, digits);
+    if (snapLength(readBack(text) * unit.metres) == metres) return text;
+  }
+  return fmt::format("{:.17g}", value);
+}
+
+}  // namespace tubeplan::tubesheets

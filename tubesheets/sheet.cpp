@@ -1,0 +1,139 @@
+#include "tubesheets/sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+#include "tubesheets/hole_grid.hpp"
+#include "tubesheets/layouts.hpp"
+#include "tubesheets/length_unit.hpp"
+
+namespace tubeplan::tubesheets {
+namespace {
+
+constexpr double kNeighbourReach = 1.05;  // pitches: room for drilling tolerance, far from the diagonal's 1.41
+
+bool isBefore(const Tube& a, const Tube& b) { return std::tie(a.row, a.column) < std::tie(b.row, b.column); }
+
+// FNV-1a, 64 bits, fed byte by byte from the low end: the same on every machine.
+class Fingerprint {
+ public:
+  void add(std::int64_t number) {
+    for (int byte = 0; byte < 8; ++byte)
+      addByte(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
+  }
+  void add(std::string_view text) {
+    for (const char c : text) addByte(static_cast<std::uint8_t>(c));
+    addByte(0);
+  }
+  void addLength(double metres) {
+    add(std::isfinite(metres) ? std::llround(std::clamp(metres, -1e6, 1e6) * 1e9) : INT64_MIN);
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  void addByte(std::uint8_t byte) { hash_ = (hash_ ^ byte) * 0x100000001b3ULL; }
+
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace
+
+const Tube* Sheet::find(int row, int column) const {
+  const std::optional<int> index = indexOf(row, column);
+  return index ? &tubes[*index] : nullptr;
+}
+
+std::optional<int> Sheet::indexOf(int row, int column) const {
+  const auto tube = std::lower_bound(tubes.begin(), tubes.end(), Tube{row, column}, isBefore);
+  if (tube == tubes.end() || tube->row != row || tube->column != column) return std::nullopt;
+  return static_cast<int>(tube - tubes.begin());
+}
+
+std::vector<int> Sheet::neighbours(int tube) const {
+  assert(tube >= 0 && tube < static_cast<int>(tubes.size()));
+  std::vector<int> found;
+  for (int other = 0; other < static_cast<int>(tubes.size()); ++other) {
+    const double distance = std::hypot(tubes[other].x - tubes[tube].x, tubes[other].y - tubes[tube].y);
+    if (other != tube && distance <= kNeighbourReach * pitch) found.push_back(other);
+  }
+  return found;
+}
+
+std::string Sheet::fingerprint() const {
+  Fingerprint fingerprint;
+  fingerprint.add(layout_type);
+  fingerprint.add(legName(leg));
+  fingerprint.addLength(pitch);
+  fingerprint.addLength(hole_diameter);
+  for (const Tube& tube : tubes) {
+    fingerprint.add(tube.row);
+    fingerprint.add(tube.column);
+    fingerprint.addLength(tube.x);
+    fingerprint.addLength(tube.y);
+  }
+  return fingerprint.text();
+}
+
+std::vector<Problem> findDescriptionProblems(const SheetDescription& description) {
+  std::vector<Problem> problems = findLayoutProblems(description.layout);
+  if (!problems.empty()) return problems;
+  const double diameter = description.hole_diameter;
+  if (!std::isfinite(diameter) || diameter <= 0 || diameter >= description.layout.pitch)
+    problems.push_back({"hole_diameter", fmt::format("{:.6g} m", diameter),
+                        fmt::format("above zero and below the pitch, {:.6g} m", description.layout.pitch), ""});
+  const bool is_full = findLayoutType(description.layout.type)->covers_full_sheet;
+  if (is_full != (description.leg == Leg::kFull))
+    problems.push_back(
+        {"leg", std::string(legName(description.leg)), is_full ? "full" : "hot or cold",
+         fmt::format("a {} layout covers {}", description.layout.type, is_full ? "the full sheet" : "one leg")});
+  if (!is_full && description.layout.first_row <= diameter / 2)
+    problems.push_back({"first_row", fmt::format("{:.6g} m", description.layout.first_row),
+                        fmt::format("more than half a hole, {:.6g} m", diameter / 2),
+                        "row 1 would cut the divider plate"});
+  return problems;
+}
+
+Sheet makeSheet(const SheetDescription& description) {
+  assert(findDescriptionProblems(description).empty());
+  std::vector<Tube> tubes = makeTubes(description.layout);
+  if (description.leg == Leg::kCold)
+    for (Tube& tube : tubes) tube.y = -tube.y;
+  return makeSheet(description, std::move(tubes));
+}
+
+Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes) {
+  Sheet sheet;
+  sheet.name = description.name;
+  sheet.layout_type = description.layout.type;
+  sheet.leg = description.leg;
+  sheet.viewed_from = description.viewed_from;
+  sheet.hole_diameter = description.hole_diameter;
+  sheet.pitch = description.layout.pitch;
+  std::stable_sort(tubes.begin(), tubes.end(), isBefore);
+  for (Tube& tube : tubes) {
+    tube.x = snapLength(tube.x);
+    tube.y = snapLength(tube.y);
+    sheet.rows = std::max(sheet.rows, tube.row);
+    sheet.columns = std::max(sheet.columns, tube.column);
+  }
+  sheet.tubes = std::move(tubes);
+  return sheet;
+}
+
+std::vector<std::vector<int>> findNeighbours(const Sheet& sheet) {
+  const double reach = kNeighbourReach * sheet.pitch;
+  const HoleGrid grid(sheet.tubes, reach);
+  std::vector<std::vector<int>> neighbours(sheet.tubes.size());
+  for (int i = 0; i < static_cast<int>(sheet.tubes.size()); ++i) {
+    neighbours[i] = grid.findWithin(sheet.tubes[i].x, sheet.tubes[i].y, reach);
+    std::erase(neighbours[i], i);
+  }
+  return neighbours;
+}
+
+}  // namespace tubeplan::tubesheets

@@ -1,0 +1,68 @@
+// A tube sheet: the holes of one leg (or of the full sheet) with their numbers, places and states.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tubesheets/layout.hpp"
+#include "tubesheets/tube.hpp"
+
+namespace tubeplan::tubesheets {
+
+/// What a sheet is made from. [m]
+struct SheetDescription {
+  std::string name;
+  Layout layout;
+  double hole_diameter = std::numeric_limits<double>::quiet_NaN();
+  Leg leg = Leg::kHot;
+  ViewedFrom viewed_from = ViewedFrom::kBelow;
+};
+
+/// A sheet. `tubes` are in sheet order: by row, then by column. Positions [m] in the sheet frame of tube.hpp.
+struct Sheet {
+  std::string name;
+  std::string layout_type;
+  Leg leg = Leg::kHot;
+  ViewedFrom viewed_from = ViewedFrom::kBelow;
+  double hole_diameter = std::numeric_limits<double>::quiet_NaN();
+  double pitch = std::numeric_limits<double>::quiet_NaN();
+  int rows = 0;     ///< the highest row number
+  int columns = 0;  ///< the highest column number
+  std::vector<Tube> tubes;
+
+  /// The tube of that name; null when it is not on this sheet.
+  [[nodiscard]] const Tube* find(int row, int column) const;
+
+  /// Its place in `tubes`.
+  [[nodiscard]] std::optional<int> indexOf(int row, int column) const;
+
+  /// The places in `tubes` of the holes within 1.05 pitch of that one, in sheet order. Looks at every hole; for the
+  /// whole sheet see findNeighbours.
+  [[nodiscard]] std::vector<int> neighbours(int tube) const;
+
+  /// 16 hexadecimal digits over layout type, leg, pitch, diameter, numbers and positions (to 1e-9 m), not over name and
+  /// states: two sheets that agree have the same tube in the same place under the same name.
+  [[nodiscard]] std::string fingerprint() const;
+};
+
+/// What keeps a description from being made: its layout, hole diameter, and leg against layout.
+[[nodiscard]] std::vector<Problem> findDescriptionProblems(const SheetDescription& description);
+
+/// Drills the layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no problems.
+[[nodiscard]] Sheet makeSheet(const SheetDescription& description);
+
+/// A sheet of given holes (a hole map), positions taken as they are; of the layout only type and pitch are used. The
+/// result may have problems: see findSheetProblems.
+[[nodiscard]] Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes);
+
+/// For every hole, the holes within 1.05 pitch, in sheet order.
+[[nodiscard]] std::vector<std::vector<int>> findNeighbours(const Sheet& sheet);
+
+/// What makes the sheet unusable (the first twenty or so): no holes, numbers that are not finite or absurd, two
+/// holes of one name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider plate, a
+/// spacing that contradicts the pitch (a wrong unit).
+[[nodiscard]] std::vector<Problem> findSheetProblems(const Sheet& sheet);
+
+}  // namespace tubeplan::tubesheets

@@ -1,0 +1,121 @@
+// findSheetProblems: one small check per fault.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "tubesheets/hole_grid.hpp"
+#include "tubesheets/sheet.hpp"
+
+namespace tubeplan::tubesheets {
+namespace {
+
+constexpr std::size_t kMostProblems = 20;
+constexpr double kFarthestHole = 100;                      // m
+constexpr double kLeastSpacing = 0.6, kMostSpacing = 2.2;  // pitches; mistaken units are 2.54 times off, or more
+
+std::string nameOf(const Tube& tube) { return tubeName(tube.row, tube.column); }
+
+std::string placeOf(const Tube& tube) { return fmt::format("({:.6g}, {:.6g}) m", tube.x, tube.y); }
+
+bool isGoodPlace(const Tube& tube) { return std::abs(tube.x) <= kFarthestHole && std::abs(tube.y) <= kFarthestHole; }
+
+void findNumberProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  if (!std::isfinite(sheet.pitch) || sheet.pitch <= 0)
+    problems.push_back({"pitch", fmt::format("{} m", sheet.pitch), "a number above zero", ""});
+  if (!std::isfinite(sheet.hole_diameter) || sheet.hole_diameter <= 0 || sheet.hole_diameter >= sheet.pitch)
+    problems.push_back({"hole_diameter", fmt::format("{} m", sheet.hole_diameter),
+                        fmt::format("above zero and below the pitch, {} m", sheet.pitch), ""});
+  if (sheet.tubes.empty()) problems.push_back({"sheet", "no holes", "at least one hole", ""});
+}
+
+void findPlaceProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  for (const Tube& tube : sheet.tubes) {
+    if (problems.size() >= kMostProblems) return;
+    if (tube.row < 1 || tube.column < 1)
+      problems.push_back({nameOf(tube), "a row or column below 1", "rows and columns counted from 1", ""});
+    if (!isGoodPlace(tube))
+      problems.push_back({nameOf(tube), placeOf(tube),
+                          fmt::format("a finite place within {} m of the centre", kFarthestHole),
+                          "check the unit in the column's name"});
+  }
+}
+
+void findOrderProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  for (std::size_t i = 1; i < sheet.tubes.size() && problems.size() < kMostProblems; ++i) {
+    const Tube &before = sheet.tubes[i - 1], &tube = sheet.tubes[i];
+    if (before.row == tube.row && before.column == tube.column)
+      problems.push_back({nameOf(tube), "two holes of that name, at " + placeOf(before) + " and " + placeOf(tube),
+                          "one hole for each row and column", "remove one"});
+    if (before.row > tube.row || (before.row == tube.row && before.column > tube.column))
+      problems.push_back(
+          {nameOf(tube), "listed after " + nameOf(before), "holes by row, then by column", "use makeSheet"});
+  }
+}
+
+void findLegProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  if (sheet.leg == Leg::kFull) return;
+  const double side = sheet.leg == Leg::kHot ? 1 : -1;
+  for (const Tube& tube : sheet.tubes) {
+    if (problems.size() >= kMostProblems) return;
+    if (isGoodPlace(tube) && side * tube.y <= 0)
+      problems.push_back({nameOf(tube), fmt::format("y = {:.6g} m", tube.y),
+                          fmt::format("y {} 0 in the {} leg", side > 0 ? "above" : "below", legName(sheet.leg)),
+                          "a map of the other leg is the mirror image of this one"});
+  }
+}
+
+void findOverlaps(const Sheet& sheet, std::vector<Problem>& problems) {
+  const HoleGrid grid(sheet.tubes, sheet.hole_diameter);
+  for (int i = 0; i < static_cast<int>(sheet.tubes.size()); ++i) {
+    const Tube& tube = sheet.tubes[i];
+    if (!isGoodPlace(tube)) continue;
+    for (const int other : grid.findWithin(tube.x, tube.y, sheet.hole_diameter)) {
+      if (other <= i) continue;
+      if (problems.size() >= kMostProblems) return;
+      const double distance = std::hypot(sheet.tubes[other].x - tube.x, sheet.tubes[other].y - tube.y);
+      problems.push_back(
+          {nameOf(tube) + " and " + nameOf(sheet.tubes[other]), fmt::format("centres {:.6g} m apart", distance),
+           fmt::format("more than the hole diameter, {:.6g} m", sheet.hole_diameter), "the holes overlap"});
+    }
+  }
+}
+
+std::optional<double> findMedianSpacing(const Sheet& sheet) {
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i < sheet.tubes.size(); ++i) {
+    const Tube &before = sheet.tubes[i - 1], &tube = sheet.tubes[i];
+    const bool are_adjacent = before.row == tube.row && tube.column - before.column <= 2;  // 2: triangular lattices
+    if (are_adjacent) spacings.push_back(std::hypot(tube.x - before.x, tube.y - before.y));
+  }
+  if (spacings.empty()) return std::nullopt;
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
+}
+
+void findSpacingProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  const std::optional<double> spacing = findMedianSpacing(sheet);
+  if (!spacing || (*spacing >= kLeastSpacing * sheet.pitch && *spacing <= kMostSpacing * sheet.pitch)) return;
+  problems.insert(problems.begin(), {"spacing", fmt::format("holes {:.6g} m apart along a row", *spacing),
+                                     fmt::format("about the pitch, {:.6g} m", sheet.pitch),
+                                     "check the unit in the column's name, and the pitch"});
+}
+
+}  // namespace
+
+std::vector<Problem> findSheetProblems(const Sheet& sheet) {
+  std::vector<Problem> problems;
+  findNumberProblems(sheet, problems);
+  if (!problems.empty()) return problems;
+  findPlaceProblems(sheet, problems);
+  findOrderProblems(sheet, problems);
+  if (!problems.empty()) return problems;
+  findSpacingProblems(sheet, problems);
+  findLegProblems(sheet, problems);
+  findOverlaps(sheet, problems);
+  return problems;
+}
+
+}  // namespace tubeplan::tubesheets

@@ -1,0 +1,105 @@
+#include "tubesheets/stepped_tool.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace tubeplan::tubesheets {
+namespace {
+
+constexpr double kTail = 9;            // standard deviations: 1e-19 lies beyond
+constexpr double kNoWidth = 1e-14;     // of the radius: thinner spreads are a line or a point
+constexpr double kRoundOff = 1e-12;    // of the larger variance: how negative rounding makes a zero one
+constexpr double kQuadrature = 1e-12;  // absolute, of each piece
+constexpr int kDeepest = 14;           // halvings of a piece
+
+// The offset along its principal axes: `wide` has the larger deviation.
+struct PrincipalOffset {
+  double wide_mean, wide_sigma, thin_mean, thin_sigma;
+};
+
+std::optional<PrincipalOffset> findPrincipalOffset(const Eigen::Vector2d& mean, const Eigen::Matrix2d& covariance) {
+  if (!mean.allFinite() || !covariance.allFinite()) return std::nullopt;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes((covariance + covariance.transpose()) / 2);
+  const Eigen::Vector2d variances = axes.eigenvalues();  // ascending
+  if (variances[0] < -kRoundOff * std::abs(variances[1])) return std::nullopt;
+  const Eigen::Vector2d along = axes.eigenvectors().transpose() * mean;
+  return PrincipalOffset{along[1], std::sqrt(std::max(0.0, variances[1])), along[0],
+                         std::sqrt(std::max(0.0, variances[0]))};
+}
+
+// P(-half <= N(mean, sigma) <= half), by the tails on the mean's side so that nothing cancels.
+double probabilityOfBand(double half, double mean, double sigma) {
+  const double scale = sigma * std::numbers::sqrt2, near = std::abs(mean);
+  return (std::erfc((near - half) / scale) - std::erfc((near + half) / scale)) / 2;
+}
+
+// Halves the interval until its error is below an absolute tolerance. Boost's own refinement is relative to each piece,
+// which never ends on pieces that hold next to nothing; and its error estimate is right on [-1, 1] only.
+template <class Function>
+double integrate(const Function& function, double from, double to, int depth = kDeepest) {
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  const auto scaled = [&](double u) { return half * function(middle + half * u); };
+  double error = 0;
+  const double sum = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(scaled, -1.0, 1.0, 0, 0.0, &error);
+  if (error <= kQuadrature || depth == 0) return sum;
+  return integrate(function, from, middle, depth - 1) + integrate(function, middle, to, depth - 1);
+}
+
+// The disc's share by strips across the thin axis, at y = mean + u sigma, |u| <= kTail. The variable is u = middle +
+// span sin(turn), which takes the root out of a strip's half-length where an end of the range is the disc's rim.
+double integrateStrips(double radius, const PrincipalOffset& offset) {
+  const double mean = offset.thin_mean, sigma = offset.thin_sigma;
+  const double lowest = std::max(-kTail, (-radius - mean) / sigma), highest = std::min(kTail, (radius - mean) / sigma);
+  if (lowest >= highest) return 0;
+  const double middle = (lowest + highest) / 2, span = (highest - lowest) / 2;
+  const auto strip = [&](double turn) {
+    const double u = middle + span * std::sin(turn);
+    const double half = std::sqrt(std::max(0.0, ((radius - mean) - u * sigma) * ((radius + mean) + u * sigma)));
+    const double density = std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
+    return density * probabilityOfBand(half, offset.wide_mean, offset.wide_sigma) * span * std::cos(turn);
+  };
+  double sum = 0;
+  for (int piece = -2; piece < 2; ++piece)
+    sum += integrate(strip, piece * std::numbers::pi / 4, (piece + 1) * std::numbers::pi / 4);
+  return std::clamp(sum, 0.0, 1.0);
+}
+
+}  // namespace
+
+int stepsInserted(const SteppedTool& tool, double centring_error) {
+  const auto stuck = std::find_if(tool.steps.begin(), tool.steps.end(),
+                                  [&](const Step& step) { return !(centring_error <= step.tolerance); });
+  return static_cast<int>(stuck - tool.steps.begin());
+}
+
+double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset, const Eigen::Matrix2d& covariance) {
+  const std::optional<PrincipalOffset> offset = findPrincipalOffset(mean_offset, covariance);
+  if (!offset || std::isnan(radius)) return std::numeric_limits<double>::quiet_NaN();
+  if (radius < 0) return 0;
+  if (std::isinf(radius)) return 1;
+  if (offset->wide_sigma <= kNoWidth * radius) return mean_offset.norm() <= radius ? 1 : 0;
+  if (offset->thin_sigma > kNoWidth * radius) return radius == 0 ? 0 : integrateStrips(radius, *offset);
+  if (std::abs(offset->thin_mean) > radius) return 0;
+  const double half = std::sqrt((radius - offset->thin_mean) * (radius + offset->thin_mean));
+  return probabilityOfBand(half, offset->wide_mean, offset->wide_sigma);
+}
+
+std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vector2d& mean_offset,
+                                       const Eigen::Matrix2d& covariance) {
+  // at_least[k]: the first k steps enter, which the tightest of them decides.
+  std::vector<double> at_least{findPrincipalOffset(mean_offset, covariance) ? 1
+                                                                            : std::numeric_limits<double>::quiet_NaN()};
+  double tightest = std::numeric_limits<double>::infinity();
+  for (const Step& step : tool.steps) {
+    tightest = std::min(tightest, step.tolerance);
+    at_least.push_back(probabilityWithin(tightest, mean_offset, covariance));
+  }
+  for (std::size_t k = 0; k + 1 < at_least.size(); ++k) at_least[k] -= std::min(at_least[k], at_least[k + 1]);
+  return at_least;
+}
+
+}  // namespace tubeplan::tubesheets

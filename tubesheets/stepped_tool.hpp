@@ -1,0 +1,41 @@
+// The stepped calibration tool: how far it enters a hole tells how well it was centred (thesis section 5.5, table 5.7).
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "tubesheets/problem.hpp"
+
+namespace tubeplan::tubesheets {
+
+/// One step. [m]
+struct Step {
+  double diameter = std::numeric_limits<double>::quiet_NaN();
+  double tolerance = std::numeric_limits<double>::quiet_NaN();  ///< largest centring error that still lets it in
+};
+
+/// Steps in the order in which they enter, thinnest first; `lengths` [m] one for each step, or none.
+struct SteppedTool {
+  std::vector<Step> steps;
+  std::vector<double> lengths;
+};
+
+/// What is wrong with the tool for holes of that diameter [m]: no steps, diameters that do not grow, tolerances that do
+/// not shrink or that exceed the gap between step and hole, numbers that are not above zero.
+[[nodiscard]] std::vector<Problem> findToolProblems(const SteppedTool& tool, double hole_diameter);
+
+/// How many steps enter at that centring error [m]: those before the first whose tolerance is below it. None for NaN.
+[[nodiscard]] int stepsInserted(const SteppedTool& tool, double centring_error);
+
+/// The probability that exactly 0, 1, ..., n steps enter when the tip's offset from the hole's axis is normal with that
+/// mean [m] and covariance [m^2] (singular ones too: a line, a point). Good to 1e-10. All NaN when the mean or
+/// covariance is not finite or the covariance has a negative variance.
+[[nodiscard]] std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vector2d& mean_offset,
+                                                     const Eigen::Matrix2d& covariance);
+
+/// The probability that such an offset is at most `radius` [m] long; NaN as above.
+[[nodiscard]] double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset,
+                                       const Eigen::Matrix2d& covariance);
+
+}  // namespace tubeplan::tubesheets

@@ -1,0 +1,71 @@
+#include "tubesheets/tube.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace tubeplan::tubesheets {
+namespace {
+
+template <class Value>
+struct Named {
+  Value value;
+  std::string_view name;
+};
+
+constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot")}, Named{Leg::kCold, std::string_view("cold")},
+                           Named{Leg::kFull, std::string_view("full")}};
+constexpr std::array kShortLegs{Named{Leg::kHot, std::string_view("HL")}, Named{Leg::kCold, std::string_view("CL")}};
+constexpr std::array kSides{Named{ViewedFrom::kBelow, std::string_view("below")},
+                            Named{ViewedFrom::kAbove, std::string_view("above")}};
+constexpr std::array kStates{Named{TubeState::kOpen, std::string_view("open")},
+                             Named{TubeState::kPlugged, std::string_view("plugged")},
+                             Named{TubeState::kSleeved, std::string_view("sleeved")},
+                             Named{TubeState::kStabilised, std::string_view("stabilised")},
+                             Named{TubeState::kToPlug, std::string_view("to-plug")},
+                             Named{TubeState::kInaccessible, std::string_view("inaccessible")},
+                             Named{TubeState::kUnresolved, std::string_view("unresolved")}};
+
+template <class Table, class Value>
+std::string_view nameOf(const Table& table, Value value) {
+  const auto row = std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.value == value; });
+  return row == table.end() ? "" : row->name;
+}
+
+template <class Table>
+auto valueOf(const Table& table, std::string_view name) -> std::optional<decltype(table.front().value)> {
+  const auto row = std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.name == name; });
+  if (row == table.end()) return std::nullopt;
+  return row->value;
+}
+
+template <class Table>
+std::string listNames(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const auto& row : table) names.push_back(row.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string tubeName(int row, int column) { return fmt::format("R{}C{}", row, column); }
+
+std::string_view legName(Leg leg) { return nameOf(kLegs, leg); }
+std::string_view viewedFromName(ViewedFrom side) { return nameOf(kSides, side); }
+std::string_view tubeStateName(TubeState state) { return nameOf(kStates, state); }
+
+std::optional<Leg> findLeg(std::string_view name) {
+  const auto leg = valueOf(kLegs, name);
+  return leg ? leg : valueOf(kShortLegs, name);
+}
+std::optional<ViewedFrom> findViewedFrom(std::string_view name) { return valueOf(kSides, name); }
+std::optional<TubeState> findTubeState(std::string_view name) { return valueOf(kStates, name); }
+
+std::string legNames() { return listNames(kLegs); }
+std::string viewedFromNames() { return listNames(kSides); }
+std::string tubeStateNames() { return listNames(kStates); }
+
+}  // namespace tubeplan::tubesheets

@@ -1,0 +1,53 @@
+// One hole of a tube sheet, the leg it is in and the state of its tube.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tubeplan::tubesheets {
+
+/// Which half of the channel head: hot and cold legs of a U-tube generator, or the full sheet of a once-through one.
+enum class Leg { kHot, kCold, kFull };
+
+/// From which side a picture of the sheet is drawn. Positions do not depend on it: they are in the sheet frame.
+enum class ViewedFrom { kBelow, kAbove };
+
+enum class TubeState {
+  kOpen,
+  kPlugged,
+  kSleeved,
+  kStabilised,    ///< plugged, with a stabiliser inside
+  kToPlug,        ///< recommended to plug, not yet done
+  kInaccessible,  ///< reported as out of reach or obstructed
+  kUnresolved,    ///< its identity is in doubt
+};
+
+/// A hole. Sheet frame: origin at the centre of the sheet's lower face, x along the divider plate, y into the hot leg,
+/// z up; the hole's centre is at z = 0. [m]
+struct Tube {
+  int row = 0;     ///< from 1, counted away from the divider plate
+  int column = 0;  ///< from 1, counted along x
+  double x = 0;
+  double y = 0;
+  TubeState state = TubeState::kOpen;
+};
+
+/// "R12C7", as technicians say it.
+[[nodiscard]] std::string tubeName(int row, int column);
+
+[[nodiscard]] std::string_view legName(Leg leg);                 ///< hot, cold, full
+[[nodiscard]] std::string_view viewedFromName(ViewedFrom side);  ///< below, above
+[[nodiscard]] std::string_view tubeStateName(TubeState state);   ///< open, plugged, sleeved, ...
+
+/// By those names (a leg also as HL, CL); empty when unknown.
+[[nodiscard]] std::optional<Leg> findLeg(std::string_view name);
+[[nodiscard]] std::optional<ViewedFrom> findViewedFrom(std::string_view name);
+[[nodiscard]] std::optional<TubeState> findTubeState(std::string_view name);
+
+/// All names of each, "a, b, c", for messages.
+[[nodiscard]] std::string legNames();
+[[nodiscard]] std::string viewedFromNames();
+[[nodiscard]] std::string tubeStateNames();
+
+}  // namespace tubeplan::tubesheets

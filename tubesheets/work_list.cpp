@@ -1,0 +1,164 @@
+#include "tubesheets/work_list.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tubesheets/csv_table.hpp"
+#include "tubesheets/selection_terms.hpp"
+
+namespace tubeplan::tubesheets {
+namespace {
+
+// One item of the line: its text without the minus, and where it stood.
+struct Item {
+  std::string_view text;
+  int number = 0;             // from 1
+  std::size_t character = 0;  // from 1
+  bool is_minus = false;
+  const SelectionTerm* term = nullptr;  // null: a range or a state
+  std::string_view argument;
+
+  [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
+};
+
+Selection refuse(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}}; }
+
+Selection refuse(const Item& item, const std::string& reason) {
+  return refuse(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
+                            item.character, reason));
+}
+
+std::string knownForms() {
+  std::vector<std::string_view> forms{"R10C20"};
+  for (const SelectionTerm& term : selectionTerms()) forms.push_back(term.form);
+  return fmt::format("{}, {}", fmt::join(forms, ", "), tubeStateNames());
+}
+
+Item makeItem(std::string_view field, int number, std::size_t start) {
+  const std::string_view text = trimBlanks(field);
+  Item item;
+  item.text = text;
+  item.number = number;
+  item.character = start + (text.empty() ? 0 : static_cast<std::size_t>(text.data() - field.data())) + 1;
+  item.is_minus = text.starts_with('-');
+  if (item.is_minus) item.text.remove_prefix(1);
+  const std::size_t colon = std::min(item.text.find(':'), item.text.size());
+  const auto& terms = selectionTerms();
+  const auto term = std::find_if(terms.begin(), terms.end(),
+                                 [&](const SelectionTerm& t) { return t.name == item.text.substr(0, colon); });
+  if (term != terms.end()) item.term = &*term;
+  if (colon < item.text.size()) item.argument = item.text.substr(colon + 1);
+  return item;
+}
+
+std::vector<Item> splitItems(std::string_view request) {
+  std::vector<Item> items;
+  for (std::size_t start = 0; start <= request.size();) {
+    const std::size_t comma = std::min(request.find(',', start), request.size());
+    items.push_back(makeItem(request.substr(start, comma - start), static_cast<int>(items.size()) + 1, start));
+    start = comma + 1;
+  }
+  return items;
+}
+
+// What is wrong with an item before any tube is looked at; empty when nothing is.
+std::string findItemFault(const Item& item) {
+  if (item.text.empty()) return "nothing here; expected one of " + knownForms();
+  if (item.is_minus && item.role() != TermRole::kSource) return "only tubes can be taken away with a minus";
+  if (item.term != nullptr && item.term->takes_argument == item.argument.empty())
+    return fmt::format("expected {}", item.term->form);
+  const bool is_range = item.text.find_first_of("Rr") == 0 || item.text.find_first_of("Cc") == 0;
+  if (item.term == nullptr && !findTubeState(item.text) && !is_range)
+    return "not understood; expected one of " + knownForms();
+  return "";
+}
+
+TermChoice choose(const Item& item, const Sheet& sheet, const std::vector<int>& candidates) {
+  if (item.term != nullptr) return item.term->choose(sheet, candidates, item.argument);
+  const std::optional<TubeState> state = findTubeState(item.text);
+  if (!state) return chooseRange(sheet, candidates, item.text);
+  TermChoice choice;
+  for (const int tube : candidates)
+    if (sheet.tubes[tube].state == *state) choice.tubes.push_back(tube);
+  return choice;
+}
+
+std::vector<int> allTubes(const Sheet& sheet) {
+  std::vector<int> all(sheet.tubes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+// Applies the sources, first those that add, then those that take away. The first reason to refuse stops it.
+Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
+  const std::vector<int> all = allTubes(sheet);
+  const bool has_addition = std::any_of(
+      items.begin(), items.end(), [](const Item& item) { return item.role() == TermRole::kSource && !item.is_minus; });
+  std::vector<bool> is_selected(all.size(), !has_addition);
+  for (const bool minus : {false, true}) {
+    for (const Item& item : items) {
+      if (item.role() != TermRole::kSource || item.is_minus != minus) continue;
+      const TermChoice choice = choose(item, sheet, all);
+      if (!choice.reason.empty()) return refuse(item, choice.reason);
+      for (const int tube : choice.tubes) is_selected[tube] = !minus;
+    }
+  }
+  Selection selection{SelectionStatus::kSelected, "", {}};
+  for (const int tube : all)
+    if (is_selected[tube]) selection.tube_indices.push_back(tube);
+  return selection;
+}
+
+std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
+  if (item.leg && *item.leg != sheet.leg)
+    return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
+  if (!sheet.indexOf(item.row, item.column)) return explainMissing(sheet, item.row, item.column);
+  return "";
+}
+
+}  // namespace
+
+Selection selectTubes(const Sheet& sheet, const std::string& request) {
+  const std::vector<Item> items = splitItems(request);
+  for (const Item& item : items)
+    if (const std::string fault = findItemFault(item); !fault.empty()) return refuse(item, fault);
+  for (const Item& item : items) {
+    if (item.role() != TermRole::kGuard) continue;
+    if (const TermChoice choice = choose(item, sheet, {}); !choice.reason.empty()) return refuse(item, choice.reason);
+  }
+  Selection selection = applySources(sheet, items);
+  for (const Item& item : items) {
+    if (selection.status == SelectionStatus::kRefused) return selection;
+    if (item.role() != TermRole::kThinner) continue;
+    TermChoice choice = choose(item, sheet, selection.tube_indices);
+    if (!choice.reason.empty()) return refuse(item, choice.reason);
+    selection.tube_indices = std::move(choice.tubes);
+  }
+  if (selection.status == SelectionStatus::kSelected && selection.tube_indices.empty())
+    return refuse(fmt::format("\"{}\" selects no tube of this sheet", request));
+  return selection;
+}
+
+Selection selectTubes(const Sheet& sheet, const WorkList& list) {
+  if (list.status != WorkListStatus::kRead)
+    return refuse(list.problem ? list.problem->sentence() : "the work list has not been read");
+  const std::string fingerprint = sheet.fingerprint();
+  Selection selection{SelectionStatus::kSelected, "", {}};
+  for (const WorkListItem& item : list.items) {
+    std::string fault = findListFault(item, sheet);
+    if (!item.sheet.empty() && item.sheet != fingerprint)
+      fault = fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
+    if (!fault.empty()) return refuse(fmt::format("line {}: {}", item.line, fault));
+    selection.tube_indices.push_back(*sheet.indexOf(item.row, item.column));
+  }
+  std::sort(selection.tube_indices.begin(), selection.tube_indices.end());
+  const auto repeated = std::unique(selection.tube_indices.begin(), selection.tube_indices.end());
+  if (repeated != selection.tube_indices.end()) return refuse("the work list names a tube twice");
+  if (selection.tube_indices.empty()) return refuse("the work list names no tube");
+  return selection;
+}
+
+}  // namespace tubeplan::tubesheets

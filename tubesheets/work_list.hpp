@@ -1,0 +1,57 @@
+// Work lists: which tubes to visit, from a line of text or from a table.
+//
+// The line is a comma-separated list of items, blanks around them allowed. The sheet must have no problems (sheet.hpp).
+//   - all, R10C20, R1-10C5-9, R10, C20, outer:2, zone:-10:10:20:40in, plugged (a tube state): the union of these.
+//   - The same with a minus (-plugged, -R3C4, -outer:1): taken away, from all tubes when nothing is asked for.
+//   - every:K, spread:N: a part of what the rest of the list selects, in the order written.
+//   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tubesheets/problem.hpp"
+#include "tubesheets/sheet.hpp"
+
+namespace tubeplan::tubesheets {
+
+enum class SelectionStatus { kNotRun, kSelected, kRefused };
+
+struct Selection {
+  SelectionStatus status = SelectionStatus::kNotRun;
+  std::string reason;             ///< when refused: names the item, the tube or the line
+  std::vector<int> tube_indices;  ///< places in sheet.tubes, ascending, each once
+};
+
+/// Tubes by the language above. Refused: malformed items, tubes that are not on the sheet, another leg or sheet, an
+/// empty result.
+[[nodiscard]] Selection selectTubes(const Sheet& sheet, const std::string& request);
+
+/// One line of a list.
+struct WorkListItem {
+  int row = 0;
+  int column = 0;
+  int line = 0;
+  std::optional<Leg> leg;
+  std::string sheet;  ///< fingerprint; empty = any
+};
+
+enum class WorkListStatus { kNotRun, kRead, kRefused };
+
+struct WorkList {
+  WorkListStatus status = WorkListStatus::kNotRun;
+  std::optional<Problem> problem;  ///< when refused
+  std::vector<WorkListItem> items;
+};
+
+/// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL) and sheet (a fingerprint); the
+/// columns sg, zone, tool, state, priority, comment and x, y with a unit are allowed and ignored. Refused: the same
+/// tube twice, two legs or sheets in one list, missing or other columns, anything malformed, no tubes.
+[[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
+
+/// The tubes of such a list. Refused: a refused list, another leg or sheet, tubes that are not on the sheet.
+[[nodiscard]] Selection selectTubes(const Sheet& sheet, const WorkList& list);
+
+}  // namespace tubeplan::tubesheets

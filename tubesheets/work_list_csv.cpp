@@ -1,0 +1,66 @@
+// parseWorkListCsv.
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "tubesheets/csv_table.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::tubesheets {
+namespace {
+
+const std::vector<std::string>& knownColumns() {
+  static const std::vector<std::string> known{"row",  "column", "leg",  "sheet", "sg",  "zone", "tool",     "state",
+                                              "x_in", "y_in",   "x_mm", "y_mm",  "x_m", "y_m",  "priority", "comment"};
+  return known;
+}
+
+WorkList refused(Problem problem) { return {WorkListStatus::kRefused, std::move(problem), {}}; }
+
+std::string fieldOf(const CsvTable& table, const CsvRow& row, std::string_view column) {
+  const auto place = table.find(column);
+  return place ? row.fields[*place] : "";
+}
+
+std::string describeLeg(const std::optional<Leg>& leg) { return leg ? std::string(legName(*leg)) : "no leg"; }
+std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no sheet" : sheet; }
+
+// A list is for one leg of one sheet; a line that says otherwise was pasted from another list.
+std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem& item) {
+  if (item.leg != first.leg)
+    return Problem{"leg", describeLeg(item.leg), describeLeg(first.leg) + ", as on the lines above",
+                   "keep one list for each leg", item.line};
+  if (item.sheet != first.sheet)
+    return Problem{"sheet", describeSheet(item.sheet), describeSheet(first.sheet) + ", as on the lines above",
+                   "keep one list for each sheet", item.line};
+  return std::nullopt;
+}
+
+}  // namespace
+
+WorkList parseWorkListCsv(std::string_view text) {
+  const CsvTable table = parseCsv(text);
+  if (table.problem) return refused(*table.problem);
+  if (const auto problem = findColumnProblem(table, knownColumns())) return refused(*problem);
+  WorkList list{WorkListStatus::kRead, std::nullopt, {}};
+  std::map<std::pair<int, int>, int> lines;
+  for (const CsvRow& row : table.rows) {
+    const TubeNumbers numbers = parseTubeNumbers(table, row);
+    if (numbers.problem) return refused(*numbers.problem);
+    const std::string leg = fieldOf(table, row, "leg");
+    const WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet")};
+    if (!leg.empty() && !item.leg) return refused({"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
+    const auto [first, is_new] = lines.try_emplace({item.row, item.column}, item.line);
+    if (!is_new)
+      return refused({tubeName(item.row, item.column), fmt::format("a second time (first on line {})", first->second),
+                      "every tube once", "remove one of the lines", item.line});
+    list.items.push_back(item);
+    if (const auto problem = findOddLine(list.items.front(), item)) return refused(*problem);
+  }
+  if (list.items.empty())
+    return refused({"text", "no tubes", "at least one line below the header", "", table.header_line});
+  return list;
+}
+
+}  // namespace tubeplan::tubesheets
