@@ -58,6 +58,13 @@ fs::path temporaryBeside(const fs::path& path) {
   return folderOf(path) / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
 }
 
+// A device or pipe (/dev/null, /dev/stdout) is written to; a rename would put a file in its place.
+bool isSpecialFile(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 void writeContent(const fs::path& path, const std::string& content, const std::string& option) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
@@ -65,6 +72,7 @@ void writeContent(const fs::path& path, const std::string& content, const std::s
   stream.close();
   if (stream.fail()) {
     const std::string why = errno ? std::strerror(errno) : "cannot be written";
+    if (isSpecialFile(path)) fail(option, path, why);
     std::error_code ignored;
     fs::remove(path, ignored);
     fail(option, path.parent_path(), why);
@@ -81,6 +89,7 @@ void refuseFolder(const fs::path& path, const std::string& option) {
 
 void checkWritableFile(const fs::path& path, const std::string& option) {
   refuseFolder(path, option);
+  if (isSpecialFile(path)) return;
   const auto made = makeFolders(folderOf(path), option);
   const fs::path probe = temporaryBeside(path);
   try {
@@ -94,12 +103,15 @@ void checkWritableFile(const fs::path& path, const std::string& option) {
   removeFolders(made);
 }
 
-void writeFileAtomically(const fs::path& path, const std::string& content, const std::string& option) {
-  refuseFolder(path, option);
+void writeFileAtomically(const fs::path& named, const std::string& content, const std::string& option) {
+  refuseFolder(named, option);
+  std::error_code error;
+  // The file behind a link is replaced, not the link.
+  const fs::path path = fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
+  if (isSpecialFile(path)) return writeContent(path, content, option);
   makeFolders(folderOf(path), option);
   const fs::path temporary = temporaryBeside(path);
   writeContent(temporary, content, option);
-  std::error_code error;
   fs::rename(temporary, path, error);
   if (!error) return;
   std::error_code ignored;

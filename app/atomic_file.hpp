@@ -11,8 +11,8 @@ namespace tubeplan::app {
 /// no folder. Leaves nothing behind. For use before long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes beside the place and renames, so that no reader ever sees half a file. Makes missing folders. Throws InputError
-/// naming the option.
+/// Writes beside the place and renames, so that no reader ever sees half a file; a device or pipe is written to as it is, never
+/// replaced. Makes missing folders. Throws InputError naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
 
 /// A folder of results: made and proved writable at once, its files appear together at commit(). Without a commit nothing

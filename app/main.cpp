@@ -1,4 +1,6 @@
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <string>
 #include <vector>
@@ -9,7 +11,9 @@
 
 int main(int argc, char** argv) {
   try {
-    return tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
+    const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
+    if (std::fflush(stdout) != 0) throw tubeplan::app::InputError("standard output", std::strerror(errno), "a place that can be written");
+    return exit_code;
   } catch (const tubeplan::app::InputError& error) {
     std::fprintf(stderr, "tubeplan: %s\n", error.what());
     return tubeplan::app::kBadInput;

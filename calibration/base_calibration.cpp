@@ -23,7 +23,9 @@ Isometry3d alignBase(const deflection::Arm& arm, const std::vector<Touch>& touch
       tips.col(static_cast<Eigen::Index>(k)) = shape.X_BD.p;
       holes.col(static_cast<Eigen::Index>(k)) = touches[k].p_WH;
     }
+    const Isometry3d before = X_WB;
     X_WB.matrix() = Eigen::umeyama(tips, holes, false);
+    if ((X_WB.matrix() - before.matrix()).norm() < 1e-9) break;
   }
   return X_WB;
 }
@@ -159,6 +161,7 @@ BaseCalibration refused(std::string reason) {
 
 /// Looks at a misfit that noise and the model's usual error cannot explain.
 bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, const BaseCalibrationOptions& options, BaseCalibration& result) {
+  if (result.p_value >= options.mistaken_hole_p_value) return false;
   const BaseFit tolerant = fitBase(arm, touches, result.X_WB, options.model_sigma);
   if (tolerant.p_value >= options.mistaken_hole_p_value) return false;
   result.suspects = findMistakenHoles(arm, touches, result.X_WB, tolerant.solution.chi2, options);

@@ -121,13 +121,15 @@ FlexibleKinematicsOf<S> iterate(const ArmOf<S>& arm, const PostureOf<S>& posture
   result.X_BT = frames.back();
   combineTransforms(chain, false, frames);
   result.status = KinematicsStatus::kNotConverged;
+  // Derivatives carry the rounding of every pass: asking more of them than this never ends.
+  const double tolerance = std::max(options.tolerance, std::is_same_v<S, double> ? 0 : 1e-13) * reach;
   for (result.iterations = 1; result.iterations <= options.max_iterations; ++result.iterations) {
     const PoseOf<S> before = frames.back();
     resolveLoads(arm, posture, frames, chain, result.rows);
     combineTransforms(chain, false, frames);
     const double change = changeOf(frames.back(), before, reach);
     if (!std::isfinite(change)) break;
-    if (change > options.tolerance * reach) continue;
+    if (change > tolerance) continue;
     result.status = KinematicsStatus::kConverged;
     break;
   }

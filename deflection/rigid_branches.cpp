@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kPi = std::numbers::pi;
+constexpr double kLastReach = 1.1;  ///< of the elbow's cosine: goals beyond it are out of reach of any deflection
 
 /// Joint axes and tip at zero readings, in the base frame.
 struct AxesAtZero {
@@ -58,8 +59,9 @@ std::vector<Vector2d> solveTwoLinks(const Vector2d& elbow, const Vector2d& wrist
   const Vector2d upper = elbow, fore = wrist - elbow;
   const double l1 = upper.norm(), l2 = fore.norm();
   const double c = (w.squaredNorm() - l1 * l1 - l2 * l2) / (2 * l1 * l2);
-  if (!(std::abs(c) <= 1)) return {};
-  const double at_zero = angleOf(fore) - angleOf(upper), bend = std::acos(c);
+  if (!(std::abs(c) <= kLastReach)) return {};
+  // A bent arm may reach a little further than a rigid one: the elbow is started slightly bent there.
+  const double at_zero = angleOf(fore) - angleOf(upper), bend = std::acos(std::abs(c) <= 1 ? c : std::copysign(0.98, c));
   std::vector<Vector2d> solutions;
   for (double sign : {1., -1.}) {
     const double elbow_angle = sign * bend - at_zero;

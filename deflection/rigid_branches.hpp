@@ -17,7 +17,7 @@ struct ToolGoal {
 bool isTurretArm(const Arm& arm);
 
 /// Closed form for a turret arm: at most four joint vectors (front and back of the turret, elbow either way), exact where the three
-/// axes are parallel, otherwise near. Angles in (-pi, pi]. Empty: out of reach. Calkins' Cobra is such an arm.
+/// axes are parallel, otherwise near; a goal just beyond the rigid reach gets starts near it. Angles in (-pi, pi]. Empty: out of reach. Calkins' Cobra is such an arm.
 std::vector<Eigen::VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal);
 
 /// Starts for any other arm: a deterministic low-discrepancy lattice over the joint limits (one turn where there are none).

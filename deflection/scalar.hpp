@@ -2,13 +2,14 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <unsupported/Eigen/AutoDiff>
+
+#include "deflection/dual.hpp"
 
 namespace tubeplan::deflection {
 
 /// How many derivatives one pass carries; more variables take more passes.
 inline constexpr int kDualSize = 8;
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kDualSize, 1>>;
+using Dual = DualNumber<kDualSize>;
 
 template <class S> using Vector3 = Eigen::Matrix<S, 3, 1>;
 template <class S> using Matrix3 = Eigen::Matrix<S, 3, 3>;

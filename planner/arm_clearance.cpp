@@ -124,4 +124,10 @@ Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   return clearance;
 }
 
+Clearance ArmClearance::withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const {
+  Clearance clearance = at(q, rule);
+  clearance.margin -= spare;
+  return clearance;
+}
+
 }  // namespace tubeplan::planner

@@ -19,6 +19,9 @@ class ArmClearance {
   /// that does not settle has a NaN margin, with the reason in `other`.
   [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
 
+  /// The same with `spare` [m] taken off the margin: what a plan keeps in hand, so that a proof by other means succeeds too.
+  [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
+
   /// Bound on any body point's travel, deflection's change included.
   [[nodiscard]] const TravelBound& travel() const { return travel_; }
 

@@ -11,7 +11,8 @@ namespace {
 std::string orderProblem(const Route& route, const std::vector<int>& order) {
   std::vector<char> seen(route.visits.size(), 0);
   for (const int visit : order) {
-    if (visit < 0 || visit >= static_cast<int>(seen.size())) return "the order names visit " + std::to_string(visit) + ", which does not exist";
+    if (visit < 0 || visit >= static_cast<int>(seen.size()))
+      return "the order names visit " + std::to_string(visit) + ", which does not exist";
     if (seen[visit]) return "the order names visit " + std::to_string(visit) + " twice";
     seen[visit] = 1;
   }
@@ -34,7 +35,8 @@ void extendLayer(const PostureTable& table, int before, int node, const std::vec
 
 }  // namespace
 
-double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node) {
+double choosePostures(const PostureTable& table, const std::vector<int>& node_order,
+                      std::vector<int>& posture_of_node) {
   if (node_order.empty()) return 0;
   std::vector<int> came_from(table.postures(), -1);
   std::vector<double> times(table.last(node_order[0]) - table.first(node_order[0]), 0.0), next;
@@ -44,7 +46,8 @@ double choosePostures(const PostureTable& table, const std::vector<int>& node_or
   }
   const auto quickest = std::min_element(times.begin(), times.end());
   int posture = table.first(node_order.back()) + static_cast<int>(quickest - times.begin());
-  for (std::size_t k = node_order.size(); k-- > 0; posture = came_from[posture]) posture_of_node[node_order[k]] = posture;
+  for (std::size_t k = node_order.size(); k-- > 0; posture = came_from[posture])
+    posture_of_node[node_order[k]] = posture;
   return *quickest;
 }
 
@@ -95,7 +98,8 @@ std::vector<int> serpentineOrder(const std::vector<int>& rows, const std::vector
 }
 
 double rowByRowTime(const Route& route, const std::vector<int>& rows, const std::vector<int>& columns) {
-  if (rows.size() != route.visits.size() || columns.size() != rows.size()) return std::numeric_limits<double>::quiet_NaN();
+  if (rows.size() != route.visits.size() || columns.size() != rows.size())
+    return std::numeric_limits<double>::quiet_NaN();
   return bestBranches(route, serpentineOrder(rows, columns)).travel_time;
 }
 

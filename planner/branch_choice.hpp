@@ -14,8 +14,9 @@ enum class BranchChoiceStatus { kNotRun, kSolved, kForbiddenMove, kBadInput };
 struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
-  std::vector<int> branches;                                       ///< by place in the order
-  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, with start, end and extra times; infinite if forbidden
+  std::vector<int> branches;  ///< by place in the order
+  double travel_time =
+      std::numeric_limits<double>::quiet_NaN();  ///< s, with start, end and extra times; infinite if forbidden
 };
 
 /// The branches that make the given order quickest, exactly (shortest path through the layers of postures).
@@ -24,8 +25,8 @@ struct BranchChoice {
 
 class PostureTable;
 
-/// The same on prepared data: nodes of the route in order, start and end nodes included where given. Writes the chosen posture of
-/// each node of the order; gives the time [s], where a forbidden move counts `kForbiddenTime`.
+/// The same on prepared data: nodes of the route in order, start and end nodes included where given. Writes the chosen
+/// posture of each node of the order; gives the time [s], where a forbidden move counts `kForbiddenTime`.
 double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node);
 
 /// The order of visits with the start and end nodes put where they belong.

@@ -28,7 +28,8 @@ double moveDuration(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const 
   double slowest = 0;
   for (Eigen::Index j = 0; j < q0.size(); ++j) {
     const double distance = std::abs(q1[j] - q0[j]);
-    slowest = std::max(slowest, unitMoveDuration(distance / speeds.max_speed[j], distance / speeds.max_acceleration[j]));
+    slowest =
+        std::max(slowest, unitMoveDuration(distance / speeds.max_speed[j], distance / speeds.max_acceleration[j]));
   }
   return slowest;
 }

@@ -21,9 +21,11 @@ struct JointSpeeds {
 /// triangle or trapezoid. A motion through further postures, curved or not, never takes less.
 [[nodiscard]] double moveDuration(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const JointSpeeds& speeds);
 
-/// The least time [s] along the straight line in joint space: all joints share one profile. At least `moveDuration`, and equal
-/// to it when one ratio of speed to acceleration holds for all joints. Stopping on the way, wherever, never gains.
-[[nodiscard]] double straightMoveDuration(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const JointSpeeds& speeds);
+/// The least time [s] along the straight line in joint space: all joints share one profile. At least `moveDuration`,
+/// and equal to it when one ratio of speed to acceleration holds for all joints. Stopping on the way, wherever, never
+/// gains.
+[[nodiscard]] double straightMoveDuration(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
+                                          const JointSpeeds& speeds);
 
 /// Time [s] of one rest-to-rest move of unit length whose greatest speed is 1/cruise_seconds [1/s] and whose greatest
 /// acceleration is 1/ramp_seconds2 [1/s^2]. Both zero: no time at all.

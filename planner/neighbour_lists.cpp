@@ -31,7 +31,8 @@ class BestNodes {
   explicit BestNodes(std::size_t count) : count_(count) {}
   double worst() const { return list_.size() < count_ ? std::numeric_limits<double>::infinity() : list_.back().time; }
   void offer(const Neighbour& candidate) {
-    const auto same = std::find_if(list_.begin(), list_.end(), [&](const Neighbour& n) { return n.node == candidate.node; });
+    const auto same =
+        std::find_if(list_.begin(), list_.end(), [&](const Neighbour& n) { return n.node == candidate.node; });
     if (same != list_.end()) {
       if (!nearer(candidate, *same)) return;
       list_.erase(same);
@@ -48,7 +49,8 @@ class BestNodes {
 
 // Postures in the order of one joint; no move is quicker than that joint's difference at full speed.
 struct Sweep {
-  explicit Sweep(const PostureTable& table) : joint(widestJoint(table)), sorted(table.postures()), place(table.postures()) {
+  explicit Sweep(const PostureTable& table)
+      : joint(widestJoint(table)), sorted(table.postures()), place(table.postures()) {
     for (int p = 0; p < table.postures(); ++p) sorted[p] = p;
     std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
       return table.scaled(a, joint) != table.scaled(b, joint) ? table.scaled(a, joint) < table.scaled(b, joint) : a < b;

@@ -9,19 +9,22 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kFirstStep = 1;   // as a share of the way to the known time
-constexpr int kPatience = 10;      // steps without gain before the share falls
+constexpr double kFirstStep = 1;  // as a share of the way to the known time
+constexpr int kPatience = 10;     // steps without gain before the share falls
 constexpr double kFall = 0.8;
-constexpr double kMeanShare = 0.03;  // of the latest tree in the running mean
+// Of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
+constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 
 enum class Detail { kNodes, kPostures };
 
-// What a tree breaks of the conditions that the prices stand for, in the order of the prices. By nodes: the ends of all postures
-// together, which is all there is with one posture a node and gets the most from the first steps with several.
-std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree, Detail detail) {
+// What a tree breaks of the conditions that the prices stand for, in the order of the prices. By nodes: the ends of all
+// postures together, which is all there is with one posture a node and gets the most from the first steps with several.
+std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
+                               Detail detail) {
   std::vector<double> violation(tree.ends.size() + tree.pair_ends.size(), 0.0);
   for (int node = 0; node < table.nodes(); ++node) {
-    const double ends = std::accumulate(tree.ends.begin() + table.first(node), tree.ends.begin() + table.last(node), 0.0);
+    const double ends =
+        std::accumulate(tree.ends.begin() + table.first(node), tree.ends.begin() + table.last(node), 0.0);
     for (int p = table.first(node); p < table.last(node); ++p) {
       violation[p] = detail == Detail::kNodes ? ends - 2 : tree.ends[p] - 2 * tree.taken[p];
     }
@@ -55,16 +58,17 @@ class Ascent {
 
   // From the best prices along a running mean of what the trees break (the volume method of Barahona and Anbil, 2000).
   void climb(int steps, double first_share, Detail detail) {
+    const double mean_share = detail == Detail::kNodes ? kMeanShareByNodes : kMeanShareByPostures;
     double share = first_share;
     int without_gain = 0;
     PricedTree tree = graph_.tree(best_);
     double best_on_graph = tree.bound;
     std::vector<double> mean = violations(table_, graph_, tree, detail);
-    for (int i = 0; i < steps && best_on_graph < options_.known_time * (1 - 1e-9); ++i, ++iterations_) {
+    for (int i = 0; i < steps && !(best_on_graph >= options_.known_time * (1 - 1e-9)); ++i, ++iterations_) {
       Prices prices = moved(mean, share, best_on_graph);
       tree = graph_.tree(prices);
       const std::vector<double> latest = violations(table_, graph_, tree, detail);
-      for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += kMeanShare * (latest[k] - mean[k]);
+      for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += mean_share * (latest[k] - mean[k]);
       if (tree.bound > best_on_graph) {
         if (tree.bound > best_on_graph + 1e-5 * std::abs(best_on_graph)) without_gain = 0;
         best_on_graph = tree.bound;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -20,15 +21,17 @@ constexpr double kLimitShare = 1 + 1e-9;
 class Checker {
  public:
   Checker(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks)
-      : cell_(cell), plan_(plan), options_(options), hooks_(hooks), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)) {}
+      : cell_(cell), plan_(plan), options_(options), hooks_(hooks), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
+        travel_scene_(withoutContact(cell.scene)), lever_(leversOf()) {}
 
   PlanCheck run() {
     checkTubes();
     if (shapesFit()) {
-      checkTimes();
+      checkOrder();
       checkJoints();
       checkSpeeds();
       checkApproaches();
+      checkAxes();
       checkClearance();
     }
     result_.status = result_.findings.empty() ? PlanCheckStatus::kProved : PlanCheckStatus::kRefuted;
@@ -42,8 +45,11 @@ class Checker {
     if (result_.findings.size() < kMostFindings) result_.findings.push_back(std::move(what));
   }
 
+  /// Not a number where the shape does not settle.
   Vector3d tipAt(const VectorXd& q) const {
-    return cell_.X_WB * solveFlexibleKinematics(cell_.arm, {q, cell_.load, gravity_B_}, {1e-13, 100}).X_BD.p;
+    const auto shape = solveFlexibleKinematics(cell_.arm, {q, cell_.load, gravity_B_}, {1e-13, 100});
+    if (shape.status != deflection::KinematicsStatus::kConverged) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return cell_.X_WB * shape.X_BD.p;
   }
 
   bool shapesFit() {
@@ -65,7 +71,7 @@ class Checker {
         continue;
       }
       if (!seen.insert({tube.row, tube.column}).second) find(name + " is visited twice");
-      if ((tube.hole_W - holeCentre(*hole)).norm() > options_.stated_tolerance) find(name + ": the stated hole is not where the sheet has it");
+      if (!((tube.hole_W - holeCentre(*hole)).norm() <= options_.stated_tolerance)) find(name + ": the stated hole is not where the sheet has it");
       if (tube.q.size() != static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size())) continue;
       const Vector3d tip = tipAt(tube.q);
       const double off = (tip - holeCentre(*hole)).norm();
@@ -73,16 +79,24 @@ class Checker {
       if (!(off <= options_.centring_tolerance)) find(fmt::format("{}: the deflected tip is {:.3g} m off the hole's centre", name, off));
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance)) find(name + ": the stated tip is not the model's");
     }
-    for (const auto& [row, column] : plan_.unreachable)
+    for (const auto& [row, column] : plan_.unreachable) {
+      if (!cell_.sheet.find(row, column)) find(tubesheets::tubeName(row, column) + ", said to be unreachable, is not on this sheet");
       if (seen.contains({row, column})) find(tubesheets::tubeName(row, column) + " is both visited and unreachable");
+    }
   }
 
-  void checkTimes() {
-    for (std::size_t k = 1; k < plan_.path.size(); ++k) {
-      if (!(plan_.path[k].time > plan_.path[k - 1].time)) return find(fmt::format("path row {}: time does not rise", k + 1));
-      const int step = plan_.path[k].segment - plan_.path[k - 1].segment;
-      if (step != 0 && step != 1) return find(fmt::format("path row {}: segments out of order", k + 1));
+  /// Time rises, and segments follow one another: up to a tube, down from it, on to the next.
+  void checkOrder() {
+    static constexpr std::array kCycle{SegmentKind::kApproach, SegmentKind::kRetreat, SegmentKind::kTravel};
+    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
+      const PathRow& row = plan_.path[k];
+      const int step = row.segment - (k > 0 ? plan_.path[k - 1].segment : 0);
+      if (k > 0 && !(row.time > plan_.path[k - 1].time)) return find(fmt::format("path row {}: time does not rise", k + 1));
+      if (step < 0 || step > (k > 0 ? 1 : 0)) return find(fmt::format("path row {}: segments out of order", k + 1));
+      if (row.kind != kCycle[static_cast<std::size_t>(row.segment) % kCycle.size()])
+        return find(fmt::format("path row {}: segment {} cannot be a {}", k + 1, row.segment + 1, nameOf(row.kind)));
     }
+    if (!plan_.path.empty() && plan_.path.back().kind != SegmentKind::kRetreat) find("the path does not end with a retreat");
   }
 
   void checkJoints() {
@@ -119,64 +133,112 @@ class Checker {
     }
   }
 
-  /// Each stated tube must be the end of one approach, in order, and the approach must follow the hole's axis.
+  /// Each stated tube must be the end of one approach, in order.
   void checkApproaches() {
     std::size_t tube = 0;
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const auto& row = plan_.path[k];
-      if (row.kind != SegmentKind::kApproach) continue;
-      if (tube >= plan_.tubes.size()) return find("the path has more approaches than the plan has tubes");
-      const StatedTube& stated = plan_.tubes[tube];
-      const Vector3d off = tipAt(row.q) - stated.hole_W;
-      result_.worst_approach = std::max(result_.worst_approach, off.head<2>().norm());
-      if (options_.via_points && off.head<2>().norm() > options_.approach_tolerance)
-        find(fmt::format("path row {}: the tip leaves the axis of {}", k + 1, tubesheets::tubeName(stated.row, stated.column)));
       const bool ends = k + 1 == plan_.path.size() || plan_.path[k + 1].kind != SegmentKind::kApproach;
-      if (!ends) continue;
+      if (row.kind != SegmentKind::kApproach || !ends) continue;
+      if (tube >= plan_.tubes.size()) return find("the path has more approaches than the plan has tubes");
+      const StatedTube& stated = plan_.tubes[tube++];
       if ((row.q - stated.q).cwiseAbs().maxCoeff() > options_.joint_tolerance)
         find(fmt::format("path row {}: the approach does not end at {}", k + 1, tubesheets::tubeName(stated.row, stated.column)));
-      ++tube;
     }
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
+  }
+
+  /// Up to a tube and down from it the tip follows the hole's axis, at the rows and midway between them.
+  void checkAxes() {
+    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
+      const PathRow& row = plan_.path[k];
+      const std::size_t tube = static_cast<std::size_t>(std::max(row.segment, 0)) / 3;
+      if (row.kind == SegmentKind::kTravel || tube >= plan_.tubes.size()) continue;
+      double off = offAxis(row.q, plan_.tubes[tube]);
+      if (k > 0) off = std::max(offAxis((plan_.path[k - 1].q + row.q) / 2, plan_.tubes[tube]), off);
+      if (k > 0 && plan_.path[k - 1].kind == SegmentKind::kTravel) off = std::max(offAxis(plan_.path[k - 1].q, plan_.tubes[tube]), off);
+      result_.worst_approach = std::max(result_.worst_approach, off);
+      if (options_.via_points && !(off <= options_.approach_tolerance))
+        find(fmt::format("path row {}: the tip leaves the axis of {}", k + 1, tubesheets::tubeName(plan_.tubes[tube].row, plan_.tubes[tube].column)));
+    }
+  }
+
+  /// Infinite where the shape does not settle.
+  double offAxis(const VectorXd& q, const StatedTube& tube) const {
+    const double off = (tipAt(q) - tube.hole_W).head<2>().norm();
+    return std::isnan(off) ? std::numeric_limits<double>::infinity() : off;
   }
 
   double marginAt(const VectorXd& q, SegmentKind kind, std::string* names) const {
     double bow = 0;
     const auto frames = bodyFrames(cell_, q, &bow);
     if (frames.empty()) return -std::numeric_limits<double>::infinity();
-    Scene scene = cell_.scene;
-    if (kind == SegmentKind::kTravel) forbidContact(scene);
-    return lipschitzMargin(scene, frames, options_.distance_accuracy, names) - bow;
+    const Scene& scene = kind == SegmentKind::kTravel ? travel_scene_ : cell_.scene;
+    return lipschitzMargin(scene, frames, options_.distance_accuracy, options_.distance_share, names) - bow;
   }
 
-  /// Between holes the tool has no leave to touch anything.
-  static void forbidContact(Scene& scene) {
-    if (scene.links.empty()) return;
-    std::set<std::string> tool{scene.links.back().name};
+  /// Between holes the tool has no leave to touch anything that stands in the world.
+  static Scene withoutContact(Scene scene) {
+    if (scene.links.empty()) return scene;
+    std::set<std::string> tool{scene.links.back().name}, obstacles;
     for (const auto& body : scene.bodies)
       if (body.link == scene.links.back().name && !body.name.empty()) tool.insert(body.name);
-    for (auto& obstacle : scene.obstacles) std::erase_if(obstacle.allow, [&](const std::string& name) { return tool.contains(name); });
+    for (auto& obstacle : scene.obstacles) {
+      obstacles.insert(obstacle.name);
+      std::erase_if(obstacle.allow, [&](const std::string& name) { return tool.contains(name); });
+    }
+    for (auto& body : scene.bodies)
+      if (body.link == scene.links.back().name) std::erase_if(body.allow, [&](const std::string& name) { return obstacles.contains(name); });
+    return scene;
   }
 
   /// No point of the arm moves further than this in a straight joint move; deflection's change is the tenth on top.
-  double travel(const VectorXd& a, const VectorXd& b) const {
-    return 1.1 * deflection::reachOf(cell_.arm) * (b - a).cwiseAbs().sum();
+  double travel(const VectorXd& a, const VectorXd& b) const { return 1.1 * lever_.dot((b - a).cwiseAbs()); }
+
+  /// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide moves all by 1.
+  VectorXd leversOf() const {
+    double thick = 0;
+    for (const auto& body : cell_.scene.bodies) {
+      const auto& capsule = static_cast<const Solid&>(*body.shape).around();
+      thick = std::max(thick, std::max(capsule.from.norm(), capsule.to.norm()) + capsule.radius);
+    }
+    const auto active = deflection::activeRows(cell_.arm);
+    VectorXd lever(static_cast<Eigen::Index>(active.size()));
+    for (int j = 0; j < lever.size(); ++j) {
+      const int row = active[static_cast<std::size_t>(j)];
+      deflection::Arm beyond;
+      beyond.rows.assign(cell_.arm.rows.begin() + row + 1, cell_.arm.rows.end());
+      beyond.p_LT.setZero();
+      const bool slides = cell_.arm.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
+      lever[j] = slides ? 1 : deflection::reachOf(beyond) + thick;
+    }
+    return lever;
   }
 
-  void proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
-    const VectorXd& qa = a.q;
-    const double far = travel(qa, qb);
-    if (margin_a + margin_b >= far) {
-      result_.least_margin = std::min(result_.least_margin, (margin_a + margin_b - far) / 2);
-      return;
+  void meet(double margin, const std::string& names) {
+    if (!(margin < least_met_)) return;
+    least_met_ = margin;
+    result_.tightest = names;
+  }
+
+  /// False once the stretch is refuted.
+  bool proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
+    const double far = travel(a.q, qb), proved = std::min({margin_a, margin_b, (margin_a + margin_b - far) / 2});
+    const bool too_coarse = proved < least_met_ - options_.report_accuracy && far >= options_.least_travel;
+    if (proved >= 0 && !too_coarse) {
+      result_.least_margin = std::min(result_.least_margin, proved);
+      return true;
     }
-    if (far < options_.least_travel) return find(fmt::format("path row {}: too near: {}", row + 1, tight_));
     PathRow middle = a;
-    middle.q = (qa + qb) / 2;
-    const double margin = marginAt(middle.q, a.kind, &tight_);
-    if (margin < 0) return find(fmt::format("path between rows {} and {}: too near: {}", row, row + 1, tight_));
-    proveBetween(a, middle.q, margin_a, margin, row);
-    proveBetween(middle, qb, margin, margin_b, row);
+    middle.q = (a.q + qb) / 2;
+    std::string names;
+    const double margin = marginAt(middle.q, a.kind, &names);
+    meet(margin, names);
+    if (margin < 0 || far < options_.least_travel) {
+      find(fmt::format("path between rows {} and {}: too near: {}", row, row + 1, names));
+      return false;
+    }
+    return proveBetween(a, middle.q, margin_a, margin, row) && proveBetween(middle, qb, margin, margin_b, row);
   }
 
   void checkClearance() {
@@ -187,13 +249,12 @@ class Checker {
       std::string names;
       const PathRow& row = plan_.path[k];
       const double here = marginAt(row.q, row.kind, &names);
-      if (here < least_at_row_) least_at_row_ = here, result_.tightest = names;
+      meet(here, names);
       if (here < 0) find(fmt::format("path row {}: too near: {}", k + 1, names));
       if (k > 0 && here >= 0 && before >= 0) {
         PathRow from = plan_.path[k - 1];
         from.kind = row.kind;
         const double start = from.kind == plan_.path[k - 1].kind ? before : marginAt(from.q, row.kind, nullptr);
-        tight_ = names;
         proveBetween(from, row.q, start, here, k);
       }
       before = here;
@@ -205,9 +266,10 @@ class Checker {
   const PlanCheckOptions& options_;
   const PlanHooks& hooks_;
   Vector3d gravity_B_;
+  Scene travel_scene_;
+  VectorXd lever_;
   PlanCheck result_;
-  std::string tight_;
-  double least_at_row_ = std::numeric_limits<double>::infinity();
+  double least_met_ = std::numeric_limits<double>::infinity();  ///< m, margin of a posture
 };
 
 }  // namespace

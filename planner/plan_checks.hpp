@@ -31,7 +31,9 @@ struct PlanCheckOptions {
   double approach_tolerance = 2.8e-5;   ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
   bool via_points = true;               ///< the approach was compensated at every via point
   double least_travel = 1e-4;           ///< m, finest step of the clearance proof
-  double distance_accuracy = 1e-5;      ///< m
+  double distance_accuracy = 1e-5;      ///< m, of each posture's margin, or ...
+  double distance_share = 0.05;         ///< ... this share of the margin, where that is more
+  double report_accuracy = 2.54e-4;     ///< m, of the least margin that is reported (0.010 in)
 };
 
 enum class PlanCheckStatus { kNotRun, kProved, kRefuted };
@@ -48,7 +50,8 @@ struct PlanCheck {
   std::string tightest;
 };
 
-/// Checks tubes, centring, order, joint limits, speeds, accelerations, continuity and clearance of the deflected arm.
+/// Checks tubes, centring, order, joint limits, speeds, accelerations, approaches and retreats along the holes' axes, and clearance
+/// of the deflected arm at the path's rows and everywhere between them.
 [[nodiscard]] PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options = {},
                                   const PlanHooks& hooks = {});
 

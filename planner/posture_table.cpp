@@ -37,11 +37,20 @@ PostureTable::PostureTable(const Route& route)
   one_ratio_ = std::isfinite(ratio_) && (ratio == ratio_).all();
 }
 
+int PostureTable::nearestPosture(int posture, int node) const {
+  int nearest = first(node);
+  for (int q = nearest + 1; q < last(node); ++q) {
+    if (cost(posture, q) < cost(posture, nearest)) nearest = q;
+  }
+  return nearest;
+}
+
 double PostureTable::extra(int a, int b) const {
-  const auto visitOf = [&](int node) { return node == start_node_ ? kStartPosture : node == end_node_ ? kEndPosture : node; };
+  const auto visitOf = [&](int node) {
+    return node == start_node_ ? kStartPosture : node == end_node_ ? kEndPosture : node;
+  };
   const int node_a = node_of_[a], node_b = node_of_[b];
-  const double seconds =
-      route_->extra_time(visitOf(node_a), a - first_[node_a], visitOf(node_b), b - first_[node_b]);
+  const double seconds = route_->extra_time(visitOf(node_a), a - first_[node_a], visitOf(node_b), b - first_[node_b]);
   assert(seconds >= 0);
   return std::min(seconds, kForbiddenTime);
 }

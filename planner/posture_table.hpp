@@ -34,10 +34,13 @@ class PostureTable {
   /// Time [s] along the straight line, without extra time.
   [[nodiscard]] double straight(int a, int b) const {
     const double cruise_seconds = greatestDifference(by_speed_, a, b);
-    return unitMoveDuration(cruise_seconds, one_ratio_ ? ratio_ * cruise_seconds : greatestDifference(by_acceleration_, a, b));
+    return unitMoveDuration(cruise_seconds,
+                            one_ratio_ ? ratio_ * cruise_seconds : greatestDifference(by_acceleration_, a, b));
   }
   /// Straight line and extra time [s]; forbidden moves cost `kForbiddenTime`.
   [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
+  /// The posture of `node` that costs least to reach from `posture`.
+  [[nodiscard]] int nearestPosture(int posture, int node) const;
 
  private:
   [[nodiscard]] double extra(int a, int b) const;

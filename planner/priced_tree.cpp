@@ -187,7 +187,8 @@ PricedTree PairGraph::completeTree(const Prices& prices) const {
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < outside.size(); ++i) {
       const int node = outside[i];
-      if (paired_with[node] != joined && !joinsBothEnds(table_, joined, node)) relaxOther(prices, joined, node, links[node]);
+      if (paired_with[node] != joined && !joinsBothEnds(table_, joined, node))
+        relaxOther(prices, joined, node, links[node]);
       if (links[node].price < links[outside[nearest]].price) nearest = i;
     }
     joined = outside[nearest];

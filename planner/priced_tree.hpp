@@ -1,9 +1,9 @@
 // The cheapest spanning tree of a route's nodes under prices of its postures. Internal to the lower bound.
 //
-// A route is a tree in which each node has two edge ends (an open end of the route counts as one), both in the one posture that the
-// node takes. Lagrangian prices stand for what a tree may break: u_p that a posture has two ends when it is taken and none else; and,
-// on chosen pairs of nodes, w >= 0 for either end's posture that a used edge's posture is taken. An edge then costs
-// straight(p, q) + u_p + u_q + w_pq,p + w_pq,q, and for any prices
+// A route is a tree in which each node has two edge ends (an open end of the route counts as one), both in the one
+// posture that the node takes. Lagrangian prices stand for what a tree may break: u_p that a posture has two ends when
+// it is taken and none else; and, on chosen pairs of nodes, w >= 0 for either end's posture that a used edge's posture
+// is taken. An edge then costs straight(p, q) + u_p + u_q + w_pq,p + w_pq,q, and for any prices
 //   tree + open ends - sum over nodes of max over p of (2 u_p + sum of p's w) <= travel time.
 // With one posture a node it is the bound of Held and Karp (1970, 1971) for a path.
 #pragma once
@@ -46,7 +46,7 @@ class PairGraph {
  private:
   struct Edge {
     int to;
-    std::size_t times;                    // of the first pair of postures, this node's in the outer loop
+    std::size_t times;                     // of the first pair of postures, this node's in the outer loop
     std::size_t own_prices, other_prices;  // of this node's first posture, and of the other's
   };
   struct Link;

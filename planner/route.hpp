@@ -22,8 +22,8 @@ struct Visit {
 inline constexpr int kStartPosture = -1;
 inline constexpr int kEndPosture = -2;
 
-/// Time [s] that a move costs beyond its straight line, >= 0, the same both ways; infinite for a move that must not be made.
-/// Arguments: visit and branch at one end, visit and branch at the other.
+/// Time [s] that a move costs beyond its straight line, >= 0, the same both ways; infinite for a move that must not be
+/// made. Arguments: visit and branch at one end, visit and branch at the other.
 using ExtraTime = std::function<double(int visit_a, int branch_a, int visit_b, int branch_b)>;
 
 /// A sparse table of extra times; usable as an `ExtraTime`. Moves that it does not know cost nothing extra.

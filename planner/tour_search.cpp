@@ -9,11 +9,6 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr double kLeastGain = 1e-8;  // s; above the rounding of sums with forbidden moves in them
-constexpr int kLongestKick = 50;
-constexpr int kBranchKickEvery = 16;
-
-// The standard distributions differ between libraries; the small bias of the remainder does not matter here.
-int below(int bound, std::mt19937_64& random) { return static_cast<int>(random() % static_cast<std::uint64_t>(bound)); }
 
 }  // namespace
 
@@ -39,7 +34,7 @@ void TourSearch::restart(const std::vector<int>& order, const std::vector<int>& 
 
 std::vector<int> TourSearch::order() const {
   const bool backwards = table_.startNode() >= 0 ? next(table_.startNode()) >= visits_
-                         : table_.endNode() >= 0 && previous(table_.endNode()) >= visits_;
+                                                 : table_.endNode() >= 0 && previous(table_.endNode()) >= visits_;
   int node = table_.startNode() >= 0 ? table_.startNode() : free_anchor_;
   std::vector<int> order;
   order.reserve(visits_);
@@ -61,17 +56,6 @@ void TourSearch::improve() {
   for (int i = size(); i-- > 0;) markDirty(tour_[i]);
   improveDirty();
   changes_.clear();
-}
-
-void TourSearch::kick(long count, std::mt19937_64& random) {
-  for (long i = 0; i < count; ++i) {
-    changes_.clear();
-    gained_ = 0;
-    const bool branches = table_.postures() > table_.nodes() && below(kBranchKickEvery, random) == 0;
-    if (branches ? !switchBranches(random) : !swapSegments(random)) continue;
-    improveDirty();
-    if (gained_ < -1e-9) undo();
-  }
 }
 
 void TourSearch::improveDirty() {
@@ -104,7 +88,8 @@ bool TourSearch::changeBranch(int node) {
   return false;
 }
 
-// Replaces the edge from `a` to its neighbour on one side by a shorter one to `c`, in every way that closes the tour again.
+// Replaces the edge from `a` to its neighbour on one side by a shorter one to `c`, in every way that closes the tour
+// again.
 bool TourSearch::moveFrom(int a, Side side) {
   const int b = beside(a, side);
   const double now = cost(a, b);
@@ -154,7 +139,8 @@ bool TourSearch::tryOrOpt(const Stretches& stretches, const Junction& at, double
     const Segment& segment = stretches.segments[i];
     if (segment.first == at.node || segment.before == at.node) return false;
     const double gain_beyond = beyond + stretches.saved[i] - cost(segment.first, at.beyond);
-    if (gain_beyond > kLeastGain && at.beyond != segment.before) return insert(segment, at.node, at.beyond, false, gain_beyond);
+    if (gain_beyond > kLeastGain && at.beyond != segment.before)
+      return insert(segment, at.node, at.beyond, false, gain_beyond);
     const double gain_behind = behind + stretches.saved[i] - cost(segment.first, at.behind);
     if (gain_behind > kLeastGain) return insert(segment, at.node, at.behind, true, gain_behind);
   }
@@ -174,7 +160,8 @@ bool TourSearch::tryOtherBranch(const Stretches& stretches, const Junction& at, 
     const bool fits_beyond = gain_beyond > kLeastGain && at.beyond != segment.before;
     if (!fits_beyond && !(gain_behind > kLeastGain)) continue;
     setPosture(node, posture);
-    return insert(segment, at.node, fits_beyond ? at.beyond : at.behind, !fits_beyond, fits_beyond ? gain_beyond : gain_behind);
+    return insert(segment, at.node, fits_beyond ? at.beyond : at.behind, !fits_beyond,
+                  fits_beyond ? gain_beyond : gain_behind);
   }
   return false;
 }
@@ -194,53 +181,6 @@ void TourSearch::moveSegment(const Segment& segment, int c, int d, bool keeps_se
   exchange(before, first, near, far);
   if (near != after) exchange(before, near, after, last);
   if (keeps_sense && first != last) exchange(near, last, first, far);
-}
-
-bool TourSearch::swapSegments(std::mt19937_64& random) {
-  const int longest = std::min(kLongestKick, (size() - 2) / 2);
-  if (longest < 1) return false;
-  const int start = below(size(), random), first = 1 + below(longest, random), second = 1 + below(longest, random);
-  const auto at = [&](int offset) { return tour_[(start + offset) % size()]; };
-  const Segment segment{at(0), at(1), at(first), at(first + 1)};
-  const int d = at(first + second), c = at(first + second + 1);
-  const double gain = cost(segment.before, segment.first) + cost(segment.last, segment.after) + cost(d, c) -
-                      cost(segment.before, segment.after) - cost(d, segment.first) - cost(segment.last, c);
-  if (!std::isfinite(gain)) return false;
-  moveSegment(segment, c, d, true);
-  gained_ += gain;
-  for (const int node : {segment.before, segment.first, segment.last, segment.after, d, c}) markDirty(node);
-  return true;
-}
-
-// Puts a visit in another branch and lets those behind it follow as smoothly as they can.
-bool TourSearch::switchBranches(std::mt19937_64& random) {
-  const int start = below(size(), random), length = 1 + below(std::min(kLongestKick, size() - 2), random);
-  int node = tour_[start];
-  if (node >= visits_ || table_.last(node) - table_.first(node) < 2) return false;
-  const int before = previous(node), old_posture = posture_of_node_[node];
-  int posture = table_.first(node) + below(table_.last(node) - table_.first(node), random);
-  if (posture == old_posture) return false;
-  for (int i = 0; i < length && node < visits_; ++i) {
-    const int ahead = next(node);
-    gained_ += cost(previous(node), node) + cost(node, ahead);
-    setPosture(node, posture);
-    gained_ -= cost(previous(node), node) + cost(node, ahead);
-    markDirty(node);
-    node = ahead;
-    if (node >= visits_) break;
-    const auto quickest = [&] {
-      int best = table_.first(node);
-      for (int p = best + 1; p < table_.last(node); ++p) {
-        if (table_.cost(posture, p) < table_.cost(posture, best)) best = p;
-      }
-      return best;
-    }();
-    posture = quickest;
-    if (posture == posture_of_node_[node]) break;
-  }
-  markDirty(before);
-  markDirty(node);
-  return true;
 }
 
 // Edges a-b and c-d, met in the same sense, become a-c and b-d.

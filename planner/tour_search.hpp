@@ -1,7 +1,8 @@
 // Local search on the order of a route: 2-opt, Or-opt and branch changes, with local kicks. Internal to the ordering.
 //
-// The open route is kept as a closed tour. Its ends are anchors: the start and end postures, and one free anchor that costs
-// nothing to reach unless both ends are given. Anchors that belong together are bound by an edge that no move gains by breaking.
+// The open route is kept as a closed tour. Its ends are anchors: the start and end postures, and one free anchor that
+// costs nothing to reach unless both ends are given. Anchors that belong together are bound by an edge that no move
+// gains by breaking.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // The straight move in joint space as a function of time, and a polyline of such moves that rests at every waypoint.
 //
-// All joints share one normalised profile s(t) from 0 to 1 (speed up, cruise, slow down), so that the joints stay on the straight
-// line that was proved free. s' is at most min |v_j / dq_j| and s'' at most min |a_j / dq_j|: no joint exceeds its limits.
+// All joints share one normalised profile s(t) from 0 to 1 (speed up, cruise, slow down), so that the joints stay on
+// the straight line that was proved free. s' is at most min |v_j / dq_j| and s'' at most min |a_j / dq_j|: no joint
+// exceeds its limits.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,12 +13,12 @@
 namespace tubeplan::planner {
 
 struct TimedMove {
-  Eigen::VectorXd from;      ///< rad
-  Eigen::VectorXd to;        ///< rad
-  double ramp_time = 0;      ///< s, each of speeding up and slowing down; 0 with infinite acceleration
-  double cruise_time = 0;    ///< s, 0 in a triangle
-  double peak_speed = 0;     ///< 1/s, greatest s'
-  double duration = 0;       ///< s, 2 ramp_time + cruise_time; 0 when nothing moves
+  Eigen::VectorXd from;    ///< rad
+  Eigen::VectorXd to;      ///< rad
+  double ramp_time = 0;    ///< s, each of speeding up and slowing down; 0 with infinite acceleration
+  double cruise_time = 0;  ///< s, 0 in a triangle
+  double peak_speed = 0;   ///< 1/s, greatest s'
+  double duration = 0;     ///< s, 2 ramp_time + cruise_time; 0 when nothing moves
 };
 
 /// The quickest profile for the straight line from q0 to q1. Asserts that the limits are usable (`findSpeedProblems`).
@@ -48,8 +49,8 @@ struct TimedPosture {
   Eigen::VectorXd posture;
 };
 
-/// Postures at most `max_step` [s] apart, evenly within each move. Both ends of every move are among them, exactly and once; a
-/// move without length adds none. Times rise strictly. Empty for a polyline without moves.
+/// Postures at most `max_step` [s] apart, evenly within each move. Both ends of every move are among them, exactly and
+/// once; a move without length adds none. Times rise strictly. Empty for a polyline without moves.
 [[nodiscard]] std::vector<TimedPosture> samplePolyline(const TimedPolyline& polyline, double max_step);
 
 }  // namespace tubeplan::planner

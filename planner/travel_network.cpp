@@ -30,7 +30,9 @@ TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<Tu
     problem_.lower[k] = arm.rows[active[k]].joint.lower;
     problem_.upper[k] = arm.rows[active[k]].joint.upper;
   }
-  problem_.clearance_of = [&clearance](const Eigen::VectorXd& q) { return clearance.at(q, ContactRule::kTravel); };
+  problem_.clearance_of = [&clearance, spare = options.reach.spare](const Eigen::VectorXd& q) {
+    return clearance.withSpare(q, ContactRule::kTravel, spare);
+  };
   problem_.travel = clearance.travel();
   problem_.cost = [&speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return straightMoveDuration(a, b, speeds); };
 }

@@ -20,9 +20,9 @@ std::string inTheWay(const Clearance& clearance) {
 
 BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, const TubeReachOptions& options) {
   if (branch.status != deflection::BranchStatus::kConverged) return {Hurdle::kKinematics, branch.reason, {}};
-  const Clearance at_standoff = clearance.at(branch.approach.front(), ContactRule::kTravel);
+  const Clearance at_standoff = clearance.withSpare(branch.approach.front(), ContactRule::kTravel, options.spare);
   if (!(at_standoff.margin >= 0)) return {Hurdle::kStandoff, "collision below the hole: " + inTheWay(at_standoff), at_standoff};
-  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, ContactRule::kApproach); };
+  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.withSpare(q, ContactRule::kApproach, options.spare); };
   for (std::size_t k = 0; k + 1 < branch.approach.size(); ++k) {
     const auto check = checkMotion(branch.approach[k], branch.approach[k + 1], margin, clearance.travel(), options.check);
     if (check.status != MotionCheckStatus::kFree)

@@ -13,6 +13,7 @@ namespace tubeplan::planner {
 struct TubeReachOptions {
   CompensationOptions compensation;
   MotionCheckOptions check;
+  double spare = 5.08e-4;  ///< m beyond the scene's clearance that a plan keeps in hand (0.020 in)
 };
 
 enum class ReachStatus { kNotRun, kReachable, kUnreachable };

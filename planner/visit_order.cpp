@@ -12,8 +12,8 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr int kTryEveryOrderUpTo = 4;
-constexpr double kTrialShare = 0.1;  // of all kicks, for each start tour; the best one gets the rest
-constexpr int kLegs = 8;             // stretches of kicks, each followed by the exact branch choice
+constexpr double kTrialShare = 0.08;  // of all kicks, for each start tour; the best one gets the rest
+constexpr int kLegs = 8;              // stretches of kicks, each followed by the exact branch choice
 
 struct Candidate {
   std::vector<int> order;
@@ -49,7 +49,8 @@ Candidate settled(const PostureTable& table, TourSearch& search, Candidate candi
   }
 }
 
-Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate& candidate, long kicks, std::mt19937_64& random) {
+Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate& candidate, long kicks,
+                 std::mt19937_64& random) {
   search.restart(candidate.order, candidate.posture_of_node);
   search.kick(kicks, random);
   Candidate next = settled(table, search, withBestPostures(table, search.order()));

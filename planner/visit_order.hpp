@@ -13,10 +13,10 @@ namespace tubeplan::planner {
 
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
-  int kicks_per_visit = 50;   ///< local perturbations tried; the effort is a count, so that a run repeats itself
+  int kicks_per_visit = 30;    ///< local perturbations tried; the effort is a count, so that a run repeats itself
   int least_kicks = 20'000;    ///< for small problems
   int most_kicks = 2'000'000;  ///< for great ones
-  int neighbours = 6;         ///< of each visit that a move of the local search may join it to
+  int neighbours = 8;          ///< of each visit that a move of the local search may join it to
   bool with_bound = true;      ///< without: lower_bound and gap stay NaN (the bound does not depend on extra times)
   OneTreeOptions bound;
 };
@@ -28,13 +28,14 @@ struct VisitOrder {
   std::string reason;
   std::vector<int> order;     ///< visits, first to last
   std::vector<int> branches;  ///< by place in the order: branch at order[k]
-  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves and extra times; start and end included
+  double travel_time =
+      std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves and extra times; start and end included
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved
   double gap = std::numeric_limits<double>::quiet_NaN();          ///< (travel_time - lower_bound) / lower_bound
 };
 
-/// Nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, the exact branch choice in turn with them, and local
-/// double-bridge kicks. Up to four visits: every order is tried. The same input and seed give the same route.
+/// Nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, the exact branch choice in turn with them, and
+/// local double-bridge kicks. Up to four visits: every order is tried. The same input and seed give the same route.
 [[nodiscard]] VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options = {});
 
 }  // namespace tubeplan::planner

@@ -133,7 +133,7 @@ void proveSegment(const ArmClearance& clearance, const VisitPlanOptions& options
   const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, rule); };
   segment.margin = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) {
-    const auto result = checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
+    const MotionCheckResult result = checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
     const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -std::numeric_limits<double>::infinity();
     if (proved >= segment.margin) continue;
     segment.margin = proved;

@@ -8,8 +8,17 @@ const CASES = [
   {name: "3 steps", long: "all three steps enter", colour: "case3", shape: "disc"},
 ];
 
-const UNREACHABLE = {name: "cannot be visited", colour: "unreachable", shape: "hatched"};
-const NOT_VISITED = {name: "not on the list", colour: "hole", shape: "ring"};
+const UNREACHABLE = {
+  name: "cannot be visited",
+  colour: "unreachable",
+  shape: "hatched"
+};
+const UNSCORED = {name: "not scored", colour: "muted", shape: "diamond"};
+const NOT_VISITED = {
+  name: "not on the list",
+  colour: "hole",
+  shape: "ring"
+};
 
 /// States of a hole's tube, by the names of the hole map; "open" needs no mark.
 const STATES = {
@@ -26,29 +35,34 @@ function stateMark(state) {
   return STATES[state] ?? {name: state, colour: "state", shape: "diamond"};
 }
 
-function circlePath(x, y, r) {
-  return `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
-}
+function circlePath(x, y, r) { return `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${- 2 * r} 0Z`; }
 
 /// The outline of each shape about (x, y) as an SVG path; `stroked` shapes have no filled part.
 const SHAPES = {
-  "cross": {stroked: true, path: (x, y, r) => {
-    const s = 0.85 * r;
-    return `M${x - s} ${y - s}L${x + s} ${y + s}M${x - s} ${y + s}L${x + s} ${y - s}`;
-  }},
+  "cross": {
+    stroked: true,
+    path: (x, y, r) => {
+      const s = 0.85 * r;
+      return `M${x - s} ${y - s}L${x + s} ${y + s}M${x - s} ${y + s}L${x + s} ${y - s}`;
+    }
+  },
   "triangle": {path: (x, y, r) => `M${x} ${y - 1.15 * r}L${x + 1.1 * r} ${y + 0.8 * r}L${x - 1.1 * r} ${y + 0.8 * r}Z`},
-  "square": {path: (x, y, r) => `M${x - 0.85 * r} ${y - 0.85 * r}h${1.7 * r}v${1.7 * r}h${-1.7 * r}Z`},
+  "square": {path: (x, y, r) => `M${x - 0.85 * r} ${y - 0.85 * r}h${1.7 * r}v${1.7 * r}h${- 1.7 * r}Z`},
   "disc": {path: circlePath},
   "diamond": {path: (x, y, r) => `M${x} ${y - r}L${x + r} ${y}L${x} ${y + r}L${x - r} ${y}Z`},
   "half": {path: (x, y, r) => `M${x - r} ${y}A${r} ${r} 0 0 1 ${x + r} ${y}Z`},
   "ring": {stroked: true, path: circlePath},
   "double-ring": {stroked: true, path: (x, y, r) => circlePath(x, y, r) + circlePath(x, y, 0.5 * r)},
   "bar": {stroked: true, path: (x, y, r) => circlePath(x, y, r) + `M${x - r} ${y}L${x + r} ${y}`},
-  "hatched": {stroked: true, thin: true, path: (x, y, r) => {
-    const middle = 0.707 * r, near = 0.258 * r, far = 0.966 * r;
-    return circlePath(x, y, r) + `M${x - middle} ${y + middle}L${x + middle} ${y - middle}` +
-      `M${x - near} ${y + far}L${x + far} ${y - near}M${x - far} ${y + near}L${x + near} ${y - far}`;
-  }},
+  "hatched": {
+    stroked: true,
+    thin: true,
+    path: (x, y, r) => {
+      const middle = 0.707 * r, near = 0.258 * r, far = 0.966 * r;
+      return circlePath(x, y, r) + `M${x - middle} ${y + middle}L${x + middle} ${y - middle}` +
+          `M${x - near} ${y + far}L${x + far} ${y - near}M${x - far} ${y + near}L${x + near} ${y - far}`;
+    }
+  },
 };
 
 /// Draws marks of one kind at many places ([x, y] in pixels) on a canvas.
@@ -69,10 +83,15 @@ function drawMarks(context, mark, places, radius) {
 function markIcon(mark, size = 14) {
   const shape = SHAPES[mark.shape];
   const middle = size / 2, radius = 0.36 * size;
-  return svg("svg", {width: size, height: size, viewBox: `0 0 ${size} ${size}`, class: "icon", "aria-hidden": "true"},
-    svg("path", {d: shape.path(middle, middle, radius), "stroke-linejoin": "round",
-      fill: shape.stroked ? "none" : `var(--${mark.colour})`,
-      stroke: shape.stroked ? `var(--${mark.colour})` : "var(--ink)", "stroke-width": shape.stroked ? (shape.thin ? 1.1 : 1.8) : 0.8}));
+  return svg(
+      "svg", {width: size, height: size, viewBox: `0 0 ${size} ${size}`, class: "icon", "aria-hidden": "true"},
+      svg("path", {
+        d: shape.path(middle, middle, radius),
+        "stroke-linejoin": "round",
+        fill: shape.stroked ? "none" : `var(--${mark.colour})`,
+        stroke: shape.stroked ? `var(--${mark.colour})` : "var(--ink)",
+        "stroke-width": shape.stroked ? (shape.thin ? 1.1 : 1.8) : 0.8
+      }));
 }
 
 /// The modes of compensation, in the order of the thesis's comparison.
@@ -107,6 +126,7 @@ function predictedCase(tube, steps) {
 function countsOf(report, mode) {
   const given = numbers(object(report.counts)?.[mode], 4);
   if (given) return given;
-  const cases = list(report.tubes).map((tube) => scoredCase(tube, mode, report.steps)).filter((value) => value !== null);
+  const cases =
+      list(report.tubes).map((tube) => scoredCase(tube, mode, report.steps)).filter((value) => value !== null);
   return cases.length === 0 ? null : CASES.map((_, index) => cases.filter((value) => value === index).length);
 }

@@ -5,8 +5,13 @@ function clearanceSection(report) {
   const sentence = clearanceSentence(report);
   if (curve.length < 2) return [sentence, notRecorded("The clearance along the tour")];
   const picture = figure("Clearance along the tour", (width) => drawClearance(report, curve, width));
-  return [sentence, el("div", {class: "card"}, picture.element,
-    el("p", {class: "note"}, "The least clearance in each stretch of time is drawn. The scale is a square root, to show what is small."))];
+  return [
+    sentence,
+    el("div", {class: "card"}, picture.element,
+       el("p", {class: "note"},
+          "The curve is sampled along the motion; the figure above is the least of the whole check. " +
+              "The scale is a square root, to show what is small."))
+  ];
 }
 
 function clearanceSentence(report) {
@@ -14,10 +19,12 @@ function clearanceSentence(report) {
   if (!isNumber(report.min_clearance)) return notRecorded("The least clearance");
   const required = report.clearance_required;
   const kept = isNumber(required) ? report.min_clearance >= required : null;
-  return el("p", {class: "lead"}, el("b", {class: kept === false ? "bad" : "good"},
-    `${kept === false ? "\u25b2 " : ""}Least clearance ${short(report.min_clearance)} ${unit}`),
-    isNumber(required) ? ` (${exact(required)} ${unit} required)` : " (no requirement recorded)",
-    textOf(report.tightest, "") ? `, ${textOf(report.tightest)}.` : ".");
+  return el(
+      "p", {class: "lead"},
+      el("b", {class: kept === false ? "bad" : "good"},
+         `${kept === false ? "\u25b2 " : ""}Least clearance ${short(report.min_clearance)} ${unit}`),
+      isNumber(required) ? ` (${exact(required)} ${unit} required)` : " (no requirement recorded)",
+      textOf(report.tightest, "") ? `, ${textOf(report.tightest)}.` : ".");
 }
 
 /// The least value in each of `count` stretches of time, so that no narrow dip is lost in drawing.
@@ -38,10 +45,20 @@ function drawClearance(report, curve, width) {
   const most = thinned.reduce((top, point) => Math.max(top, point[1]), required ?? 0) || 1;
   const least = thinned.reduce((low, point) => (point[1] < low[1] ? point : low));
   const wanted = [0, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].filter((value) => value <= most * 1.05);
-  const {drawing, at} = chartFrame(width, 260,
-    {from: curve[0][0], to: curve.at(-1)[0], ticks: roundTicks(curve[0][0], curve.at(-1)[0], width / 90), title: "time, s"},
-    {from: 0, to: most * 1.05, ticks: wanted.length > 2 ? apart(wanted, most) : roundTicks(0, most, 4),
-      title: `clearance, ${lengthUnit(report)}`, scale: (value) => Math.sqrt(Math.max(0, value))});
+  const {drawing, at} = chartFrame(
+      width, 260, {
+        from: curve[0][0],
+        to: curve.at(-1)[0],
+        ticks: roundTicks(curve[0][0], curve.at(-1)[0], width / 90),
+        title: "time, s"
+      },
+      {
+        from: 0,
+        to: most * 1.05,
+        ticks: wanted.length > 2 ? apart(wanted, most) : roundTicks(0, most, 4),
+        title: `clearance, ${lengthUnit(report)}`,
+        scale: (value) => Math.sqrt(Math.max(0, value))
+      });
   const line = thinned.map(([t, value]) => at(t, value).join(",")).join(" ");
   append(drawing, [svg("polyline", {points: line, class: "curve"})]);
   if (required !== null) append(drawing, requiredLine(at, curve, required, lengthUnit(report)));
@@ -60,12 +77,18 @@ function apart(values, most) {
 
 function requiredLine(at, curve, required, unit) {
   const [x1, y] = at(curve[0][0], required), [x2] = at(curve.at(-1)[0], required);
-  return [svg("line", {x1, x2, y1: y, y2: y, class: "required"}),
-    label(x2 - 4, y + 14, `required ${exact(required)} ${unit}`, {"text-anchor": "end", class: "required-text"})];
+  return [
+    svg("line", {x1, x2, y1: y, y2: y, class: "required"}),
+    label(x2 - 4, y + 14, `required ${exact(required)} ${unit}`, {"text-anchor": "end", class: "required-text"})
+  ];
 }
 
 function leastMark([x, y], value, width, unit) {
   const nearEnd = x > width - 130;
-  return [svg("path", {d: SHAPES.triangle.path(x, y + 8, 5), class: "least"}),
-    label(nearEnd ? x - 9 : x + 9, y + 17, `least ${short(value)} ${unit}`, {"text-anchor": nearEnd ? "end" : "start", class: "strong"})];
+  return [
+    svg("path", {d: SHAPES.triangle.path(x, y + 8, 5), class: "least"}),
+    label(
+        nearEnd ? x - 9 : x + 9, y + 17, `${short(value)} ${unit}`,
+        {"text-anchor": nearEnd ? "end" : "start", class: "strong"})
+  ];
 }

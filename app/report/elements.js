@@ -14,8 +14,10 @@ function append(parent, children) {
 function el(name, attributes = {}, ...children) {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
-    if (typeof value === "function") element.addEventListener(key, value);
-    else if (value !== null && value !== false) element.setAttribute(key, value === true ? "" : value);
+    if (typeof value === "function")
+      element.addEventListener(key, value);
+    else if (value !== null && value !== false)
+      element.setAttribute(key, value === true ? "" : value);
   }
   return append(element, children);
 }
@@ -28,32 +30,38 @@ function svg(name, attributes = {}, ...children) {
 }
 
 /// An SVG text element.
-function label(x, y, text, attributes = {}) {
-  return svg("text", {x, y, ...attributes}, text);
-}
+function label(x, y, text, attributes = {}) { return svg("text", {x, y, ...attributes}, text); }
 
-function notRecorded(what) {
-  return el("p", {class: "missing"}, `${what}: not recorded.`);
-}
+function notRecorded(what) { return el("p", {class: "missing"}, `${what}: not recorded.`); }
 
-/// A table from its heads and its rows of cells; a cell is text, an element, or null. Columns in `text` are not numbers.
+/// A table from its heads and its rows of cells; a cell is text, an element, or null. Columns in `text` are not
+/// numbers.
 function table(heads, rows, {text = [0], caption = null} = {}) {
   const kind = (index) => ({class: text.includes(index) ? null : "number"});
-  const body = rows.map((row) => el("tr", {}, row.map((cell, i) => el("td", kind(i), cell === null ? "\u2013" : cell))));
-  return el("div", {class: "table"}, el("table", {},
-    caption ? el("caption", {}, caption) : null,
-    heads.length ? el("thead", {}, el("tr", {}, heads.map((head, i) => el("th", {scope: "col", ...kind(i)}, head)))) : null,
-    el("tbody", {}, body)));
+  const body =
+      rows.map((row) => el("tr", {}, row.map((cell, i) => el("td", kind(i), cell === null ? "\u2013" : cell))));
+  return el(
+      "div", {class: "table"},
+      el("table", {}, caption ? el("caption", {}, caption) : null,
+         heads.length ?
+             el("thead", {}, el("tr", {}, heads.map((head, i) => el("th", {scope: "col", ...kind(i)}, head)))) :
+             null,
+         el("tbody", {}, body)));
 }
 
 /// A group of buttons of which one is pressed; `choose` is called with its value.
 function choice(name, options, chosen, choose) {
-  const buttons = options.map(([value, text]) => el("button", {
-    type: "button", "aria-pressed": String(value === chosen),
-    click: (event) => {
-      buttons.forEach((button) => button.setAttribute("aria-pressed", String(button === event.currentTarget)));
-      choose(value);
-    }}, text));
+  const buttons = options.map(
+      ([value, text]) =>
+          el("button", {
+            type: "button",
+            "aria-pressed": String(value === chosen),
+            click: (event) => {
+              buttons.forEach((button) => button.setAttribute("aria-pressed", String(button === event.currentTarget)));
+              choose(value);
+            }
+          },
+             text));
   return el("div", {class: "choice", role: "group", "aria-label": name}, buttons);
 }
 
@@ -77,9 +85,7 @@ function figure(description, draw) {
 }
 
 /// A colour of the style sheet by its variable's name.
-function colour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-}
+function colour(name) { return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim(); }
 
 /// Redraws on a change of the colour scheme, and in the light colours for the printer.
 function followColourScheme() {

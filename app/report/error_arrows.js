@@ -4,9 +4,10 @@ const ARROW_SHARE = 0.06;  // the longest arrow's length, in parts of the sheet'
 
 /// The scored errors of one mode as {tube, dx, dy, error}.
 function errorsOf(report, mode) {
-  return list(report.tubes).map((tube) => ({tube, ...object(tube[mode])}))
-    .filter((entry) => isNumber(entry.dx) && isNumber(entry.dy) && isNumber(entry.tube.x) && isNumber(entry.tube.y))
-    .map((entry) => ({...entry, error: isNumber(entry.error) ? entry.error : Math.hypot(entry.dx, entry.dy)}));
+  return list(report.tubes)
+      .map((tube) => ({tube, ...object(tube[mode])}))
+      .filter((entry) => isNumber(entry.dx) && isNumber(entry.dy) && isNumber(entry.tube.x) && isNumber(entry.tube.y))
+      .map((entry) => ({...entry, error: isNumber(entry.error) ? entry.error : Math.hypot(entry.dx, entry.dy)}));
 }
 
 function largestError(errors) {
@@ -29,8 +30,9 @@ function errorArrowsSection(report, sheet) {
   const after = modes.some((mode) => mode.key === "via_point") ? "via_point" : modes[modes.length - 1].key;
   const shown = before.length > 0 && after !== "none" ? ["none", after] : [after];
   return [
-    el("p", {class: "lead"}, "From each hole's centre to where the tip truly is. Each picture states how much larger than the " +
-      "sheet its arrows are drawn. Below, the same errors as landing points within one hole."),
+    el("p", {class: "lead"},
+       "From each hole's centre to where the tip truly is. Each picture states how much larger than the " +
+           "sheet its arrows are drawn. Below, the same errors as landing points within one hole."),
     el("div", {class: "pair"}, shown.map((key) => arrowMap(report, sheet, key, shared))),
     el("div", {class: "pair"}, shown.map((key) => landingTarget(report, key))),
   ];
@@ -39,8 +41,10 @@ function errorArrowsSection(report, sheet) {
 function predictedErrorNote(report) {
   const errors = list(report.tubes).map((tube) => tube.predicted_error).filter(isNumber);
   if (errors.length === 0) return null;
-  return el("p", {}, `By the plan's own model the tip is at most ${short(Math.max(...errors))} ${lengthUnit(report)} from a ` +
-    `hole's centre over ${plural(errors.length, "tube")}.`);
+  return el(
+      "p", {},
+      `By the plan's own model the tip is at most ${short(Math.max(...errors))} ${lengthUnit(report)} from a ` +
+          `hole's centre over ${plural(errors.length, "tube")}.`);
 }
 
 /// One map of arrows; it shares the scale of the map before unless its arrows would then be too short to see.
@@ -51,11 +55,12 @@ function arrowMap(report, sheet, key, shared) {
   const unit = lengthUnit(report);
   const picture = figure(`Centring-error arrows, ${modeName(key)}`, (width) => {
     const {canvas, context, frame} = drawSheet(sheet, width, {faint: true});
+    const fine = errors.length > 400 ? 0.5 : 1;
     for (const {tube, dx, dy} of errors) {
       const from = frame.place([tube.x, tube.y]);
       const to = frame.place([tube.x + factor * dx, tube.y + factor * dy]);
-      drawMarks(context, {shape: "disc", colour: "muted"}, [from], 1.4);
-      drawArrow(context, from, to, colour(key === "none" ? "case0" : "accent"));
+      drawMarks(context, {shape: "disc", colour: "muted"}, [from], 1.4 * fine);
+      drawArrow(context, from, to, colour(key === "none" ? "case0" : "accent"), 1.6 * fine);
     }
     drawScale(context, sheet, frame, factor, unit);
     hoverHoles(canvas, sheet, frame, holeDescriber(report, mapModeOf(report, key)));
@@ -63,20 +68,20 @@ function arrowMap(report, sheet, key, shared) {
   });
   const note = shared !== null && factor !== shared ? ` (${exact(factor / shared)} times the scale before)` : "";
   const mean = errors.reduce((sum, entry) => sum + entry.error, 0) / errors.length;
-  return el("div", {class: "card"}, el("h3", {}, `${key === "none" ? "Before" : "After"}: ${modeName(key)}`), picture.element,
-    el("p", {class: "note"}, el("b", {}, `Arrows magnified ${whole(factor)} times${note}.`),
-      ` Mean error ${short(mean)} ${unit}, largest ${short(largestError(errors))} ${unit}.`));
+  return el(
+      "div", {class: "card"}, el("h3", {}, `${key === "none" ? "Before" : "After"}: ${modeName(key)}`), picture.element,
+      el("p", {class: "note"}, el("b", {}, `Arrows magnified ${whole(factor)} times${note}.`),
+         ` Mean error ${short(mean)} ${unit}, largest ${short(largestError(errors))} ${unit}.`));
 }
 
-function modeName(key) {
-  return MODES.find((mode) => mode.key === key)?.name ?? key;
-}
+function modeName(key) { return MODES.find((mode) => mode.key === key)?.name ?? key; }
 
 function mapModeOf(report, key) {
   return {key, name: modeName(key), caseOf: (tube) => scoredCase(tube, key, report.steps)};
 }
 
-/// The arrow of a round length in the corner that the round sheet leaves free: what length on the picture is what error.
+/// The arrow of a round length in the corner that the round sheet leaves free: what length on the picture is what
+/// error.
 function drawScale(context, sheet, frame, factor, unit) {
   const length = roundDown125(ARROW_SHARE * (sheet.extent.right - sheet.extent.left) / factor);
   const y = frame.margin.top > frame.margin.bottom ? frame.height - 14 : 14;

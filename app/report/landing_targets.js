@@ -1,18 +1,27 @@
 // ---- landing_targets.js: where the tips land about the centre of one hole, with the rings of the tool's steps.
 
-/// One target: the landing points of a mode, in the same view as the sheet; points past the rim sit on it, open.
+/// One target: the landing points of a mode, in the same view as the sheet; points past the rim sit on it.
 function landingTarget(report, key) {
   const errors = errorsOf(report, key);
   const tolerances = list(report.steps).map((step) => step.tolerance).filter((value) => isNumber(value) && value > 0);
   const mirror = object(report.sheet)?.viewed_from === "above" ? 1 : -1;
-  const largest = largestError(errors);
-  const reach = tolerances.length === 0 ? 1.1 * largest || 1 : Math.max(1.25 * Math.max(...tolerances), Math.min(1.1 * largest, 3 * Math.max(...tolerances)));
+  const reach = targetReach(tolerances, largestError(errors));
   const outside = errors.filter((entry) => Math.hypot(entry.dx, entry.dy) > reach).length;
-  const picture = figure(`Landing points about a hole's centre, ${modeName(key)}`, (width) =>
-    drawTarget({errors, tolerances, reach, mirror, report, key}, width));
-  return el("div", {class: "card"}, el("h3", {}, `Within one hole: ${modeName(key)}`), picture.element,
-    el("p", {class: "note"}, `A ring is the centring error up to which a step of the tool enters${ringText(report)}. `,
-      outside ? `${plural(outside, "tube")} beyond the rim ${outside === 1 ? "is" : "are"} drawn on it.` : null));
+  const picture = figure(
+      `Landing points about a hole's centre, ${modeName(key)}`,
+      (width) => drawTarget({errors, tolerances, reach, mirror, report, key}, width));
+  return el(
+      "div", {class: "card"}, el("h3", {}, `Within one hole: ${modeName(key)}`), picture.element,
+      el("p", {class: "note"},
+         `A ring is the centring error up to which a step of the tool enters${ringText(report)}. `,
+         outside ? `${plural(outside, "tube")} beyond the rim ${outside === 1 ? "is" : "are"} drawn on it.` : null));
+}
+
+/// The error at the rim: all rings with room to spare, the errors where they are not far beyond the largest ring.
+function targetReach(tolerances, largest) {
+  if (tolerances.length === 0) return largest > 0 ? 1.1 * largest : 1;
+  const ring = Math.max(...tolerances);
+  return Math.max(1.25 * ring, Math.min(1.1 * largest, 3 * ring));
 }
 
 function ringText(report) {
@@ -27,12 +36,18 @@ function drawTarget({errors, tolerances, reach, mirror, report, key}, width) {
   const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
   drawing.append(svg("circle", {cx: middle[0], cy: middle[1], r: rim, class: "rim"}));
   tolerances.forEach((tolerance, i) => {
-    const name = label(middle[0], middle[1] - scale * tolerance - 3, `${i + 1}`, {"text-anchor": "middle", class: "ring-name"});
-    append(drawing, [svg("circle", {cx: middle[0], cy: middle[1], r: scale * tolerance, class: "tolerance"}),
-      scale * tolerance > 8 ? name : null]);
+    const name =
+        label(middle[0], middle[1] - scale * tolerance - 3, `${i + 1}`, {"text-anchor": "middle", class: "ring-name"});
+    append(drawing, [
+      svg("circle", {cx: middle[0], cy: middle[1], r: scale * tolerance, class: "tolerance"}),
+      scale * tolerance > 8 ? name : null
+    ]);
   });
-  for (const {tube, dx, dy} of errors) drawing.append(landingMark(tube, [mirror * dx, -dy], {reach, scale, middle, report, key}));
-  append(drawing, [svg("path", {d: `M${middle[0] - 5} ${middle[1]}h10M${middle[0]} ${middle[1] - 5}v10`, class: "centre"})]);
+  for (const {tube, dx, dy} of errors)
+    drawing.append(landingMark(tube, [mirror * dx, -dy], {reach, scale, middle, report, key}));
+  append(
+      drawing,
+      [svg("path", {d: `M${middle[0] - 5} ${middle[1]}h10M${middle[0]} ${middle[1] - 5}v10`, class: "centre"})]);
   return drawing;
 }
 
@@ -42,7 +57,12 @@ function landingMark(tube, offset, {reach, scale, middle, report, key}) {
   const mark = index === null ? {shape: "diamond", colour: "muted"} : CASES[index];
   const shape = SHAPES[mark.shape];
   const path = shape.path(middle[0] + scale * within * offset[0], middle[1] + scale * within * offset[1], 4.2);
-  return svg("path", {d: path, fill: shape.stroked ? "none" : `var(--${mark.colour})`,
-    stroke: shape.stroked ? `var(--${mark.colour})` : "var(--ink)", "stroke-width": shape.stroked ? 1.8 : 0.7},
-    svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));
+  return svg(
+      "path", {
+        d: path,
+        fill: shape.stroked ? "none" : `var(--${mark.colour})`,
+        stroke: shape.stroked ? `var(--${mark.colour})` : "var(--ink)",
+        "stroke-width": shape.stroked ? 1.8 : 0.7
+      },
+      svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));
 }

@@ -2,9 +2,7 @@
 
 const MISSING = "\u2013";
 
-function isNumber(value) {
-  return typeof value === "number" && Number.isFinite(value);
-}
+function isNumber(value) { return typeof value === "number" && Number.isFinite(value); }
 
 function isPoint(value) {
   return Array.isArray(value) && value.length >= 2 && isNumber(value[0]) && isNumber(value[1]);
@@ -14,17 +12,13 @@ function list(value) {
   return Array.isArray(value) ? value.filter((entry) => entry !== null && typeof entry === "object") : [];
 }
 
-function points(value) {
-  return Array.isArray(value) ? value.filter(isPoint) : [];
-}
+function points(value) { return Array.isArray(value) ? value.filter(isPoint) : []; }
 
 function numbers(value, count) {
   return Array.isArray(value) && value.length === count && value.every(isNumber) ? value : null;
 }
 
-function object(value) {
-  return value !== null && typeof value === "object" && !Array.isArray(value) ? value : null;
-}
+function object(value) { return value !== null && typeof value === "object" && !Array.isArray(value) ? value : null; }
 
 function textOf(value, otherwise = MISSING) {
   return typeof value === "string" && value !== "" ? value : isNumber(value) ? String(value) : otherwise;
@@ -42,7 +36,8 @@ function short(value) {
 
 function fixed(value, digits) {
   if (!isNumber(value)) return MISSING;
-  return value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits}).replace("-", "\u2212");
+  return value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits})
+      .replace("-", "\u2212");
 }
 
 /// A given number as it was given, to six figures: 0.089, 20.
@@ -50,19 +45,17 @@ function exact(value) {
   return isNumber(value) ? value.toLocaleString("en", {maximumSignificantDigits: 6}).replace("-", "\u2212") : MISSING;
 }
 
-function whole(value) {
-  return fixed(value, 0);
-}
+function whole(value) { return fixed(value, 0); }
 
 function percent(fraction, digits = 0) {
-  return isNumber(fraction) ? `${fixed(100 * fraction, digits)} %` : MISSING;
+  return isNumber(fraction) ? `${fixed(100 * fraction, digits)}\u00a0%` : MISSING;
 }
 
 /// A probability: certainty is said only where it is certain.
 function probability(value) {
   if (!isNumber(value)) return MISSING;
-  if (value > 0 && value < 0.001) return "< 0.1 %";
-  if (value < 1 && value > 0.999) return "> 99.9 %";
+  if (value > 0 && value < 0.001) return "<\u00a00.1\u00a0%";
+  if (value < 1 && value > 0.999) return ">\u00a099.9\u00a0%";
   return percent(value, 1);
 }
 
@@ -76,9 +69,7 @@ function duration(seconds) {
   return `${Math.floor(total / 3600)} h ${two(Math.round((total % 3600) / 60))} min`;
 }
 
-function plural(count, one, many = `${one}s`) {
-  return `${whole(count)} ${count === 1 ? one : many}`;
-}
+function plural(count, one, many = `${one}s`) { return `${whole(count)} ${count === 1 ? one : many}`; }
 
 /// The 1, 2 or 5 times a power of ten at or below a positive value.
 function roundDown125(value) {
@@ -87,10 +78,6 @@ function roundDown125(value) {
   return Number((step * power).toPrecision(1));
 }
 
-function tubeName(tube) {
-  return `R${textOf(tube.row)}\u00a0C${textOf(tube.column)}`;
-}
+function tubeName(tube) { return `R${textOf(tube.row)}\u00a0C${textOf(tube.column)}`; }
 
-function distance(a, b) {
-  return Math.hypot(a[0] - b[0], a[1] - b[1]);
-}
+function distance(a, b) { return Math.hypot(a[0] - b[0], a[1] - b[1]); }

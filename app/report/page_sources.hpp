@@ -5,8 +5,8 @@
 
 namespace tubeplan::app {
 
-[[nodiscard]] std::string pageTemplate();   ///< plan_report.html
-[[nodiscard]] std::string pageStyle();      ///< plan_report.css
-[[nodiscard]] std::string pageScript();     ///< the .js files, joined in the order of the CMake list
+[[nodiscard]] std::string pageTemplate();  ///< plan_report.html
+[[nodiscard]] std::string pageStyle();     ///< plan_report.css
+[[nodiscard]] std::string pageScript();    ///< the .js files, joined in the order of the CMake list
 
 }  // namespace tubeplan::app

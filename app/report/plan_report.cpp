@@ -14,25 +14,32 @@ struct Insertion {
   std::string text;
 };
 
-/// JSON in which no character can be read as markup: `<`, `>` and `&` occur inside strings only, where an escape means the
-/// same; everything past ASCII (U+2028 and U+2029 too) is escaped by the writer.
+/// JSON in which no character can be read as markup: `<`, `>` and `&` occur inside strings only, where an escape means
+/// the same; everything past ASCII (U+2028 and U+2029 too) is escaped by the writer.
 std::string embeddableJson(const nlohmann::json& report) {
   const std::string plain = report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   std::string safe;
   safe.reserve(plain.size() + 256);
   for (const char character : plain) {
     switch (character) {
-      case '<': safe += "\\u003c"; break;
-      case '>': safe += "\\u003e"; break;
-      case '&': safe += "\\u0026"; break;
-      default: safe += character;
+      case '<':
+        safe += "\\u003c";
+        break;
+      case '>':
+        safe += "\\u003e";
+        break;
+      case '&':
+        safe += "\\u0026";
+        break;
+      default:
+        safe += character;
     }
   }
   return safe;
 }
 
-/// The page with each marker replaced, in the order given and once: inserted text is never searched, so data that looks like
-/// a marker stays data.
+/// The page with each marker replaced, in the order given and once: inserted text is never searched, so data that looks
+/// like a marker stays data.
 template <std::size_t kCount>
 std::string assemble(std::string_view page, const std::array<Insertion, kCount>& insertions) {
   std::string result;
@@ -50,9 +57,8 @@ std::string assemble(std::string_view page, const std::array<Insertion, kCount>&
 }  // namespace
 
 std::string renderPlanReport(const nlohmann::json& report) {
-  const std::array<Insertion, 3> insertions = {{{"/*STYLE*/", pageStyle()},
-                                                {"/*REPORT*/", embeddableJson(report)},
-                                                {"/*SCRIPT*/", pageScript()}}};
+  const std::array<Insertion, 3> insertions = {
+      {{"/*STYLE*/", pageStyle()}, {"/*REPORT*/", embeddableJson(report)}, {"/*SCRIPT*/", pageScript()}}};
   return assemble(pageTemplate(), insertions);
 }
 

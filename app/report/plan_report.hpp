@@ -6,9 +6,9 @@
 
 namespace tubeplan::app {
 
-/// The whole page as one HTML document that needs no network, no other file and no server. The data is embedded so that no
-/// text in it can end its script block; the page shows text as text only. Bytes that are not UTF-8 become U+FFFD and numbers
-/// that are not finite become "not recorded". Same document, same bytes.
+/// The whole page as one HTML document that needs no network, no other file and no server. The data is embedded so that
+/// no text in it can end its script block; the page shows text as text only. Bytes that are not UTF-8 become U+FFFD and
+/// numbers that are not finite become "not recorded". Same document, same bytes.
 ///
 /// Every part of `report` may be absent or null; the page then says "not recorded" in its place. Lengths are in
 /// `units.length` (as "in"), angles in `units.angle`, times in seconds; a point is [x, y] in the sheet's frame.
@@ -17,15 +17,16 @@ namespace tubeplan::app {
 ///           holes: [[row, column, x, y, state], ...], fingerprint}
 ///   steps: [{diameter, tolerance}, ...]   the calibration tool's three steps, step 1 first
 ///   tubes: [{order, row, column, x, y, tilt, predicted_error, probability_by_steps: [4], none, goal_point, via_point}]
-///          visited tubes in visiting order; each mode {error, dx, dy, steps, approach_deviation}, or null without a truth
+///          in visiting order; each mode {error, dx, dy, steps, approach_deviation}, or null without a truth
 ///   unreachable: [{row, column, x, y, reason}];  tour: [[x, y], ...] the tip's trace in the sheet's plane
 ///   touches: [{id, hole, row, column, x, y, residual: [3], sigma: [3]}]
 ///   distances: [{from, to, by_arm, on_sheet, sigma}]
 ///   calibration: {rms, chi2, degrees_of_freedom, p_value, base: {position, rpy}, base_sigma: {position, rotation}}
-///   bowl_radius; side_views: [{label, rigid, flexible, shapes: [{from, to, radius}], hole, bowl: {center, radius}}]
-///          points [r, z] in the arm's vertical plane; without `bowl` (the plane's cut) the arc is drawn about r = 0
+///   bowl_radius: of a sphere about the sheet's centre
+///   side_views: [{label, rigid, flexible, shapes: [{from, to, radius}], hole, world_centre, centre_aside}]
+///          points [r, z] in the arm's vertical plane; the sheet's centre lies centre_aside beside it, at world_centre
 ///   counts: {none, goal_point, via_point}: tubes by number of steps, [4] each; counted from `tubes` when absent
-///   times: {travel_time_s, lower_bound_s, gap, row_by_row_time_s}, gap as a fraction
+///   times: {travel_time_s, lower_bound_s, gap, row_by_row_time_s, total_time_s}, gap as a fraction
 ///   min_clearance, clearance_required, tightest: text, clearance_along: [[time in s, clearance], ...]
 [[nodiscard]] std::string renderPlanReport(const nlohmann::json& report);
 

@@ -17,37 +17,46 @@ function headSentence(report) {
   const parts = [];
   if (Array.isArray(report.tubes)) {
     const time = object(report.times)?.travel_time_s;
-    parts.push(`${plural(list(report.tubes).length, "tube")} visited${isNumber(time) ? ` in ${duration(time)} of motion` : ""}`);
+    parts.push(`${plural(list(report.tubes).length, "tube")} visited${
+        isNumber(time) ? ` in ${duration(time)} of travel` : ""}`);
   }
-  if (Array.isArray(report.unreachable) && report.unreachable.length > 0) parts.push(`${whole(report.unreachable.length)} cannot be`);
+  if (Array.isArray(report.unreachable) && report.unreachable.length > 0)
+    parts.push(`${whole(report.unreachable.length)} cannot be`);
   const after = countsOf(report, "via_point"), before = countsOf(report, "none");
   if (after) {
     const total = after.reduce((sum, count) => sum + count, 0);
-    parts.push(`against the true arm all three steps of the tool enter ${whole(after[3])} of ${whole(total)} with via-point ` +
-      `compensation${before ? `, ${whole(before[3])} without` : ""}`);
+    parts.push(
+        `against the true arm all three steps of the tool enter ${whole(after[3])} of ${whole(total)} with via-point ` +
+        `compensation${before ? `, ${whole(before[3])} without` : ""}`);
   }
-  if (isNumber(report.min_clearance)) parts.push(`least clearance ${short(report.min_clearance)} ${lengthUnit(report)}`);
+  if (isNumber(report.min_clearance))
+    parts.push(`least clearance ${short(report.min_clearance)} ${lengthUnit(report)}`);
   return parts.length === 0 ? "No results are recorded." : `${parts.join("; ")}.`;
 }
 
 function summaryRows(report) {
   return (Array.isArray(report.summary) ? report.summary : [])
-    .filter((row) => Array.isArray(row) && row.length >= 2)
-    .map(([name, value]) => [textOf(name), typeof value === "number" ? short(value) : textOf(value)]);
+      .filter((row) => Array.isArray(row) && row.length >= 2)
+      .map(([name, value]) => [textOf(name), typeof value === "number" ? short(value) : textOf(value)]);
 }
 
 function showHead(report) {
   const title = textOf(report.title, "Plan report");
   document.title = title;
   const rows = summaryRows(report);
-  append(document.getElementById("head"), [el("h1", {}, title), el("p", {class: "sentence"}, headSentence(report)),
-    rows.length === 0 ? notRecorded("The summary")
-      : el("dl", {class: "summary"}, rows.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value))))]);
+  append(document.getElementById("head"), [
+    el("h1", {}, title), el("p", {class: "sentence"}, headSentence(report)),
+    rows.length === 0 ? notRecorded("The summary") :
+                        el("dl", {class: "summary"},
+                           rows.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value))))
+  ]);
 }
 
 function showFoot(report) {
-  const facts = [["cell", report.cell], ["tube sheet", object(report.sheet)?.name], ["map fingerprint", object(report.sheet)?.fingerprint],
-    ["seed", report.seed], ["tubeplan", report.version]].filter(([, value]) => textOf(value, "") !== "");
+  const facts = [
+    ["cell", report.cell], ["tube sheet", object(report.sheet)?.name],
+    ["map fingerprint", object(report.sheet)?.fingerprint], ["seed", report.seed], ["tubeplan", report.version]
+  ].filter(([, value]) => textOf(value, "") !== "");
   append(document.getElementById("foot"), [facts.map(([name, value]) => `${name} ${textOf(value)}`).join(" \u00b7 ")]);
 }
 

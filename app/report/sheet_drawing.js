@@ -12,7 +12,8 @@ function sharpCanvas(width, height) {
   return {canvas, context};
 }
 
-/// The canvas of a sheet: all holes, their states, row and column ticks, divider plate and axes. Returns {canvas, context, frame}.
+/// The canvas of a sheet: all holes, their states, row and column ticks, divider plate and axes. Returns {canvas,
+/// context, frame}.
 function drawSheet(sheet, width, {faint = false} = {}) {
   const frame = sheetFrame(sheet, width);
   const {canvas, context} = sharpCanvas(width, frame.height);

@@ -4,11 +4,12 @@
 function readSheet(report) {
   const sheet = object(report.sheet);
   const holes = (Array.isArray(sheet?.holes) ? sheet.holes : [])
-    .filter((hole) => Array.isArray(hole) && isNumber(hole[2]) && isNumber(hole[3]))
-    .map(([row, column, x, y, state]) => ({row, column, x, y, state}));
+                    .filter((hole) => Array.isArray(hole) && isNumber(hole[2]) && isNumber(hole[3]))
+                    .map(([row, column, x, y, state]) => ({row, column, x, y, state}));
   if (holes.length === 0) return null;
   const extent = extentOf(holes.map((hole) => [hole.x, hole.y]));
-  const pitch = isNumber(sheet.pitch) && sheet.pitch > 0 ? sheet.pitch : (extent.right - extent.left) / Math.sqrt(holes.length);
+  const pitch =
+      isNumber(sheet.pitch) && sheet.pitch > 0 ? sheet.pitch : (extent.right - extent.left) / Math.sqrt(holes.length);
   const diameter = isNumber(sheet.hole_diameter) && sheet.hole_diameter > 0 ? sheet.hole_diameter : 0.7 * pitch;
   const oneLeg = extent.bottom >= 0 || extent.top <= 0;
   if (oneLeg) {
@@ -16,9 +17,18 @@ function readSheet(report) {
     extent.bottom = Math.min(extent.bottom, 0);
     extent.top = Math.max(extent.top, 0);
   }
-  return {holes, extent, pitch, diameter, oneLeg, fromBelow: sheet.viewed_from !== "above", leg: sheet.leg,
-    rows: ticksOf(holes, "row", "y", pitch), columns: ticksOf(holes, "column", "x", pitch),
-    find: holeFinder(holes)};
+  return {
+    holes,
+    extent,
+    pitch,
+    diameter,
+    oneLeg,
+    fromBelow: sheet.viewed_from !== "above",
+    leg: sheet.leg,
+    rows: ticksOf(holes, "row", "y", pitch),
+    columns: ticksOf(holes, "column", "x", pitch),
+    find: holeFinder(holes)
+  };
 }
 
 function extentOf(places) {
@@ -37,8 +47,10 @@ function ticksOf(holes, number, coordinate, pitch) {
   const places = new Map();
   for (const hole of holes) {
     const known = places.get(hole[number]);
-    if (known === undefined) places.set(hole[number], hole[coordinate]);
-    else if (Math.abs(known - hole[coordinate]) > 0.1 * pitch) return [];
+    if (known === undefined)
+      places.set(hole[number], hole[coordinate]);
+    else if (Math.abs(known - hole[coordinate]) > 0.1 * pitch)
+      return [];
   }
   const every = places.size > 200 ? 50 : places.size > 130 ? 20 : 10;
   return [...places].filter(([value]) => value % every === 0).map(([value, place]) => ({value, place}));
@@ -56,10 +68,16 @@ function legName(sheet) {
 
 /// "hot leg, seen from below (+x to the left)".
 function viewName(sheet) {
-  return sheet.fromBelow ? `${legName(sheet)}, seen from below (+x to the left)` : `${legName(sheet)}, seen from above (+x to the right)`;
+  return sheet.fromBelow ? `${legName(sheet)}, seen from below (+x to the left)` :
+                           `${legName(sheet)}, seen from above (+x to the right)`;
 }
 
-const MARGIN = {left: 40, right: 26, top: 24, bottom: 34};
+const MARGIN = {
+  left: 40,
+  right: 26,
+  top: 24,
+  bottom: 34
+};
 
 /// The scale and place of the sheet in a picture `width` pixels wide. Seen from below with +y up, +x points left.
 function sheetFrame(sheet, width) {
@@ -71,11 +89,16 @@ function sheetFrame(sheet, width) {
   const sign = sheet.fromBelow ? -1 : 1;
   const middle = MARGIN.left + (width - MARGIN.left - MARGIN.right) / 2;
   return {
-    width, scale, sign, margin,
+    width,
+    scale,
+    sign,
+    margin,
     height: margin.top + margin.bottom + scale * (top - bottom + 2 * rim),
     x: (x) => middle + sign * scale * (x - (left + right) / 2),
     y: (y) => margin.top + scale * (top + rim - y),
-    place(point) { return [this.x(point[0]), this.y(point[1])]; },
+    place(point) {
+      return [this.x(point[0]), this.y(point[1])];
+    },
     /// The sheet's point under a pixel.
     point: (px, py) => [(left + right) / 2 + sign * (px - middle) / scale, top + rim - (py - margin.top) / scale],
   };
@@ -93,7 +116,8 @@ function markRadius(places, largest = 5.5) {
 function nearestDistance(sorted, index, limit) {
   let best = limit;
   for (const step of [-1, 1]) {
-    for (let i = index + step; i >= 0 && i < sorted.length && Math.abs(sorted[i][0] - sorted[index][0]) < best; i += step) {
+    for (let i = index + step; i >= 0 && i < sorted.length && Math.abs(sorted[i][0] - sorted[index][0]) < best;
+         i += step) {
       best = Math.min(best, distance(sorted[i], sorted[index]));
     }
   }

@@ -4,23 +4,29 @@
 function mapModes(report) {
   const tubes = list(report.tubes);
   const scored = MODES.filter((mode) => tubes.some((tube) => scoredCase(tube, mode.key, report.steps) !== null))
-    .map((mode) => ({...mode, caseOf: (tube) => scoredCase(tube, mode.key, report.steps)}));
-  const predicted = {key: "predicted", name: "as predicted", brief: "predicted", caseOf: (tube) => predictedCase(tube, report.steps)};
-  return {before: scored.find((mode) => mode.key === "none") ?? null,
-    after: [...scored.filter((mode) => mode.key !== "none").reverse(), predicted]};
+                     .map((mode) => ({...mode, caseOf: (tube) => scoredCase(tube, mode.key, report.steps)}));
+  const predicted =
+      {key: "predicted", name: "as predicted", brief: "predicted", caseOf: (tube) => predictedCase(tube, report.steps)};
+  return {
+    before: scored.find((mode) => mode.key === "none") ?? null,
+    after: [...scored.filter((mode) => mode.key !== "none").reverse(), predicted]
+  };
 }
 
 function sheetMapsSection(report, sheet) {
   if (!sheet) return [notRecorded("The sheet's holes")];
   const {before, after} = mapModes(report);
   return [
-    el("p", {class: "lead"}, `${plural(sheet.holes.length, "hole")}, ${viewName(sheet)}. Every mark is a visited tube: how ` +
-      "far the stepped calibration tool goes in. Point at a hole for its figures; the boxes below a map hide and show its marks."),
+    el("p", {class: "lead"},
+       `${plural(sheet.holes.length, "hole")}, ${viewName(sheet)}. Every mark is a visited tube: how ` +
+           "far the stepped calibration tool goes in. Point at a hole for its figures; the boxes below a map hide and " +
+           "show its marks."),
     el("div", {class: "pair"},
-      before ? sheetMap(report, sheet, "Before", [before])
-        : el("div", {class: "card"}, el("h3", {}, "Before: no compensation"),
-          notRecorded("Centring without compensation (the plan was made without a true arm to score against)")),
-      sheetMap(report, sheet, before ? "After" : "The plan", after)),
+       before ?
+           sheetMap(report, sheet, "Before", [before]) :
+           el("div", {class: "card"}, el("h3", {}, "Before: no compensation"),
+              notRecorded("Centring without compensation (the plan was made without a true arm to score against)")),
+       sheetMap(report, sheet, before ? "After" : "The plan", after)),
     unreachableList(report),
   ];
 }
@@ -30,18 +36,20 @@ function sheetMap(report, sheet, heading, modes) {
   const state = {mode: modes[0], hidden: new Set()};
   const legend = el("ul", {class: "legend"});
   const title = el("h3");
-  const picture = figure(`Tube sheet, ${viewName(sheet)}: ${heading.toLowerCase()}`, (width) => drawMap(report, sheet, state, width));
+  const picture = figure(
+      `Tube sheet, ${viewName(sheet)}: ${heading.toLowerCase()}`, (width) => drawMap(report, sheet, state, width));
   const refresh = () => {
     title.textContent = `${heading}: ${state.mode.name}`;
     legend.replaceChildren(...legendEntries(report, sheet, state, refresh));
     picture.redraw();
   };
   refresh();
-  const modeChoice = modes.length < 2 ? null : choice("Compensation shown", modes.map((mode) => [mode, mode.brief]),
-    state.mode, (mode) => {
-      state.mode = mode;
-      refresh();
-    });
+  const modeChoice = modes.length < 2 ?
+      null :
+      choice("Compensation shown", modes.map((mode) => [mode, mode.brief]), state.mode, (mode) => {
+        state.mode = mode;
+        refresh();
+      });
   return el("div", {class: "card"}, el("div", {class: "card-head"}, title, modeChoice), picture.element, legend);
 }
 
@@ -49,8 +57,11 @@ function sheetMap(report, sheet, heading, modes) {
 function markGroups(report, state) {
   const tubes = list(report.tubes).filter((tube) => isNumber(tube.x) && isNumber(tube.y));
   const unreachable = list(report.unreachable).filter((tube) => isNumber(tube.x) && isNumber(tube.y));
-  return [...CASES.map((mark, index) => ({mark, holes: tubes.filter((tube) => state.mode.caseOf(tube) === index)})).reverse(),
-    {mark: UNREACHABLE, holes: unreachable}];
+  return [
+    ...CASES.map((mark, index) => ({mark, holes: tubes.filter((tube) => state.mode.caseOf(tube) === index)})).reverse(),
+    {mark: UNREACHABLE, holes: unreachable},
+    {mark: UNSCORED, holes: tubes.filter((tube) => state.mode.caseOf(tube) === null)}
+  ];
 }
 
 function drawMap(report, sheet, state, width) {
@@ -67,13 +78,20 @@ function drawMap(report, sheet, state, width) {
 
 function legendEntries(report, sheet, state, refresh) {
   const toggle = (mark) => (event) => {
-    if (event.target.checked) state.hidden.delete(mark); else state.hidden.add(mark);
+    if (event.target.checked)
+      state.hidden.delete(mark);
+    else
+      state.hidden.add(mark);
     refresh();
   };
   const groups = markGroups(report, state);
-  const marks = [...groups.slice(0, 4).reverse(), groups[4]].map(({mark, holes}) => el("li", {}, el("label", {},
-    el("input", {type: "checkbox", checked: !state.hidden.has(mark), change: toggle(mark)}),
-    markIcon(mark), mark.name, el("b", {}, whole(holes.length)))));
+  const [unreachable, unscored] = groups.slice(CASES.length);
+  const shown = [...groups.slice(0, CASES.length).reverse(), unreachable, ...(unscored.holes.length > 0 ? [unscored] : [])];
+  const marks = shown.map(
+      ({mark, holes}) =>
+          el("li", {},
+             el("label", {}, el("input", {type: "checkbox", checked: !state.hidden.has(mark), change: toggle(mark)}),
+                markIcon(mark), mark.name, el("b", {}, whole(holes.length)))));
   const plain = (mark, count) => el("li", {}, markIcon(mark), mark.name, el("b", {}, whole(count)));
   const states = [...holesByState(sheet)].map(([name, holes]) => plain(stateMark(name), holes.length));
   const listed = list(report.tubes).length + list(report.unreachable).length;
@@ -104,7 +122,9 @@ function tubeLines(tube, mode, report, unit) {
     `Visit ${visitNumber(report, tube)}`,
     score ? `Error, ${mode.name}: ${short(score.error)} ${unit} (dx ${short(score.dx)}, dy ${short(score.dy)})` : null,
     index === null ? null : `${score ? "Tool" : "Expected"}: ${CASES[index].long}`,
-    score && isNumber(score.approach_deviation) ? `Off the hole's axis on the way in: ${short(score.approach_deviation)} ${unit}` : null,
+    score && isNumber(score.approach_deviation) ?
+        `Off the hole's axis on the way in: ${short(score.approach_deviation)} ${unit}` :
+        null,
     `Predicted error: ${short(tube.predicted_error)} ${unit}; tilt ${short(tube.tilt)} ${angleUnit(report)}`,
     chances ? `Chance of 0/1/2/3 steps: ${chances.map(probability).join(" / ")}` : null,
   ];
@@ -116,14 +136,19 @@ function unreachableList(report) {
   if (!Array.isArray(report.unreachable)) return notRecorded("Tubes that cannot be visited");
   if (tubes.length === 0) return el("p", {class: "good"}, "Every tube on the list is visited.");
   const reasons = new Map();
-  for (const tube of tubes) reasons.set(textOf(tube.reason, "no reason recorded"), [...(reasons.get(textOf(tube.reason, "no reason recorded")) ?? []), tube]);
+  for (const tube of tubes) {
+    const reason = textOf(tube.reason, "no reason recorded");
+    reasons.set(reason, [...(reasons.get(reason) ?? []), tube]);
+  }
   const entries = [...reasons].sort((a, b) => b[1].length - a[1].length).map(([reason, group]) => {
     const names = group.map(tubeName).join(", ");
-    return el("li", {}, el("b", {}, `${reason}: `),
-      group.length <= 12 ? names : el("details", {}, el("summary", {}, plural(group.length, "tube")), names));
+    return el(
+        "li", {}, el("b", {}, `${reason}: `),
+        group.length <= 12 ? names : el("details", {}, el("summary", {}, plural(group.length, "tube")), names));
   });
-  return el("div", {class: "card"}, el("h3", {}, markIcon(UNREACHABLE), ` ${plural(tubes.length, "tube")} cannot be visited`),
-    el("ul", {class: "reasons"}, entries));
+  return el(
+      "div", {class: "card"}, el("h3", {}, markIcon(UNREACHABLE), ` ${plural(tubes.length, "tube")} cannot be visited`),
+      el("ul", {class: "reasons"}, entries));
 }
 
 /// "7 of 60": the tubes are listed in visiting order.
@@ -132,10 +157,6 @@ function visitNumber(report, tube) {
   return `${tubes.indexOf(tube) + 1} of ${tubes.length}`;
 }
 
-function lengthUnit(report) {
-  return textOf(object(report.units)?.length, "");
-}
+function lengthUnit(report) { return textOf(object(report.units)?.length, ""); }
 
-function angleUnit(report) {
-  return textOf(object(report.units)?.angle, "").replace("degree", "deg");
-}
+function angleUnit(report) { return textOf(object(report.units)?.angle, "").replace("degree", "deg"); }

@@ -14,24 +14,36 @@ function stepRows(report) {
 function stepSection(report) {
   const rows = stepRows(report);
   const nothing = rows.every((row) => !row.counts || row.name.startsWith("Thesis"));
-  const bars = figure("Share of tubes by steps inserted", (width) => drawStepBars(rows.filter((row) => row.counts), width));
+  const bars =
+      figure("Share of tubes by steps inserted", (width) => drawStepBars(rows.filter((row) => row.counts), width));
   return [
-    el("p", {class: "lead"}, "How far the tool enters, by number of tubes. The thesis's rows are from table 5.7: ten test holes " +
-      "on the real arm, so one hole there is 10 %."),
+    el("p", {class: "lead"},
+       "How far the tool enters, by number of tubes. The thesis's rows are from table 5.7: ten test holes " +
+           "on the real arm, so one hole there is 10 %."),
     nothing ? notRecorded("Scores against a true arm; only the thesis's rows are shown") : null,
     el("div", {class: "pair"},
-      el("div", {class: "card"}, el("h3", {}, "Tubes by steps inserted, without and with compensation"), stepTable(report, rows)),
-      el("div", {class: "card"}, el("h3", {}, "The same as shares"), bars.element)),
+       el("div", {class: "card"}, el("h3", {}, "Tubes by steps inserted, without and with compensation"),
+          stepTable(report, rows)),
+       el("div", {class: "card"}, el("h3", {}, "The same as shares"), bars.element)),
   ];
 }
 
 function stepTable(report, rows) {
   const tolerances = list(report.steps).map((step) => step.tolerance).filter(isNumber);
-  const heads = ["", ...CASES.map((mark, i) => el("span", {}, markIcon(mark), ` ${mark.name.replace(" ", "\u00a0")}`, el("small", {}, errorRange(tolerances, i)))), "of"];
+  const heads = [
+    "",
+    ...CASES.map(
+        (mark, i) =>
+            el("span", {}, markIcon(mark), ` ${mark.name.replace(" ", "\u00a0")}`,
+               el("small", {}, errorRange(tolerances, i)))),
+    "of"
+  ];
   const cells = rows.map(({name, counts}) => {
     if (!counts) return [name, null, null, null, null, "not recorded"];
     const total = counts.reduce((sum, count) => sum + count, 0);
-    return [name, ...counts.map((count) => `${whole(count)} (${percent(total > 0 ? count / total : null)})`), whole(total)];
+    return [
+      name, ...counts.map((count) => `${whole(count)} (${percent(total > 0 ? count / total : null)})`), whole(total)
+    ];
   });
   return [table(heads, cells), list(report.steps).length === 0 ? notRecorded("The tool's steps") : toolNote(report)];
 }
@@ -45,8 +57,10 @@ function errorRange(tolerances, index) {
 function toolNote(report) {
   const unit = lengthUnit(report);
   const steps = list(report.steps).map((step, i) => `step ${i + 1}: ${exact(step.diameter)}`).join(", ");
-  return el("p", {class: "note"}, `Below each case, its centring error (${unit}). Diameters (${unit}): ${steps}; ` +
-    `hole: ${exact(object(report.sheet)?.hole_diameter)}.`);
+  return el(
+      "p", {class: "note"},
+      `Below each case, its centring error (${unit}). Diameters (${unit}): ${steps}; ` +
+          `hole: ${exact(object(report.sheet)?.hole_diameter)}.`);
 }
 
 /// Stacked bars of shares; every part carries its case's symbol and its count.
@@ -70,8 +84,11 @@ function drawStepBars(rows, width) {
 function barPart(x, y, width, height, mark, text) {
   const icon = SHAPES[mark.shape];
   const middle = y + height / 2, start = x + Math.min(14, width / 2);
-  return svg("g", {}, svg("rect", {x: x + 0.5, y, width: Math.max(1, width - 1), height, rx: 2, class: "bar", fill: `var(--${mark.colour})`}),
-    width > 14 ? svg("path", {d: icon.path(start, middle, 5), class: icon.stroked ? "bar-cross" : "bar-mark"}) : null,
-    width > 34 ? label(start + 11, middle + 4, text, {class: "bar-text"}) : null,
-    svg("title", {}, `${mark.name}: ${text}`));
+  return svg(
+      "g", {},
+      svg("rect",
+          {x: x + 0.5, y, width: Math.max(1, width - 1), height, rx: 2, class: "bar", fill: `var(--${mark.colour})`}),
+      width > 14 ? svg("path", {d: icon.path(start, middle, 5), class: icon.stroked ? "bar-cross" : "bar-mark"}) : null,
+      width > 34 ? label(start + 11, middle + 4, text, {class: "bar-text"}) : null,
+      svg("title", {}, `${mark.name}: ${text}`));
 }

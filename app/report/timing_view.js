@@ -13,9 +13,11 @@ function timingSection(report) {
 }
 
 function timingSentence(times) {
-  const parts = [`The tour takes ${duration(times.travel_time_s)}`];
+  const parts = [`The travel between tubes takes ${duration(times.travel_time_s)}`];
+  if (isNumber(times.total_time_s)) parts[0] += ` (${duration(times.total_time_s)} with approaches and retreats)`;
   if (isNumber(times.lower_bound_s)) {
-    parts.push(`the lower bound is ${duration(times.lower_bound_s)}${isNumber(times.gap) ? ` (gap ${percent(times.gap, 1)})` : ""}`);
+    parts.push(`the lower bound is ${duration(times.lower_bound_s)}${
+        isNumber(times.gap) ? ` (gap ${percent(times.gap, 1)})` : ""}`);
   }
   if (isNumber(times.row_by_row_time_s) && isNumber(times.travel_time_s) && times.row_by_row_time_s > 0) {
     const saved = 1 - times.travel_time_s / times.row_by_row_time_s;
@@ -31,8 +33,10 @@ function drawTimes(rows, width) {
   const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
   rows.forEach(({name, value, kind}, i) => {
     const y = i * (tall + gap) + 18, long = Math.max(1, (width - 130) * value / most);
-    append(drawing, [label(left, y - 5, name), svg("rect", {x: left, y, width: long, height: tall, rx: 2, class: `time-${kind}`}),
-      label(left + long + 8, y + 16, duration(value), {class: "strong"})]);
+    append(drawing, [
+      label(left, y - 5, name), svg("rect", {x: left, y, width: long, height: tall, rx: 2, class: `time-${kind}`}),
+      label(left + long + 8, y + 16, duration(value), {class: "strong"})
+    ]);
   });
   return drawing;
 }

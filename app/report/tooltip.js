@@ -13,11 +13,14 @@ function hoverHoles(canvas, sheet, frame, describe) {
       return;
     }
     const [name, ...lines] = describe(hole);
-    box.replaceChildren(el("strong", {}, name), ...lines.filter((line) => line !== null).map((line) => el("div", {}, line)));
+    box.replaceChildren(
+        el("strong", {}, name), ...lines.filter((line) => line !== null).map((line) => el("div", {}, line)));
     box.hidden = false;
     placeBeside(box, event.clientX, event.clientY);
   });
-  canvas.addEventListener("pointerleave", () => { box.hidden = true; });
+  canvas.addEventListener("pointerleave", () => {
+    box.hidden = true;
+  });
 }
 
 function nearestHole(sheet, place) {

@@ -19,7 +19,8 @@ function readTour(report, pitch) {
 
 /// The first point of the trace from `start` on that is within `reach` of a place, or -1.
 function firstPointAt(trace, start, place, reach) {
-  for (let i = start; i < trace.length; ++i) if (distance(trace[i], place) < reach) return i;
+  for (let i = start; i < trace.length; ++i)
+    if (distance(trace[i], place) < reach) return i;
   return -1;
 }
 
@@ -42,35 +43,49 @@ function tourSection(report, sheet) {
     marker.hidden = false;
     marker.style.left = `${100 * x / frame.width}%`;
     marker.style.top = `${100 * y / frame.height}%`;
-    says.textContent = reached ? `Last reached: ${tubeName(reached.tube)} (visit ${visitNumber(report, reached.tube)})`
-      : "Before the first tube";
+    says.textContent = reached ?
+        `Last reached: ${tubeName(reached.tube)} (visit ${visitNumber(report, reached.tube)})` :
+        "Before the first tube";
   };
   return [
-    el("p", {class: "lead"}, `${plural(list(report.tubes).length, "tube")} in visiting order; the trace runs from blue (start) to ` +
-      "orange (end), arrows give the direction, numbers the order."),
-    el("div", {class: "card"}, el("div", {class: "layered"}, picture.element, marker), walkControls(show), says)];
+    el("p", {class: "lead"},
+       `${plural(list(report.tubes).length, "tube")} in visiting order; the trace runs from blue (start) to ` +
+           "orange (end), arrows give the direction, numbers the order."),
+    el("div", {class: "card"}, el("div", {class: "layered"}, picture.element, marker), walkControls(show), says)
+  ];
 }
 
 /// A slider along the tour and a button that moves it.
 function walkControls(show) {
-  const slider = el("input", {type: "range", min: 0, max: 1000, value: 0, "aria-label": "Place along the tour",
-    input: () => show(slider.value / 1000)});
+  const slider = el("input", {
+    type: "range",
+    min: 0,
+    max: 1000,
+    value: 0,
+    "aria-label": "Place along the tour",
+    input: () => show(slider.value / 1000)
+  });
   let timer = null;
   const stop = () => {
     clearInterval(timer);
     timer = null;
     button.textContent = "Play";
   };
-  const button = el("button", {type: "button", click: () => {
-    if (timer !== null) return stop();
-    if (slider.value >= 1000) slider.value = 0;
-    button.textContent = "Pause";
-    timer = setInterval(() => {
-      slider.value = Number(slider.value) + 2;
-      show(slider.value / 1000);
-      if (slider.value >= 1000) stop();
-    }, 40);
-  }}, "Play");
+  const button =
+      el("button", {
+        type: "button",
+        click: () => {
+          if (timer !== null) return stop();
+          if (slider.value >= 1000) slider.value = 0;
+          button.textContent = "Pause";
+          timer = setInterval(() => {
+            slider.value = Number(slider.value) + 2;
+            show(slider.value / 1000);
+            if (slider.value >= 1000) stop();
+          }, 40);
+        }
+      },
+         "Play");
   return el("div", {class: "walk"}, button, slider);
 }
 
@@ -129,13 +144,16 @@ function drawDirections(context, frame, tour, places) {
 function drawStops(context, frame, tour, report) {
   const tubes = list(report.tubes).filter((tube) => isNumber(tube.x) && isNumber(tube.y));
   const every = tubes.length <= 80 ? 5 : Math.ceil(tubes.length / 16 / 10) * 10;
+  const radius = 0.5 * markRadius(tubes.map((tube) => frame.place([tube.x, tube.y])), 5.2);
   tubes.forEach((tube, i) => {
     const [x, y] = frame.place([tube.x, tube.y]);
     const end = i === 0 || i === tubes.length - 1;
-    drawMarks(context, {shape: end ? "square" : "disc", colour: end ? "ink" : "paper"}, [[x, y]], end ? 4.5 : 2.6);
+    drawMarks(context, {shape: end ? "square" : "disc", colour: end ? "ink" : "paper"}, [[x, y]], end ? 4.5 : radius);
     const order = i + 1;
-    if (end) drawTag(context, frame, i === 0 ? `${order} start` : `${order} end`, x, y, true);
-    else if (order % every === 0) drawTag(context, frame, String(order), x, y, false);
+    if (end)
+      drawTag(context, frame, i === 0 ? `${order} start` : `${order} end`, x, y, true);
+    else if (order % every === 0)
+      drawTag(context, frame, String(order), x, y, false);
   });
 }
 

@@ -7,18 +7,30 @@ function tubeTableSection(report) {
   const fill = (event) => {
     if (event.target.open && place.childElementCount === 0) place.append(tubeTable(report, tubes));
   };
-  return [el("details", {class: "card", toggle: fill}, el("summary", {}, `Figures of ${plural(tubes.length, "visited tube")}`), place)];
+  return [el(
+      "details", {class: "card", toggle: fill}, el("summary", {}, `Figures of ${plural(tubes.length, "visited tube")}`),
+      place)];
 }
 
 function tubeTable(report, tubes) {
   const unit = lengthUnit(report);
-  const rows = tubes.map((tube, i) => [whole(i + 1), tubeName(tube), fixed(tube.x, 3), fixed(tube.y, 3), short(tube.tilt),
-    short(tube.predicted_error), probability(numbers(tube.probability_by_steps, 4)?.[3]),
-    ...MODES.flatMap((mode) => [short(object(tube[mode.key])?.error), caseCell(scoredCase(tube, mode.key, report.steps))])]);
-  return table(["visit", "tube", `x, ${unit}`, `y, ${unit}`, `tilt, ${angleUnit(report)}`, `predicted error, ${unit}`, "chance of 3 steps",
-    ...MODES.flatMap((mode) => [`error, ${mode.brief}`, "steps"])], rows, {text: [1]});
+  const rows = tubes.map(
+      (tube, i) =>
+          [whole(i + 1), tubeName(tube), fixed(tube.x, 3), fixed(tube.y, 3), short(tube.tilt),
+           short(tube.predicted_error), probability(numbers(tube.probability_by_steps, 4)?.[3]),
+           ...MODES.map((mode) => scoreCell(tube, mode.key, report))]);
+  return table(
+      [
+        "visit", "tube", `x, ${unit}`, `y, ${unit}`, `tilt, ${angleUnit(report)}`, `predicted error, ${unit}`,
+        "chance of 3 steps", ...MODES.map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
+      ],
+      rows, {text: [1]});
 }
 
-function caseCell(index) {
-  return index === null ? null : el("span", {class: "case"}, markIcon(CASES[index]), ` ${index}`);
+/// The centring error and the steps that enter, in one cell.
+function scoreCell(tube, mode, report) {
+  const index = scoredCase(tube, mode, report.steps);
+  if (index === null) return null;
+  return el(
+      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(CASES[index]), ` ${index}`);
 }

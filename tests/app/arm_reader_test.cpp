@@ -37,7 +37,7 @@ TEST(ArmReader, readsTheCobra) {
 }
 
 TEST(ArmReader, takesSpeedsPerSecondWhateverTheUnitOfTime) {
-  const auto& joint = armOf(cobraText()).arm.rows[2].joint;
+  const auto joint = armOf(cobraText()).arm.rows[2].joint;
   EXPECT_DOUBLE_EQ(joint.max_speed, 6 * kDegree);
   EXPECT_DOUBLE_EQ(joint.max_acceleration, 12 * kDegree);
 }
@@ -60,24 +60,24 @@ TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
 }
 
 TEST(ArmReader, refusesUnknownMissingAndIllTypedKeys) {
-  EXPECT_SAYS(refusal("max_speed: 6", "maxspeed: 6"), "did you mean 'max_speed'?");
-  EXPECT_SAYS(refusal("a: 13.202, ", ""), "no key 'a'");
-  EXPECT_SAYS(refusal("alpha: 90, a: 0", "alpha: ninety, a: 0"), "'ninety'");
-  EXPECT_SAYS(refusal("type: revolute", "type: revolving"), "revolute or prismatic");
-  EXPECT_SAYS(refusal("dh: {alpha: 0, a: 26.406, d: 0}", "origin: {position: [0, 0], rpy: [0, 0, 0]}"), "three numbers");
-  EXPECT_SAYS(refusal("{E: 1.0121e7, Iz: 0.394}", "{Iz: 0.394}"), "without E");
-  EXPECT_SAYS(refusal("a: 0, d: 0, theta: 0}", "a: 0, d: 0}"), "'theta'");
+  expectSays(refusal("max_speed: 6", "maxspeed: 6"), "did you mean 'max_speed'?");
+  expectSays(refusal("a: 13.202, ", ""), "no key 'a'");
+  expectSays(refusal("alpha: 90, a: 0", "alpha: ninety, a: 0"), "'ninety'");
+  expectSays(refusal("type: revolute", "type: revolving"), "revolute or prismatic");
+  expectSays(refusal("dh: {alpha: 0, a: 26.406, d: 0}", "origin: {position: [0, 0], rpy: [0, 0, 0]}"), "three numbers");
+  expectSays(refusal("{E: 1.0121e7, Iz: 0.394}", "{Iz: 0.394}"), "without E");
+  expectSays(refusal("a: 0, d: 0, theta: 0}", "a: 0, d: 0}"), "'theta'");
 }
 
 TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   const std::string negative = refusal("{z: 5588}", "{z: -5588}");
-  EXPECT_SAYS(negative, "arm.yaml:38:");
-  EXPECT_SAYS(negative, "tool.joint_stiffness.z");
-  EXPECT_SAYS(negative, "-5588");
-  EXPECT_SAYS(refusal("a: 26.406", "a: 0"), "length zero");
-  EXPECT_SAYS(refusal("limits: [0, 180]", "limits: [180, 0]"), "latch-link.joint.limits");
-  EXPECT_SAYS(refusal("name: forearm", "name: tool"), "a second row");
-  EXPECT_SAYS(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
+  expectSays(negative, "arm.yaml:38:");
+  expectSays(negative, "tool.joint_stiffness.z");
+  expectSays(negative, "-5588");
+  expectSays(refusal("a: 26.406", "a: 0"), "length zero");
+  expectSays(refusal("limits: [0, 180]", "limits: [180, 0]"), "latch-link.joint.limits");
+  expectSays(refusal("name: forearm", "name: tool"), "a second row");
+  expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }
 
 // Every number of the arm, changed by its dotted name in the text, is what is read again, and nothing else changes.

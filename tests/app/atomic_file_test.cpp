@@ -1,5 +1,8 @@
 #include "app/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -27,10 +30,34 @@ TEST_F(AtomicFile, checksWithoutATrace) {
 TEST_F(AtomicFile, refusesPlacesThatCannotBeWritten) {
   const std::string file = write("file", "x");
   for (const fs::path& path : {fs::path(file) / "a.txt", folder, fs::path("/proc/none/a.txt"), fs::path("/dev/null/a")}) {
-    EXPECT_SAYS(messageOf([&] { checkWritableFile(path, "--out"); }), "--out: found");
-    EXPECT_SAYS(messageOf([&] { writeFileAtomically(path, "y", "--out"); }), "--out: found");
+    expectSays(messageOf([&] { checkWritableFile(path, "--out"); }), "--out: found");
+    expectSays(messageOf([&] { writeFileAtomically(path, "y", "--out"); }), "--out: found");
   }
   EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(AtomicFile, writesToAPipeAndNeverReplacesIt) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  checkWritableFile(pipe, "--out");
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  writeFileAtomically(pipe, "through", "--out");
+  char text[8] = {};
+  EXPECT_EQ(::read(reader, text, sizeof text), 7);
+  ::close(reader);
+  EXPECT_STREQ(text, "through");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(AtomicFile, replacesTheFileBehindALink) {
+  const std::string file = write("file", "old");
+  fs::create_symlink("file", folder / "link");
+  writeFileAtomically(folder / "link", "new", "--out");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(contentOf(file), "new");
+  EXPECT_EQ(entries(), 2);
 }
 
 TEST_F(AtomicFile, folderShowsAllFilesAtCommit) {
@@ -63,7 +90,7 @@ TEST_F(AtomicFile, folderWithoutCommitNeverWas) {
 TEST_F(AtomicFile, refusesFoldersThatCannotBeWritten) {
   const std::string file = write("file", "x");
   for (const fs::path& path : {fs::path(file), fs::path(file) / "deeper", fs::path("/proc/none")})
-    EXPECT_SAYS(messageOf([&] { OutputFolder out(path, "--out"); }), "--out: found");
+    expectSays(messageOf([&] { OutputFolder out(path, "--out"); }), "--out: found");
   EXPECT_EQ(entries(), 1);
 }
 

@@ -35,7 +35,7 @@ class Program : public FolderTest {
     EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.err;
     EXPECT_EQ(outcome.out, "") << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    for (const std::string& word : words) EXPECT_SAYS(outcome.err, word);
+    for (const std::string& word : words) expectSays(outcome.err, word);
     EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder), {}), files_before) << arguments;
   }
 
@@ -65,9 +65,9 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
   for (const char* words : {"", "help", "--help"}) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_SAYS(outcome.out, "tubeplan map ");
+    expectSays(outcome.out, "tubeplan map ");
   }
-  for (const char* words : {"map --help", "help map"}) EXPECT_SAYS(run(words).out, "Example:");
+  for (const char* words : {"map --help", "help map"}) expectSays(run(words).out, "Example:");
   EXPECT_EQ(run("--version").out.substr(0, 9), "tubeplan ");
 }
 
@@ -97,6 +97,12 @@ TEST_F(Program, refusesBadArms) {
   expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:38:", "tool.joint_stiffness.z", "-5588"});
   writeMockup("cobra-arm.yaml", "a: 26.406", "a: 0");
   expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:", "latch-link.beam", "length zero"});
+}
+
+TEST_F(Program, saysWhenItsAnswerIsLost) {
+  const std::string cell = (shippedCells() / "mockup.yaml").string();
+  const int status = std::system(("'" TUBEPLAN_PROGRAM "' map '" + cell + "' >/dev/full 2>/dev/null").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
 }
 
 TEST_F(Program, refusesPlacesThatCannotBeWritten) {

@@ -66,22 +66,22 @@ TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
 }
 
 TEST_F(CellReader, refusesWhatItDoesNotKnow) {
-  EXPECT_SAYS(refusal("hole_diameter: 0.760", "hole_diametre: 0.760"), "did you mean 'hole_diameter'?");
-  EXPECT_SAYS(refusal("type: square", "type: sqare"), "did you mean 'square'?");
-  EXPECT_SAYS(refusal("leg: hot", "leg: warm"), "warm");
-  EXPECT_SAYS(refusal("cylinder:", "cone:"), "'cone'");
-  EXPECT_SAYS(refusal("sphere:", "ball:"), "'ball'");
-  EXPECT_SAYS(refusal("radius: 0.29", "radius: -0.29"), "tool");
-  EXPECT_SAYS(refusal("  forearm:    [", "  upperarm:    ["), "'upperarm'");
-  EXPECT_SAYS(refusal("allow: [tool-tip]", "allow: [tooltip]"), "tooltip");
-  EXPECT_SAYS(refusal("known: false", "known: no"), "true or false");
-  EXPECT_SAYS(refusal("cobra-arm.yaml", "cobra-leg.yaml"), "cobra-leg.yaml");
-  EXPECT_SAYS(refusal("tolerance: 0.010", "tolerance: 0.070"), "calibration_tool.steps[2].tolerance");
-  EXPECT_SAYS(refusal("hole_diameter: 0.760", "hole_diameter: 1.2"), "hole_diameter");
-  EXPECT_SAYS(refusal("columns: 114", "columns: 116"), "columns");
-  EXPECT_SAYS(refusal("clearance: 0.25", "clearance: -1"), "clearance");
-  EXPECT_SAYS(refusal("clearance: 0.25", "clearence: 0.25"), "did you mean 'clearance'?");
-  EXPECT_SAYS(refusal("clearance: 0.25", "clearance: 0.25\nidentify: [forearm.joint_stiffness.x]"), "forearm.joint_stiffness.x");
+  expectSays(refusal("hole_diameter: 0.760", "hole_diametre: 0.760"), "did you mean 'hole_diameter'?");
+  expectSays(refusal("type: square", "type: sqare"), "did you mean 'square'?");
+  expectSays(refusal("leg: hot", "leg: warm"), "warm");
+  expectSays(refusal("cylinder:", "cone:"), "'cone'");
+  expectSays(refusal("sphere:", "ball:"), "'ball'");
+  expectSays(refusal("radius: 0.29", "radius: -0.29"), "tool");
+  expectSays(refusal("  forearm:    [", "  upperarm:    ["), "'upperarm'");
+  expectSays(refusal("allow: [tool-tip]", "allow: [tooltip]"), "tooltip");
+  expectSays(refusal("known: false", "known: no"), "true or false");
+  expectSays(refusal("cobra-arm.yaml", "cobra-leg.yaml"), "cobra-leg.yaml");
+  expectSays(refusal("tolerance: 0.010", "tolerance: 0.070"), "calibration_tool.steps[2].tolerance");
+  expectSays(refusal("hole_diameter: 0.760", "hole_diameter: 1.2"), "hole_diameter");
+  expectSays(refusal("columns: 114", "columns: 116"), "columns");
+  expectSays(refusal("clearance: 0.25", "clearance: -1"), "clearance");
+  expectSays(refusal("clearance: 0.25", "clearence: 0.25"), "did you mean 'clearance'?");
+  expectSays(refusal("clearance: 0.25", "clearance: 0.25\nidentify: [forearm.joint_stiffness.x]"), "forearm.joint_stiffness.x");
 }
 
 Eigen::Isometry3d randomPose(std::mt19937_64& random) {
@@ -110,15 +110,15 @@ TEST_F(CellReader, writesTheBaseBack) {
     EXPECT_TRUE(again.base_known);
     ASSERT_TRUE(again.base_covariance.has_value());
     EXPECT_TRUE(again.base_covariance->isApprox(covariance, 1e-10));
-    EXPECT_SAYS(text, "# allowed: z < 0; only the tip may enter a hole");
+    expectSays(text, "# allowed: z < 0; only the tip may enter a hole");
   }
 }
 
 TEST_F(CellReader, readsItsOwnCovarianceAndNoOther) {
   const std::string base = "base: {position: [0, 43.0, -44.0], rpy: [0, 0, -90], known: false";
-  EXPECT_SAYS(refusal(base, base + ", covariance: [[1, 2], [3, 4]]"), "six lists");
-  EXPECT_SAYS(refusal(base, base + ", covariance: [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,5,1]]"), "not symmetric");
-  EXPECT_SAYS(refusal(base, base + ", covariance: [[1,2,0,0,0,0],[2,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]"), "negative variance");
+  expectSays(refusal(base, base + ", covariance: [[1, 2], [3, 4]]"), "six lists");
+  expectSays(refusal(base, base + ", covariance: [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,5,1]]"), "not symmetric");
+  expectSays(refusal(base, base + ", covariance: [[1,2,0,0,0,0],[2,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]"), "negative variance");
 }
 
 }  // namespace

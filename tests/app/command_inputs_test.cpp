@@ -30,11 +30,11 @@ TEST_F(CommandInputs, readJointsInTheCellsUnit) {
 }
 
 TEST_F(CommandInputs, refuseOtherJoints) {
-  EXPECT_SAYS(jointsRefusal("1,2,3"), "found 3 numbers, expected 4");
-  EXPECT_SAYS(jointsRefusal(""), "--joints");
-  EXPECT_SAYS(jointsRefusal("1,2,3,x"), "'x'");
-  EXPECT_SAYS(jointsRefusal("1,2,3,nan"), "--joints (theta4)");
-  EXPECT_SAYS(jointsRefusal("1,-2,3,4"), "limits, 0 and 180");
+  expectSays(jointsRefusal("1,2,3"), "found 3 numbers, expected 4");
+  expectSays(jointsRefusal(""), "--joints");
+  expectSays(jointsRefusal("1,2,3,x"), "'x'");
+  expectSays(jointsRefusal("1,2,3,nan"), "--joints (theta4)");
+  expectSays(jointsRefusal("1,-2,3,4"), "limits, 0 and 180");
 }
 
 TEST_F(CommandInputs, refuseImpossibleLoads) {
@@ -46,9 +46,9 @@ TEST_F(CommandInputs, refuseImpossibleLoads) {
 TEST_F(CommandInputs, readTubesFromWordsAndFiles) {
   EXPECT_EQ(readTubes("spread:60", *cell.sheet).tube_indices.size(), 60u);
   EXPECT_EQ(readTubes(write("list.csv", "row,column\n1,57\n10,20\n"), *cell.sheet).tube_indices.size(), 2u);
-  EXPECT_SAYS(tubesRefusal("R60C3"), "R60C3");
-  EXPECT_SAYS(tubesRefusal(write("wrong.csv", "row,column\n1,57\n1,57\n")), "wrong.csv:3");
-  EXPECT_SAYS(tubesRefusal((folder / "none.csv").string()), "no such file");
+  expectSays(tubesRefusal("R60C3"), "R60C3");
+  expectSays(tubesRefusal(write("wrong.csv", "row,column\n1,57\n1,57\n")), "wrong.csv:3");
+  expectSays(tubesRefusal((folder / "none.csv").string()), "no such file");
 }
 
 TEST_F(CommandInputs, writeJsonWithUnits) {

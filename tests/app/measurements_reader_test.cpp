@@ -44,7 +44,7 @@ TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
   ASSERT_TRUE(readings[0].p_W.has_value());
   EXPECT_TRUE(readings[0].p_W->isApprox(Eigen::Vector3d(-1.0625 / 2, 2.28, 0) * kInch));
   EXPECT_FALSE(readings[1].p_W.has_value());
-  EXPECT_SAYS(refusal("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R99C1,0,90,0,0\n"), "R99C1");
+  expectSays(refusal("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R99C1,0,90,0,0\n"), "R99C1");
 }
 
 TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
@@ -63,35 +63,35 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
 }
 
 TEST_F(MeasurementsReader, refusesBadHeaders) {
-  EXPECT_SAYS(refusal("id,kind,theta1_deg,theta2_deg,theta3_deg\n"), "no column 'theta4_");
-  EXPECT_SAYS(refusal(changed(kHeader, "x_in", "x_inch")), "unknown unit 'inch'");
-  EXPECT_SAYS(refusal(changed(kHeader, "point", "pionts")), "'pionts'");
-  EXPECT_SAYS(refusal(changed(kHeader, "kind", "sort")), "no column 'kind'");
-  EXPECT_SAYS(refusal(changed(kHeader, "y_in", "x_mm")), "both 'x_in' and 'x_mm'");
-  EXPECT_SAYS(refusal(changed(kHeader, "y_in", "x_in")), "x_in");
-  EXPECT_SAYS(refusal(changed(kHeader, "sigma_in", "theta1_dir")), "one for each of the 4 joints");
-  EXPECT_SAYS(refusal(kHeader), "without readings");
+  expectSays(refusal("id,kind,theta1_deg,theta2_deg,theta3_deg\n"), "no column 'theta4_");
+  expectSays(refusal(changed(kHeader, "x_in", "x_inch")), "unknown unit 'inch'");
+  expectSays(refusal(changed(kHeader, "point", "pionts")), "'pionts'");
+  expectSays(refusal(changed(kHeader, "kind", "sort")), "no column 'kind'");
+  expectSays(refusal(changed(kHeader, "y_in", "x_mm")), "both 'x_in' and 'x_mm'");
+  expectSays(refusal(changed(kHeader, "y_in", "x_in")), "x_in");
+  expectSays(refusal(changed(kHeader, "sigma_in", "theta1_dir")), "one for each of the 4 joints");
+  expectSays(refusal(kHeader), "without readings");
 }
 
 TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
   const std::string good = "a,touch,P1,20,10,90,-20,5,1,2,3,0.003\n";
   const auto with = [&](const std::string& from, const std::string& to) { return refusal(kHeader + changed(good, from, to)); };
   ASSERT_EQ(read(kHeader + good).size(), 1u);
-  EXPECT_SAYS(with(",90,", ",nan,"), "m.csv:2 (column theta2_deg): found 'nan', expected a finite number");
-  EXPECT_SAYS(with(",90,", ",,"), "found nothing");
-  EXPECT_SAYS(with(",90,", ",9O,"), "'9O'");
-  EXPECT_SAYS(with(",90,", ",inf,"), "'inf'");
-  EXPECT_SAYS(with(",90,", ",190,"), "between the joint's limits, 0 and 180 deg");
-  EXPECT_SAYS(with("touch", "tuoch"), "did you mean 'touch'?");
-  EXPECT_SAYS(with("P1", ""), "without a point");
-  EXPECT_SAYS(with("1,2,3", "1,,3"), "some of the coordinates");
-  EXPECT_SAYS(with("touch", "distance"), "without its length");
-  EXPECT_SAYS(with("0.003", "0"), "sigma");
-  EXPECT_SAYS(with("0.003", "0.003,7"), "13 fields");
-  EXPECT_SAYS(with("P1", "\"P1"), "quote");
-  EXPECT_SAYS(with("20,10", "-20,10"), "negative load");
-  EXPECT_SAYS(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "without x, y, z");
-  EXPECT_SAYS(refusal(kHeader + good + good), "m.csv:3 (column id): found the id 'a' again");
+  expectSays(with(",90,", ",nan,"), "m.csv:2 (column theta2_deg): found 'nan', expected a finite number");
+  expectSays(with(",90,", ",,"), "found nothing");
+  expectSays(with(",90,", ",9O,"), "'9O'");
+  expectSays(with(",90,", ",inf,"), "'inf'");
+  expectSays(with(",90,", ",190,"), "between the joint's limits, 0 and 180 deg");
+  expectSays(with("touch", "tuoch"), "did you mean 'touch'?");
+  expectSays(with("P1", ""), "without a point");
+  expectSays(with("1,2,3", "1,,3"), "some of the coordinates");
+  expectSays(with("touch", "distance"), "without its length");
+  expectSays(with("0.003", "0"), "sigma");
+  expectSays(with("0.003", "0.003,7"), "13 fields");
+  expectSays(with("P1", "\"P1"), "quote");
+  expectSays(with("20,10", "-20,10"), "negative load");
+  expectSays(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "without x, y, z");
+  expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): found the id 'a' again");
 }
 
 }  // namespace

@@ -24,7 +24,9 @@ template <class Action> std::string messageOf(Action&& action) {
   return "";
 }
 
-#define EXPECT_SAYS(message, part) EXPECT_NE((message).find(part), std::string::npos) << "message: " << (message)
+inline void expectSays(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << "message: " << message << "\nwithout: " << part;
+}
 
 inline std::string contentOf(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -53,11 +53,11 @@ TEST(Units, returnEveryDecimalOfTwelveDigits) {
 
 TEST(Units, refusesUnknownUnitsWithTheKnownOnes) {
   const std::string message = messageOf([] { (void)unitsOf("{length: inch, angle: deg, force: lbf}"); });
-  EXPECT_SAYS(message, "units.length");
-  EXPECT_SAYS(message, "'inch'");
-  EXPECT_SAYS(message, "in, mm, m or ft");
-  EXPECT_SAYS(messageOf([] { (void)unitsOf("{length: in, angle: deg}"); }), "'force'");
-  EXPECT_SAYS(messageOf([] { (void)unitsOf("{length: in, angle: deg, force: lbf, tim: s}"); }), "did you mean 'time'?");
+  expectSays(message, "units.length");
+  expectSays(message, "'inch'");
+  expectSays(message, "in, mm, m or ft");
+  expectSays(messageOf([] { (void)unitsOf("{length: in, angle: deg}"); }), "'force'");
+  expectSays(messageOf([] { (void)unitsOf("{length: in, angle: deg, force: lbf, tim: s}"); }), "did you mean 'time'?");
 }
 
 TEST(Units, writesNumbersShortly) {
