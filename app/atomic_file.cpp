@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const std::string& option, const fs::path& path, const std::string& why) {
-  throw InputError(option, fmt::format("'{}': {}", path.string(), why), "a place that can be written", "choose another");
+  throw InputError(option, fmt::format("'{}': {}", path.string(), why), "a place that can be written",
+                   "choose another");
 }
 
 // The folders on the way to `folder` that do not exist yet, outermost first.

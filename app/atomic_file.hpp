@@ -7,16 +7,16 @@
 
 namespace tubeplan::app {
 
-/// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, and the place is
-/// no folder. Leaves nothing behind. For use before long work.
+/// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, and the
+/// place is no folder. Leaves nothing behind. For use before long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes beside the place and renames, so that no reader ever sees half a file; a device or pipe is written to as it is, never
-/// replaced. Makes missing folders. Throws InputError naming the option.
+/// Writes beside the place and renames, so that no reader ever sees half a file; a device or pipe is written to as it
+/// is, never replaced. Makes missing folders. Throws InputError naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
 
-/// A folder of results: made and proved writable at once, its files appear together at commit(). Without a commit nothing
-/// remains, not even folders that had to be made.
+/// A folder of results: made and proved writable at once, its files appear together at commit(). Without a commit
+/// nothing remains, not even folders that had to be made.
 class OutputFolder {
  public:
   /// Throws InputError, naming the option, for a folder that cannot be made or written.

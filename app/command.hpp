@@ -1,4 +1,5 @@
-// What a command of the program is. The table of them is in commands.cpp; each command is a file of its own in commands/.
+// What a command of the program is. The table of them is in commands.cpp; each command is a file of its own in
+// commands/.
 #pragma once
 
 #include <functional>

@@ -28,12 +28,15 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
 double parseJoint(const std::string& text, const deflection::Joint<double>& joint, const Units& units) {
   const Dimension unit = joint.type == deflection::JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
   const auto value = tubesheets::parseNumber(text);
-  if (!value) throw InputError("--joints (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
+  if (!value)
+    throw InputError("--joints (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
   const double q = units.toInternal(*value, unit);
   constexpr double kSlack = 1e-12;  // a limit itself, after its conversion
   if (q < joint.lower - kSlack || q > joint.upper + kSlack)
-    throw InputError("--joints (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
-                     fmt::format("a value between the joint's limits, {} and {}", formatNumber(units.toFile(joint.lower, unit)), formatNumber(units.toFile(joint.upper, unit))));
+    throw InputError(
+        "--joints (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
+        fmt::format("a value between the joint's limits, {} and {}", formatNumber(units.toFile(joint.lower, unit)),
+                    formatNumber(units.toFile(joint.upper, unit))));
   return q;
 }
 
@@ -45,14 +48,18 @@ Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm,
   const auto active = deflection::activeRows(arm);
   const auto parts = splitAtCommas(text);
   if (parts.size() != active.size())
-    throw InputError("--joints", fmt::format("{} numbers", parts.size()), fmt::format("{}, one for each joint of the arm", active.size()), "write --joints=A,B,...");
+    throw InputError("--joints", fmt::format("{} numbers", parts.size()),
+                     fmt::format("{}, one for each joint of the arm", active.size()), "write --joints=A,B,...");
   Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t i = 0; i < active.size(); ++i) q[static_cast<Eigen::Index>(i)] = parseJoint(parts[i], arm.rows[static_cast<std::size_t>(active[i])].joint, units);
+  for (std::size_t i = 0; i < active.size(); ++i)
+    q[static_cast<Eigen::Index>(i)] = parseJoint(parts[i], arm.rows[static_cast<std::size_t>(active[i])].joint, units);
   return q;
 }
 
 double parseLoad(double load, const Units& units) {
-  if (!std::isfinite(load) || load < 0) throw InputError("--load", fmt::format("{}", load), "a finite weight in " + std::string(units.force().name) + ", zero or more");
+  if (!std::isfinite(load) || load < 0)
+    throw InputError("--load", fmt::format("{}", load),
+                     "a finite weight in " + std::string(units.force().name) + ", zero or more");
   return units.toInternal(load, dimension::kForce);
 }
 
@@ -61,18 +68,24 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
   if (namesCsvFile(request)) {
     const auto list = tubesheets::parseWorkListCsv(readTextFile(request));
     if (list.problem)
-      throw InputError(fmt::format("{}:{} ({})", request, list.problem->line, list.problem->what), list.problem->found, list.problem->expected, list.problem->advice);
+      throw InputError(fmt::format("{}:{} ({})", request, list.problem->line, list.problem->what), list.problem->found,
+                       list.problem->expected, list.problem->advice);
     selection = tubesheets::selectTubes(sheet, list);
   } else {
     selection = tubesheets::selectTubes(sheet, request);
   }
   if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError("--tubes", inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet", "`tubeplan map CELL --csv holes.csv` lists them");
+    throw InputError("--tubes", inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
+                     "`tubeplan map CELL --csv holes.csv` lists them");
   return selection;
 }
 
 nlohmann::json unitsJson(const Units& units) {
-  return {{"length", units.length().name}, {"angle", units.angle().name}, {"force", units.force().name}, {"temperature", units.temperature().name}, {"time", units.time().name}};
+  return {{"length", units.length().name},
+          {"angle", units.angle().name},
+          {"force", units.force().name},
+          {"temperature", units.temperature().name},
+          {"time", units.time().name}};
 }
 
 nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {

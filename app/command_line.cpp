@@ -39,7 +39,8 @@ void refuseUnknownCommand(const std::string& word) {
   for (const Command& command : commands()) names.emplace_back(command.name);
   if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return;
   const std::string near = suggestion(word, names);
-  throw InputError("command line", "the unknown command " + inQuotes(word), alternatives(names), near.empty() ? "see `tubeplan help`" : near);
+  throw InputError("command line", "the unknown command " + inQuotes(word), alternatives(names),
+                   near.empty() ? "see `tubeplan help`" : near);
 }
 
 [[noreturn]] void refuse(const CLI::ParseError& error, const std::string& command) {

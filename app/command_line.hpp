@@ -6,8 +6,9 @@
 
 namespace tubeplan::app {
 
-/// Runs the command that `words` (without the program's name) ask for. Returns its exit code; for --help, help, --version and no
-/// words at all prints what is asked and returns 0. Throws InputError for words that make no command line.
+/// Runs the command that `words` (without the program's name) ask for. Returns its exit code; for --help, help,
+/// --version and no words at all prints what is asked and returns 0. Throws InputError for words that make no command
+/// line.
 int runCommandLine(std::vector<std::string> words);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,5 @@
-// The one exception of the program: the user's input cannot be used. Thrown by the readers and commands, caught once in main.
+// The one exception of the program: the user's input cannot be used. Thrown by the readers and commands, caught once in
+// main.
 #pragma once
 
 #include <stdexcept>
@@ -10,8 +11,8 @@ namespace tubeplan::app {
 /// Its message is one line: "where: found F, expected E; advice".
 class InputError : public std::runtime_error {
  public:
-  /// `where` names the file with line and column, or the option; `found` and `expected` continue "found ..., expected ...";
-  /// `advice` says what to do and may be empty.
+  /// `where` names the file with line and column, or the option; `found` and `expected` continue "found ..., expected
+  /// ..."; `advice` says what to do and may be empty.
   InputError(std::string where, std::string found, std::string expected, std::string advice = "");
 
   [[nodiscard]] const std::string& where() const { return where_; }

@@ -12,7 +12,8 @@
 int main(int argc, char** argv) {
   try {
     const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
-    if (std::fflush(stdout) != 0) throw tubeplan::app::InputError("standard output", std::strerror(errno), "a place that can be written");
+    if (std::fflush(stdout) != 0)
+      throw tubeplan::app::InputError("standard output", std::strerror(errno), "a place that can be written");
     return exit_code;
   } catch (const tubeplan::app::InputError& error) {
     std::fprintf(stderr, "tubeplan: %s\n", error.what());

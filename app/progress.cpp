@@ -27,20 +27,29 @@ std::string clockText(double seconds) {
 
 std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds, int width) {
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
-  const std::string left = rate > 0 ? clockText(static_cast<double>(total - std::min(done, total)) / rate) + " left" : "";
+  const std::string left =
+      rate > 0 ? clockText(static_cast<double>(total - std::min(done, total)) / rate) + " left" : "";
   const std::string figures = fmt::format(" {}/{}  {:.1f}/s  {}", done, total, rate, left);
   const int room = width - static_cast<int>(label.size() + figures.size()) - 3;
   std::string bar;
   if (room >= 5) {
     const int cells = std::min(room, 30);
-    const int full = total > 0 ? static_cast<int>(static_cast<double>(cells) * static_cast<double>(std::min(done, total)) / static_cast<double>(total)) : 0;
-    bar = " [" + std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(cells - full), '-') + "]";
+    const int full = total > 0
+                         ? static_cast<int>(static_cast<double>(cells) * static_cast<double>(std::min(done, total)) /
+                                            static_cast<double>(total))
+                         : 0;
+    bar = " [" + std::string(static_cast<std::size_t>(full), '#') +
+          std::string(static_cast<std::size_t>(cells - full), '-') + "]";
   }
   return (label + bar + figures).substr(0, static_cast<std::size_t>(std::max(width, 0)));
 }
 
 Progress::Progress(std::string label, std::size_t total)
-    : label_(std::move(label)), total_(total), is_shown_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()), drawn_(start_ - std::chrono::hours(1)) {}
+    : label_(std::move(label)),
+      total_(total),
+      is_shown_(::isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      drawn_(start_ - std::chrono::hours(1)) {}
 
 Progress::~Progress() {
   if (is_shown_) std::fputs("\r\x1b[K", stderr);

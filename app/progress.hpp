@@ -28,6 +28,7 @@ class Progress {
 };
 
 /// "planning [#####-----] 30/60  12.1/s  0:02 left" in at most `width` characters.
-[[nodiscard]] std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds, int width);
+[[nodiscard]] std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds,
+                                       int width);
 
 }  // namespace tubeplan::app

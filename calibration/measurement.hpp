@@ -19,18 +19,20 @@ enum class MeasurementKind {
 struct Measurement {
   std::string id;
   MeasurementKind kind = MeasurementKind::kPosition;
-  std::string point;  ///< readings of kind touch with the same point touched the same place; may be empty for other kinds
+  std::string
+      point;  ///< readings of kind touch with the same point touched the same place; may be empty for other kinds
   std::string setup;  ///< readings with the same set-up share a base pose; empty where there is one for all
   double load = 0;    ///< N, hung from the tip
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows, rad (m for a prismatic joint)
-  std::optional<Eigen::Vector3d> p_W;  ///< m, in the world frame
-  double distance = std::numeric_limits<double>::quiet_NaN();     ///< m, of kind distance only
-  double sigma = std::numeric_limits<double>::quiet_NaN();        ///< m, one standard deviation of each measured coordinate; NaN = not stated
+  std::optional<Eigen::Vector3d> p_W;                          ///< m, in the world frame
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< m, of kind distance only
+  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, one standard deviation of each measured coordinate;
+                                                            ///< NaN = not stated
   std::vector<int> senses;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN = not stated
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN = not stated
-  bool is_held_out = false;  ///< kept from the fit, to judge it by
-  int line = 0;              ///< in its file, from 1
+  bool is_held_out = false;                                       ///< kept from the fit, to judge it by
+  int line = 0;                                                   ///< in its file, from 1
 };
 
 }  // namespace tubeplan::calibration

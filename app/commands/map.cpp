@@ -37,19 +37,21 @@ std::map<std::string, int> countStates(const tubesheets::Sheet& sheet) {
 nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
   const auto box = extentsOf(sheet);
   const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
-  return {{"name", cell.name},
-          {"holes", sheet.tubes.size()},
-          {"rows", sheet.rows},
-          {"columns", sheet.columns},
-          {"layout", sheet.layout_type},
-          {"pitch", length(sheet.pitch)},
-          {"hole_diameter", length(sheet.hole_diameter)},
-          {"leg", tubesheets::legName(sheet.leg)},
-          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
-          {"extents", {{"x", {length(box.min().x()), length(box.max().x())}}, {"y", {length(box.min().y()), length(box.max().y())}}}},
-          {"states", countStates(sheet)},
-          {"fingerprint", sheet.fingerprint()},
-          {"units", unitsJson(cell.units)}};
+  return {
+      {"name", cell.name},
+      {"holes", sheet.tubes.size()},
+      {"rows", sheet.rows},
+      {"columns", sheet.columns},
+      {"layout", sheet.layout_type},
+      {"pitch", length(sheet.pitch)},
+      {"hole_diameter", length(sheet.hole_diameter)},
+      {"leg", tubesheets::legName(sheet.leg)},
+      {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+      {"extents",
+       {{"x", {length(box.min().x()), length(box.max().x())}}, {"y", {length(box.min().y()), length(box.max().y())}}}},
+      {"states", countStates(sheet)},
+      {"fingerprint", sheet.fingerprint()},
+      {"units", unitsJson(cell.units)}};
 }
 
 void printMap(const Cell& cell, const tubesheets::Sheet& sheet) {
@@ -57,9 +59,11 @@ void printMap(const Cell& cell, const tubesheets::Sheet& sheet) {
   const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
   const auto unit = cell.units.length().name;
   fmt::print("{}: {} holes, {} rows, {} columns\n", cell.name, sheet.tubes.size(), sheet.rows, sheet.columns);
-  fmt::print("layout {}, pitch {} {}, hole diameter {} {}\n", sheet.layout_type, length(sheet.pitch), unit, length(sheet.hole_diameter), unit);
+  fmt::print("layout {}, pitch {} {}, hole diameter {} {}\n", sheet.layout_type, length(sheet.pitch), unit,
+             length(sheet.hole_diameter), unit);
   fmt::print("{} leg, viewed from {}\n", tubesheets::legName(sheet.leg), tubesheets::viewedFromName(sheet.viewed_from));
-  fmt::print("x {} to {} {}, y {} to {} {}\n", length(box.min().x()), length(box.max().x()), unit, length(box.min().y()), length(box.max().y()), unit);
+  fmt::print("x {} to {} {}, y {} to {} {}\n", length(box.min().x()), length(box.max().x()), unit,
+             length(box.min().y()), length(box.max().y()), unit);
   for (const auto& [state, count] : countStates(sheet)) fmt::print("{} {}\n", count, state);
   fmt::print("fingerprint {}\n", sheet.fingerprint());
 }

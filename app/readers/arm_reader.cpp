@@ -54,20 +54,24 @@ deflection::DenavitHartenberg<double> readDh(const YamlNode& node, const Units& 
   (type == JointType::kPrismatic ? optional : required).push_back("d");
   (type == JointType::kRevolute ? optional : required).push_back("theta");
   node.expectKeys(required, optional);
-  return {readQuantity(node.at("alpha"), units, dimension::kAngle), readQuantity(node.at("a"), units, dimension::kLength),
-          readQuantityOr(node, "d", units, dimension::kLength, 0), readQuantityOr(node, "theta", units, dimension::kAngle, 0)};
+  return {readQuantity(node.at("alpha"), units, dimension::kAngle),
+          readQuantity(node.at("a"), units, dimension::kLength),
+          readQuantityOr(node, "d", units, dimension::kLength, 0),
+          readQuantityOr(node, "theta", units, dimension::kAngle, 0)};
 }
 
 deflection::Origin<double> readOrigin(const YamlNode& node, const Units& units) {
   node.expectKeys({"position", "rpy"}, {});
-  return {readVector(node.at("position"), units, dimension::kLength), readVector(node.at("rpy"), units, dimension::kAngle)};
+  return {readVector(node.at("position"), units, dimension::kLength),
+          readVector(node.at("rpy"), units, dimension::kAngle)};
 }
 
 void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
   const YamlNode* dh = node.find("dh");
   const YamlNode* origin = node.find("origin");
   if (dh && origin) node.fail("both `dh` and `origin`", "one of them", "remove the other");
-  if (!dh && !origin) node.fail("neither `dh` nor `origin`", "one of them", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
+  if (!dh && !origin)
+    node.fail("neither `dh` nor `origin`", "one of them", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
   if (dh)
     row.placement = readDh(*dh, units, row.joint.type);
   else
@@ -77,7 +81,8 @@ void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
 Eigen::Vector3d readJointStiffness(const YamlNode& node, const Units& units) {
   node.expectKeys({}, {"x", "y", "z"});
   Eigen::Vector3d stiffness;
-  for (int k = 0; k < 3; ++k) stiffness[k] = readQuantityOr(node, kAxes[k], units, dimension::kTorquePerAngle, deflection::kRigid);
+  for (int k = 0; k < 3; ++k)
+    stiffness[k] = readQuantityOr(node, kAxes[k], units, dimension::kTorquePerAngle, deflection::kRigid);
   return stiffness;
 }
 
@@ -87,8 +92,11 @@ void checkBeamKeys(const YamlNode& node) {
   const bool twists = node.find("J");
   if (bends != (node.find("E") != nullptr))
     node.fail(bends ? "Ix, Iy or Iz without E" : "E without Ix, Iy or Iz", "both for a beam that bends", "");
-  if (twists != (node.find("G") != nullptr)) node.fail(twists ? "J without G" : "G without J", "both for a beam that twists", "");
-  if (!bends && !twists) node.fail("a beam that neither bends nor twists", "E with Ix, Iy or Iz, or G with J", "leave `beam` out where it is rigid");
+  if (twists != (node.find("G") != nullptr))
+    node.fail(twists ? "J without G" : "G without J", "both for a beam that twists", "");
+  if (!bends && !twists)
+    node.fail("a beam that neither bends nor twists", "E with Ix, Iy or Iz, or G with J",
+              "leave `beam` out where it is rigid");
 }
 
 deflection::Beam<double> readBeam(const YamlNode& node, const Units& units) {
@@ -98,7 +106,8 @@ deflection::Beam<double> readBeam(const YamlNode& node, const Units& units) {
   beam.E = readQuantityOr(node, "E", units, dimension::kPressure, beam.E);
   beam.G = readQuantityOr(node, "G", units, dimension::kPressure, beam.G);
   beam.J = readQuantityOr(node, "J", units, dimension::kLengthToTheFourth, beam.J);
-  for (int k = 0; k < 3; ++k) beam.I[k] = readQuantityOr(node, kInertias[k], units, dimension::kLengthToTheFourth, deflection::kRigid);
+  for (int k = 0; k < 3; ++k)
+    beam.I[k] = readQuantityOr(node, kInertias[k], units, dimension::kLengthToTheFourth, deflection::kRigid);
   if (const YamlNode* segments = node.find("segments")) beam.segments = segments->integer(1, 1000);
   return beam;
 }
@@ -112,7 +121,8 @@ deflection::Weight<double> readWeight(const YamlNode& node, const Units& units) 
   if (!lumps) return weight;
   for (const YamlNode& lump : lumps->list()) {
     lump.expectKeys({"weight", "at"}, {});
-    weight.lumps.push_back({readQuantity(lump.at("weight"), units, dimension::kForce), readVector(lump.at("at"), units, dimension::kLength)});
+    weight.lumps.push_back({readQuantity(lump.at("weight"), units, dimension::kForce),
+                            readVector(lump.at("at"), units, dimension::kLength)});
   }
   return weight;
 }
@@ -121,10 +131,12 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
   node.expectKeys({"name"}, {"dh", "origin", "joint", "joint_stiffness", "beam", "weight"});
   ArmRow row;
   row.name = node.at("name").text();
-  if (row.name.find_first_of(".[] ") != std::string::npos) node.at("name").fail("a name without blanks, dots and brackets");
+  if (row.name.find_first_of(".[] ") != std::string::npos)
+    node.at("name").fail("a name without blanks, dots and brackets");
   if (const YamlNode* joint = node.find("joint")) row.joint = readJoint(*joint, units);
   readPlacement(node, units, row);
-  if (const YamlNode* stiffness = node.find("joint_stiffness")) row.joint_stiffness = readJointStiffness(*stiffness, units);
+  if (const YamlNode* stiffness = node.find("joint_stiffness"))
+    row.joint_stiffness = readJointStiffness(*stiffness, units);
   if (const YamlNode* beam = node.find("beam")) row.beam = readBeam(*beam, units);
   if (const YamlNode* weight = node.find("weight")) row.weight = readWeight(*weight, units);
   return row;
@@ -163,10 +175,12 @@ bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest =
 // A parameter's path below its row or tool: list components become [i], a lump its weight.
 std::string pathBelow(std::string_view rest) {
   constexpr std::string_view kLumps = "weight.lumps.";
-  if (rest.starts_with(kLumps)) return fmt::format("weight.lumps[{}].weight", std::stoi(std::string(rest.substr(kLumps.size()))) - 1);
+  if (rest.starts_with(kLumps))
+    return fmt::format("weight.lumps[{}].weight", std::stoi(std::string(rest.substr(kLumps.size()))) - 1);
   const std::size_t dot = rest.rfind('.');
   const std::string_view parent = rest.substr(0, dot == std::string_view::npos ? 0 : dot);
-  if (parent == "tip" || parent == "origin.position") return fmt::format("{}[{}]", parent, std::string_view("xyz").find(rest.back()));
+  if (parent == "tip" || parent == "origin.position")
+    return fmt::format("{}[{}]", parent, std::string_view("xyz").find(rest.back()));
   if (parent == "origin.rpy") return fmt::format("origin.rpy[{}]", std::string_view("rpy").find(rest.back()));
   return std::string(rest);
 }
@@ -180,7 +194,8 @@ ArmSource readArm(const YamlNode& node) {
   Arm& arm = source.arm;
   if (const YamlNode* name = node.find("name")) arm.name = name->text();
   if (const YamlNode* gravity = node.find("gravity")) arm.gravity_W = readDirection(*gravity);
-  if (const YamlNode* reference = node.find("reference_temperature")) arm.reference_temperature = source.units.temperatureToInternal(reference->number());
+  if (const YamlNode* reference = node.find("reference_temperature"))
+    arm.reference_temperature = source.units.temperatureToInternal(reference->number());
   for (const YamlNode& row : node.at("links").list()) arm.rows.push_back(readRow(row, source.units));
   readTool(node.at("tool"), source);
   checkArm(node, arm);
@@ -215,7 +230,8 @@ std::string withArmParameters(const std::string& text, const YamlNode& arm, cons
   for (const auto& [name, value] : parameters) {
     const auto parameter = deflection::findParameter(source.arm, name);
     assert(parameter.has_value());
-    const bool slides = name.ends_with("joint.offset") && source.arm.rows.at(parameter->path.row).joint.type == JointType::kPrismatic;
+    const bool slides =
+        name.ends_with("joint.offset") && source.arm.rows.at(parameter->path.row).joint.type == JointType::kPrismatic;
     const Dimension unit = slides ? dimension::kLength : dimensionOf(parameter->quantity);
     out = withYamlValue(out, armPath(arm, name), formatNumber(source.units.toFile(value, unit)));
   }

@@ -26,17 +26,21 @@ Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   }
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Matrix6d correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
-  if (!correlation.isApprox(correlation.transpose(), 1e-6)) node.fail("a matrix that is not symmetric", "a covariance", "");
-  if (correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -1e-6) node.fail("a matrix with a negative variance", "a covariance", "");
+  if (!correlation.isApprox(correlation.transpose(), 1e-6))
+    node.fail("a matrix that is not symmetric", "a covariance", "");
+  if (correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -1e-6)
+    node.fail("a matrix with a negative variance", "a covariance", "");
   return covariance;
 }
 
 void readBase(const YamlNode& node, Cell& cell) {
   node.expectKeys({"position", "rpy", "known"}, {"covariance"});
   cell.X_WB.translation() = readVector(node.at("position"), cell.units, dimension::kLength);
-  cell.X_WB.linear() = deflection::rotationFromFixedAngles<double>(readVector(node.at("rpy"), cell.units, dimension::kAngle));
+  cell.X_WB.linear() =
+      deflection::rotationFromFixedAngles<double>(readVector(node.at("rpy"), cell.units, dimension::kAngle));
   cell.base_known = node.at("known").boolean();
-  if (const YamlNode* covariance = node.find("covariance")) cell.base_covariance = readCovariance(*covariance, cell.units);
+  if (const YamlNode* covariance = node.find("covariance"))
+    cell.base_covariance = readCovariance(*covariance, cell.units);
 }
 
 void readIdentify(const YamlNode& node, Cell& cell) {
@@ -45,8 +49,10 @@ void readIdentify(const YamlNode& node, Cell& cell) {
   for (const YamlNode& item : node.list()) {
     const std::string name = item.text();
     if (std::find(known.begin(), known.end(), name) == known.end())
-      item.fail("the unknown parameter '" + name + "'", "a number of the arm file by its path, or geometry", suggestion(name, known));
-    if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end()) item.fail("'" + name + "' again", "every name once", "");
+      item.fail("the unknown parameter '" + name + "'", "a number of the arm file by its path, or geometry",
+                suggestion(name, known));
+    if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end())
+      item.fail("'" + name + "' again", "every name once", "");
     cell.identify.push_back(name);
   }
 }
@@ -63,8 +69,8 @@ ArmSource readCellArm(const YamlNode& node, Cell& cell) {
   return readArm(cell.arm_source.root);
 }
 
-// The tip's own body says which way the tool points, where the arm file does not: a named capsule on the last link that an
-// obstacle lets in.
+// The tip's own body says which way the tool points, where the arm file does not: a named capsule on the last link that
+// an obstacle lets in.
 std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
   for (const auto& body : scene.bodies) {
     const auto solid = std::dynamic_pointer_cast<const planner::Solid>(body.shape);
@@ -86,7 +92,8 @@ Cell readCell(const std::string& path) {
   cell.path = path;
   cell.source = readYamlFile(path);
   const YamlNode& root = cell.source.root;
-  root.expectKeys({"arm", "base"}, {"name", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance"});
+  root.expectKeys({"arm", "base"},
+                  {"name", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), cell);
   cell.arm = source.arm;
@@ -105,12 +112,16 @@ Cell readCell(const std::string& path) {
 }
 
 const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose) {
-  if (!cell.sheet) throw InputError(cell.path, "no key 'tubesheet'", "one: needed to " + purpose, "add it, as in app/cells/mockup.yaml");
+  if (!cell.sheet)
+    throw InputError(cell.path, "no key 'tubesheet'", "one: needed to " + purpose,
+                     "add it, as in app/cells/mockup.yaml");
   return *cell.sheet;
 }
 
 const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose) {
-  if (!cell.tool) throw InputError(cell.path, "no key 'calibration_tool'", "one: needed to " + purpose, "add it, as in app/cells/mockup.yaml");
+  if (!cell.tool)
+    throw InputError(cell.path, "no key 'calibration_tool'", "one: needed to " + purpose,
+                     "add it, as in app/cells/mockup.yaml");
   return *cell.tool;
 }
 

@@ -1,4 +1,5 @@
-// A cell: an arm on its base, with the tube sheet, the calibration tool and the scene around it where the file has them.
+// A cell: an arm on its base, with the tube sheet, the calibration tool and the scene around it where the file has
+// them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -30,11 +31,11 @@ struct Cell {
   std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
-  planner::Scene scene;                     ///< links only where the file has neither scene nor shapes
-  std::vector<std::string> identify;        ///< dotted names, or `geometry`
+  planner::Scene scene;               ///< links only where the file has neither scene nor shapes
+  std::vector<std::string> identify;  ///< dotted names, or `geometry`
 
-  YamlFile source;                          ///< as read, for writing it again with changes
-  YamlFile arm_source;                      ///< the same of the arm's file; empty where it stands inline
+  YamlFile source;      ///< as read, for writing it again with changes
+  YamlFile arm_source;  ///< the same of the arm's file; empty where it stands inline
 };
 
 /// Throws InputError for anything that is not as documented, naming file, line and key.

@@ -32,7 +32,8 @@ std::string covarianceText(const Matrix6d& covariance, const Units& units) {
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-// Roll, pitch, yaw that give R back to rounding even where the pitch is a right angle: roll is taken from what yaw leaves.
+// Roll, pitch, yaw that give R back to rounding even where the pitch is a right angle: roll is taken from what yaw
+// leaves.
 Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   const double yaw = std::atan2(R(1, 0), R(0, 0));
   const Eigen::Matrix3d rest = deflection::rotationZ(-yaw) * R;

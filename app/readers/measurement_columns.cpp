@@ -36,7 +36,8 @@ class Header {
     for (const std::string& unit : unitNames(kind)) {
       const std::string name = quantity + "_" + unit;
       const auto index = take(name);
-      if (index && found) fail("both " + inQuotes(found->name) + " and " + inQuotes(name), "one of them", "remove the other");
+      if (index && found)
+        fail("both " + inQuotes(found->name) + " and " + inQuotes(name), "one of them", "remove the other");
       if (index) found = NumberColumn{*index, findUnit(kind, unit), name};
     }
     if (!found) refuseOtherUnit(quantity, kind);
@@ -53,7 +54,8 @@ class Header {
       const std::string& name = table_.columns[i];
       if (taken_.contains(i)) continue;
       const std::string advice = suggestion(name, known_);
-      fail("the unknown column " + inQuotes(name), "only the columns of a measurement table", advice.empty() ? "remove or rename it" : advice);
+      fail("the unknown column " + inQuotes(name), "only the columns of a measurement table",
+           advice.empty() ? "remove or rename it" : advice);
     }
   }
 
@@ -67,14 +69,16 @@ class Header {
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
       if (!taken_.contains(i)) left.push_back(table_.columns[i]);
     const std::string near = suggestion(name, left);
-    fail("no column " + inQuotes(name), "one", near.empty() ? "add it to the header" : "is it " + near.substr(near.find('\'')));
+    fail("no column " + inQuotes(name), "one",
+         near.empty() ? "add it to the header" : "is it " + near.substr(near.find('\'')));
   }
 
   void refuseOtherUnit(const std::string& quantity, UnitKind kind) const {
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       const std::string& name = table_.columns[i];
       if (taken_.contains(i) || !name.starts_with(quantity + "_") || name == quantity + "_dir") continue;
-      fail("the column " + inQuotes(name) + " with the unknown unit " + inQuotes(name.substr(quantity.size() + 1)), alternatives(unitNames(kind)), "");
+      fail("the column " + inQuotes(name) + " with the unknown unit " + inQuotes(name.substr(quantity.size() + 1)),
+           alternatives(unitNames(kind)), "");
     }
   }
 
@@ -87,12 +91,15 @@ class Header {
 void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& columns) {
   for (const int row : deflection::activeRows(arm)) {
     const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
-    columns.joints.push_back(header.takeRequiredNumber(joint.name, joint.type == JointType::kPrismatic ? UnitKind::kLength : UnitKind::kAngle));
+    columns.joints.push_back(header.takeRequiredNumber(
+        joint.name, joint.type == JointType::kPrismatic ? UnitKind::kLength : UnitKind::kAngle));
   }
   for (const int row : deflection::activeRows(arm))
-    if (const auto sense = header.take(arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir")) columns.senses.push_back(*sense);
+    if (const auto sense = header.take(arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir"))
+      columns.senses.push_back(*sense);
   if (!columns.senses.empty() && columns.senses.size() != columns.joints.size())
-    header.fail(fmt::format("{} columns <joint>_dir", columns.senses.size()), fmt::format("one for each of the {} joints, or none", columns.joints.size()), "");
+    header.fail(fmt::format("{} columns <joint>_dir", columns.senses.size()),
+                fmt::format("one for each of the {} joints, or none", columns.joints.size()), "");
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct MeasurementColumns {
 };
 
 /// Throws InputError for columns that are unknown, missing, twice there in two units, or without a known unit.
-[[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file, const deflection::Arm& arm);
+[[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file,
+                                             const deflection::Arm& arm);
 
 }  // namespace tubeplan::app

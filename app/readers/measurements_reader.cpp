@@ -54,11 +54,14 @@ class RowReader {
     return number(*column);
   }
 
-  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected, const std::string& advice = "") const {
-    throw InputError(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), found, expected, advice);
+  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
+                         const std::string& advice = "") const {
+    throw InputError(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), found, expected,
+                     advice);
   }
 
-  [[noreturn]] void failRow(const std::string& found, const std::string& expected, const std::string& advice = "") const {
+  [[noreturn]] void failRow(const std::string& found, const std::string& expected,
+                            const std::string& advice = "") const {
     throw InputError(fmt::format("{}:{}", file_, row_.line), found, expected, advice);
   }
 
@@ -78,16 +81,18 @@ const KindRow& readKind(const RowReader& row, const MeasurementColumns& columns)
     if (row.field(columns.kind) == kind.name) return kind;
     names.emplace_back(kind.name);
   }
-  row.fail(columns.kind, "the kind " + inQuotes(row.field(columns.kind)), alternatives(names), suggestion(row.field(columns.kind), names));
+  row.fail(columns.kind, "the kind " + inQuotes(row.field(columns.kind)), alternatives(names),
+           suggestion(row.field(columns.kind), names));
 }
 
 // A reading may lie past a limit by its own noise, but not by more.
 void checkLimits(const RowReader& row, const NumberColumn& column, const deflection::Joint<double>& joint, double q) {
   const double slack = 1e-9 + 5 * joint.encoder_sigma;
   if (q >= joint.lower - slack && q <= joint.upper + slack) return;
-  row.fail(column.index, row.field(column.index),
-           fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.unit->factor),
-                       formatNumber(joint.upper / column.unit->factor), column.unit->name));
+  row.fail(
+      column.index, row.field(column.index),
+      fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.unit->factor),
+                  formatNumber(joint.upper / column.unit->factor), column.unit->name));
 }
 
 Eigen::VectorXd readJoints(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm) {
@@ -136,23 +141,31 @@ std::optional<std::pair<int, int>> parseTubeName(std::string_view name) {
 }
 
 // The sheet's frame is the world's.
-std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns, const std::string& point, const tubesheets::Sheet* sheet) {
+std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns,
+                                          const std::string& point, const tubesheets::Sheet* sheet) {
   const auto name = parseTubeName(point);
   if (!sheet || !name) return std::nullopt;
   const tubesheets::Tube* tube = sheet->find(name->first, name->second);
-  if (!tube) row.fail(*columns.point, "the hole " + inQuotes(point), fmt::format("a hole of the sheet: rows 1 to {}, columns 1 to {}", sheet->rows, sheet->columns));
+  if (!tube)
+    row.fail(*columns.point, "the hole " + inQuotes(point),
+             fmt::format("a hole of the sheet: rows 1 to {}, columns 1 to {}", sheet->rows, sheet->columns));
   return Eigen::Vector3d(tube->x, tube->y, 0);
 }
 
 void checkKind(const RowReader& row, const KindRow& kind, const Measurement& m) {
-  if (kind.needs_point && m.point.empty()) row.failRow("a touch without a point", "the point's name in the column 'point'");
-  if (kind.needs_coordinates && !m.p_W) row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
-  if (kind.needs_distance && !(m.distance > 0)) row.failRow("a reading of kind distance without its length", "a number above zero in the column distance_in (or _mm, _m, _ft)");
+  if (kind.needs_point && m.point.empty())
+    row.failRow("a touch without a point", "the point's name in the column 'point'");
+  if (kind.needs_coordinates && !m.p_W)
+    row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
+  if (kind.needs_distance && !(m.distance > 0))
+    row.failRow("a reading of kind distance without its length",
+                "a number above zero in the column distance_in (or _mm, _m, _ft)");
   if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
   if (m.load < 0) row.failRow("a negative load", "zero or more");
 }
 
-Measurement readRow(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm, const tubesheets::Sheet* sheet) {
+Measurement readRow(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm,
+                    const tubesheets::Sheet* sheet) {
   Measurement m;
   const KindRow& kind = readKind(row, columns);
   m.line = row.line();
@@ -177,14 +190,17 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
 
 }  // namespace
 
-std::vector<Measurement> readMeasurements(const std::string& path, const deflection::Arm& arm, const tubesheets::Sheet* sheet) {
+std::vector<Measurement> readMeasurements(const std::string& path, const deflection::Arm& arm,
+                                          const tubesheets::Sheet* sheet) {
   return parseMeasurements(readTextFile(path), path, arm, sheet);
 }
 
-std::vector<Measurement> parseMeasurements(const std::string& text, const std::string& file, const deflection::Arm& arm, const tubesheets::Sheet* sheet) {
+std::vector<Measurement> parseMeasurements(const std::string& text, const std::string& file, const deflection::Arm& arm,
+                                           const tubesheets::Sheet* sheet) {
   const tubesheets::CsvTable table = tubesheets::parseCsv(text);
   if (table.problem)
-    throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found, table.problem->expected, table.problem->advice);
+    throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found,
+                     table.problem->expected, table.problem->advice);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
   std::vector<Measurement> out;
@@ -193,7 +209,9 @@ std::vector<Measurement> parseMeasurements(const std::string& text, const std::s
     const RowReader reader(table, row, file);
     out.push_back(readRow(reader, columns, arm, sheet));
     const auto [first, is_new] = lines.emplace(out.back().id, row.line);
-    if (!is_new) reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once", fmt::format("it stands at line {} already", first->second));
+    if (!is_new)
+      reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
+                  fmt::format("it stands at line {} already", first->second));
   }
   return out;
 }

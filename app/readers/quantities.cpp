@@ -4,7 +4,9 @@
 
 namespace tubeplan::app {
 
-double readQuantity(const YamlNode& node, const Units& units, Dimension dimension) { return units.toInternal(node.number(), dimension); }
+double readQuantity(const YamlNode& node, const Units& units, Dimension dimension) {
+  return units.toInternal(node.number(), dimension);
+}
 
 Eigen::Vector3d readVector(const YamlNode& node, const Units& units, Dimension dimension) {
   const auto& items = node.list(3, "a list of three numbers");
@@ -19,7 +21,8 @@ Eigen::Vector3d readDirection(const YamlNode& node) {
   return v.stableNormalized();
 }
 
-double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension, double otherwise) {
+double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension,
+                      double otherwise) {
   const YamlNode* node = map.find(key);
   return node ? readQuantity(*node, units, dimension) : otherwise;
 }

@@ -19,6 +19,7 @@ namespace tubeplan::app {
 [[nodiscard]] Eigen::Vector3d readDirection(const YamlNode& node);
 
 /// Of a map; `otherwise` (internal units) where the key is missing.
-[[nodiscard]] double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension, double otherwise);
+[[nodiscard]] double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension,
+                                    double otherwise);
 
 }  // namespace tubeplan::app

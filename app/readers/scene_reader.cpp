@@ -16,9 +16,12 @@ using planner::ShapeRow;
 Dimension dimensionOf(ShapeQuantity quantity) {
   switch (quantity) {
     case ShapeQuantity::kPosition:
-    case ShapeQuantity::kSize: return dimension::kLength;
-    case ShapeQuantity::kAngle: return dimension::kAngle;
-    case ShapeQuantity::kDirection: return dimension::kNone;
+    case ShapeQuantity::kSize:
+      return dimension::kLength;
+    case ShapeQuantity::kAngle:
+      return dimension::kAngle;
+    case ShapeQuantity::kDirection:
+      return dimension::kNone;
   }
   return dimension::kNone;
 }
@@ -61,14 +64,16 @@ NamedShape findShape(const YamlNode& node, const std::string& prefix, const std:
   return findShape(*chosen, key + ".", {});
 }
 
-void readField(const YamlNode& node, const planner::ShapeField& field, const Units& units, std::vector<double>& numbers) {
+void readField(const YamlNode& node, const planner::ShapeField& field, const Units& units,
+               std::vector<double>& numbers) {
   const Dimension unit = dimensionOf(field.quantity);
   if (field.count == 1) {
     numbers.push_back(readQuantity(node, units, unit));
     return;
   }
   const auto count = static_cast<std::size_t>(field.count);
-  for (const YamlNode& item : node.list(count, "a list of " + std::to_string(count) + " numbers")) numbers.push_back(readQuantity(item, units, unit));
+  for (const YamlNode& item : node.list(count, "a list of " + std::to_string(count) + " numbers"))
+    numbers.push_back(readQuantity(item, units, unit));
 }
 
 planner::ShapePointer makeShape(const NamedShape& shape, const Units& units) {
@@ -132,7 +137,8 @@ const YamlNode* findNamed(const YamlNode& list, const std::string& path, const s
   return nullptr;
 }
 
-// The entry that a problem's path ("obstacle mezzanine: allow", "body tool-tip", "clearance") speaks of, or the whole cell.
+// The entry that a problem's path ("obstacle mezzanine: allow", "body tool-tip", "clearance") speaks of, or the whole
+// cell.
 const YamlNode& findProblemNode(const YamlNode& cell, const std::string& path) {
   const YamlNode* found = cell.find(path);
   if (const YamlNode* scene = cell.find("scene"); scene && !found) found = findNamed(*scene, path, "obstacle ");

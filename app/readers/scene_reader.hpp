@@ -8,8 +8,8 @@
 
 namespace tubeplan::app {
 
-/// Reads the keys scene, link_shapes and clearance of a cell, each of which may be missing. Throws InputError for an unknown
-/// shape, link or field and for what planner::findSceneProblems finds.
+/// Reads the keys scene, link_shapes and clearance of a cell, each of which may be missing. Throws InputError for an
+/// unknown shape, link or field and for what planner::findSceneProblems finds.
 [[nodiscard]] planner::Scene readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units);
 
 }  // namespace tubeplan::app

@@ -22,8 +22,10 @@ using tubesheets::SheetDescription;
   const YamlNode* named = findNode(node, node.path + "." + problem.what);
   if (!named) named = findNode(node, node.path + ".layout." + problem.what);
   const bool is_scalar = named && named->kind == YamlNode::Kind::kScalar;
-  const std::string written = is_scalar && problem.found.find(named->scalar) == std::string::npos ? " (written " + named->scalar + ")" : "";
-  (named ? *named : node).fail((named ? "" : problem.what + ": ") + problem.found + written, problem.expected, problem.advice);
+  const std::string written =
+      is_scalar && problem.found.find(named->scalar) == std::string::npos ? " (written " + named->scalar + ")" : "";
+  (named ? *named : node)
+      .fail((named ? "" : problem.what + ": ") + problem.found + written, problem.expected, problem.advice);
 }
 
 void refuseProblems(const YamlNode& node, const std::vector<Problem>& problems) {
@@ -92,9 +94,12 @@ tubesheets::Sheet readMappedSheet(const YamlNode& node, const Units& units, cons
   readCommon(node, units, description);
   const std::string path = (folder / node.at("map").text()).lexically_normal().string();
   const tubesheets::HoleMap map = tubesheets::parseHoleMap(readTextFile(path));
-  if (map.problem) throw InputError(fmt::format("{}:{} ({})", path, map.problem->line, map.problem->what), map.problem->found, map.problem->expected, map.problem->advice);
+  if (map.problem)
+    throw InputError(fmt::format("{}:{} ({})", path, map.problem->line, map.problem->what), map.problem->found,
+                     map.problem->expected, map.problem->advice);
   if (map.leg && *map.leg != description.leg)
-    node.at("leg").fail(fmt::format("the {} leg but a map of the {} leg", legName(description.leg), legName(*map.leg)), "the same leg in both", "check which map belongs to this cell");
+    node.at("leg").fail(fmt::format("the {} leg but a map of the {} leg", legName(description.leg), legName(*map.leg)),
+                        "the same leg in both", "check which map belongs to this cell");
   return tubesheets::makeSheet(description, map.tubes);
 }
 
@@ -111,10 +116,12 @@ tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units
   tubesheets::SteppedTool tool;
   for (const YamlNode& step : node.at("steps").list()) {
     step.expectKeys({"diameter", "tolerance"}, {});
-    tool.steps.push_back({readQuantity(step.at("diameter"), units, dimension::kLength), readQuantity(step.at("tolerance"), units, dimension::kLength)});
+    tool.steps.push_back({readQuantity(step.at("diameter"), units, dimension::kLength),
+                          readQuantity(step.at("tolerance"), units, dimension::kLength)});
   }
   if (const YamlNode* lengths = node.find("lengths"))
-    for (const YamlNode& length : lengths->list()) tool.lengths.push_back(readQuantity(length, units, dimension::kLength));
+    for (const YamlNode& length : lengths->list())
+      tool.lengths.push_back(readQuantity(length, units, dimension::kLength));
   refuseProblems(node, tubesheets::findToolProblems(tool, hole_diameter));
   return tool;
 }

@@ -11,9 +11,10 @@
 namespace tubeplan::app {
 
 /// Reads `tubesheet: {layout: {type, ...}, hole_diameter, leg, viewed_from?, name?}` or, for a map drilled otherwise,
-/// `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?}` with the file relative to `folder`. Throws InputError for
-/// what the readers of tubesheets find wrong, too.
-[[nodiscard]] tubesheets::Sheet readSheet(const YamlNode& node, const Units& units, const std::filesystem::path& folder);
+/// `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?}` with the file relative to `folder`. Throws
+/// InputError for what the readers of tubesheets find wrong, too.
+[[nodiscard]] tubesheets::Sheet readSheet(const YamlNode& node, const Units& units,
+                                          const std::filesystem::path& folder);
 
 /// Reads `calibration_tool: {steps: [{diameter, tolerance}, ...], lengths?}` for holes of that diameter [m].
 [[nodiscard]] tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter);

@@ -17,10 +17,12 @@ namespace tubeplan::app {
 
 namespace {
 
-// Builds the tree from the parser's events. Its own node type hides a double key (the first or last one wins, silently).
+// Builds the tree from the parser's events. Its own node type hides a double key (the first or last one wins,
+// silently).
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& text, const std::string& file) : text_(text), file_(std::make_shared<std::string>(file)) {}
+  TreeBuilder(const std::string& text, const std::string& file)
+      : text_(text), file_(std::make_shared<std::string>(file)) {}
 
   YamlNode takeRoot() { return std::move(root_); }
 
@@ -38,7 +40,8 @@ class TreeBuilder : public YAML::EventHandler {
     makeNode(mark, YamlNode::Kind::kNull).fail("an alias (*)", "the value itself", "write it out");
   }
 
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
     refuseAnchor(mark, anchor);
     refuseTag(mark, tag);
     if (tag == "!") refuseOpenQuote(mark);
@@ -52,18 +55,21 @@ class TreeBuilder : public YAML::EventHandler {
     finish(std::move(node));
   }
 
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value style) override {
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value style) override {
     open(mark, tag, anchor, style, YamlNode::Kind::kList);
   }
   void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value style) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value style) override {
     open(mark, tag, anchor, style, YamlNode::Kind::kMap);
   }
   void OnMapEnd() override { close(); }
 
  private:
   [[nodiscard]] bool expectsKey() const {
-    return !open_.empty() && open_.back().kind == YamlNode::Kind::kMap && open_.back().keys.size() == open_.back().items.size();
+    return !open_.empty() && open_.back().kind == YamlNode::Kind::kMap &&
+           open_.back().keys.size() == open_.back().items.size();
   }
 
   // The path and key of the value that comes next.
@@ -90,12 +96,14 @@ class TreeBuilder : public YAML::EventHandler {
     if (first != map.keys.end())
       makeNode(mark, YamlNode::Kind::kNull)
           .fail("the key " + inQuotes(key) + " a second time", "every key once",
-                fmt::format("it already stands at line {}", map.items[static_cast<std::size_t>(first - map.keys.begin())].line));
+                fmt::format("it already stands at line {}",
+                            map.items[static_cast<std::size_t>(first - map.keys.begin())].line));
     map.keys.push_back(key);
     key_begin_ = static_cast<std::size_t>(mark.pos);
   }
 
-  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value style, YamlNode::Kind kind) {
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value style,
+            YamlNode::Kind kind) {
     refuseAnchor(mark, anchor);
     refuseTag(mark, tag);
     YamlNode node = makeNode(mark, kind);
@@ -168,10 +176,12 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder)) throw InputError(file, "nothing but comments", "keys and values", "");
     TreeBuilder second(text, file);
-    if (parser.HandleNextDocument(second)) throw InputError(file, "a second document (---)", "one document", "split the file");
+    if (parser.HandleNextDocument(second))
+      throw InputError(file, "a second document (---)", "one document", "split the file");
   } catch (const YAML::ParserException& error) {
-    throw InputError(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1), "text that is no YAML (" + error.msg + ")",
-                     "keys and values in YAML", "check brackets, colons and indentation up to this place");
+    throw InputError(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
+                     "text that is no YAML (" + error.msg + ")", "keys and values in YAML",
+                     "check brackets, colons and indentation up to this place");
   }
   YamlNode root = builder.takeRoot();
   if (root.kind != YamlNode::Kind::kMap) root.fail("a map of keys and values");
@@ -187,7 +197,8 @@ YamlFile readYamlFile(const std::string& path) {
 const YamlNode* findNode(const YamlNode& root, std::string_view path) {
   if (root.path == path) return &root;
   for (const YamlNode& item : root.items) {
-    const bool leads_there = path == item.path || (path.starts_with(item.path) && (path[item.path.size()] == '.' || path[item.path.size()] == '['));
+    const bool leads_there = path == item.path || (path.starts_with(item.path) &&
+                                                   (path[item.path.size()] == '.' || path[item.path.size()] == '['));
     if (!leads_there) continue;
     if (const YamlNode* found = findNode(item, path)) return found;
   }

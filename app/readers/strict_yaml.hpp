@@ -17,8 +17,8 @@ struct YamlFile {
 /// Throws InputError for what readTextFile refuses and for what parseYaml refuses.
 [[nodiscard]] YamlFile readYamlFile(const std::string& path);
 
-/// Refused: text that is no YAML, tabs, a key that stands twice, a key that is not a word, tags, anchors and aliases, more than
-/// one document, no content. `file` is the name for messages.
+/// Refused: text that is no YAML, tabs, a key that stands twice, a key that is not a word, tags, anchors and aliases,
+/// more than one document, no content. `file` is the name for messages.
 [[nodiscard]] YamlNode parseYaml(const std::string& text, const std::string& file);
 
 /// The value at a dotted path ("links[3].beam.Iz"); null where there is none.

@@ -21,7 +21,11 @@ constexpr std::size_t kLargestFile = 64u << 20;
 // The length of the UTF-8 sequence that starts at `at`, or 0 where there is none.
 std::size_t sequenceLength(std::string_view text, std::size_t at) {
   const auto byte = static_cast<unsigned char>(text[at]);
-  const std::size_t length = byte < 0x80 ? 1 : byte >= 0xC2 && byte < 0xE0 ? 2 : byte >= 0xE0 && byte < 0xF0 ? 3 : byte >= 0xF0 && byte < 0xF5 ? 4 : 0;
+  const std::size_t length = byte < 0x80                   ? 1
+                             : byte >= 0xC2 && byte < 0xE0 ? 2
+                             : byte >= 0xE0 && byte < 0xF0 ? 3
+                             : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                           : 0;
   if (at + length > text.size()) return 0;
   for (std::size_t k = 1; k < length; ++k)
     if ((static_cast<unsigned char>(text[at + k]) & 0xC0) != 0x80) return 0;
@@ -45,7 +49,8 @@ std::optional<std::size_t> findNonText(std::string_view text) {
 
 std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   std::string text, block(1u << 16, '\0');
-  while (text.size() <= limit && (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0))
+  while (text.size() <= limit &&
+         (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0))
     text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
   return text;
 }
@@ -55,8 +60,9 @@ void checkText(const std::string& path, std::string_view text) {
     throw InputError(path, "an empty file", "a text with content", "check that the file was written");
   if (const auto at = findNonText(text)) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
-    throw InputError(fmt::format("{}:{}", path, line), fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[*at])),
-                     "plain text in UTF-8", "save the file as text");
+    throw InputError(fmt::format("{}:{}", path, line),
+                     fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[*at])), "plain text in UTF-8",
+                     "save the file as text");
   }
 }
 
@@ -71,7 +77,8 @@ std::string readTextFile(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path, std::strerror(errno), "a file that can be read", "check the file's permissions");
   std::string text = readAtMost(stream, kLargestFile);
-  if (text.size() > kLargestFile) throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the file you mean");
+  if (text.size() > kLargestFile)
+    throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the file you mean");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   checkText(path, text);
   return text;

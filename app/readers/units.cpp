@@ -71,14 +71,22 @@ std::vector<std::string> unitNames(UnitKind kind) {
 Dimension dimensionOf(deflection::Quantity quantity) {
   using Q = deflection::Quantity;
   switch (quantity) {
-    case Q::kNone: return dimension::kNone;
-    case Q::kLength: return dimension::kLength;
-    case Q::kAngle: return dimension::kAngle;
-    case Q::kForce: return dimension::kForce;
-    case Q::kForcePerLength: return dimension::kForcePerLength;
-    case Q::kTorquePerAngle: return dimension::kTorquePerAngle;
-    case Q::kPressure: return dimension::kPressure;
-    case Q::kLengthToTheFourth: return dimension::kLengthToTheFourth;
+    case Q::kNone:
+      return dimension::kNone;
+    case Q::kLength:
+      return dimension::kLength;
+    case Q::kAngle:
+      return dimension::kAngle;
+    case Q::kForce:
+      return dimension::kForce;
+    case Q::kForcePerLength:
+      return dimension::kForcePerLength;
+    case Q::kTorquePerAngle:
+      return dimension::kTorquePerAngle;
+    case Q::kPressure:
+      return dimension::kPressure;
+    case Q::kLengthToTheFourth:
+      return dimension::kLengthToTheFourth;
   }
   return dimension::kNone;
 }
@@ -106,8 +114,12 @@ double Units::factor(Dimension d) const {
 double Units::toInternal(double value, Dimension dimension) const { return value * factor(dimension); }
 double Units::toFile(double value, Dimension dimension) const { return rounded(value / factor(dimension)); }
 
-double Units::temperatureToInternal(double value) const { return (value + temperature_->offset) * temperature_->factor; }
-double Units::temperatureToFile(double kelvin) const { return rounded(kelvin / temperature_->factor - temperature_->offset); }
+double Units::temperatureToInternal(double value) const {
+  return (value + temperature_->offset) * temperature_->factor;
+}
+double Units::temperatureToFile(double kelvin) const {
+  return rounded(kelvin / temperature_->factor - temperature_->offset);
+}
 
 std::string Units::nameOf(Dimension d) const {
   std::string over, under;

@@ -1,4 +1,5 @@
-// The units a file is written in, and the way between them and the internal ones: metre, newton, radian, second, kelvin.
+// The units a file is written in, and the way between them and the internal ones: metre, newton, radian, second,
+// kelvin.
 #pragma once
 
 #include <span>
@@ -31,8 +32,8 @@ struct Unit {
 /// The names of a kind: in, mm, m, ft.
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
-/// A quantity by its exponents. Speeds and accelerations have none for time: in the arm file they are per second whatever the
-/// unit of time is (6 is 6 deg/s in a file whose time unit is the minute).
+/// A quantity by its exponents. Speeds and accelerations have none for time: in the arm file they are per second
+/// whatever the unit of time is (6 is 6 deg/s in a file whose time unit is the minute).
 struct Dimension {
   int length = 0, angle = 0, force = 0;
 };
@@ -57,8 +58,8 @@ class Units {
   /// Internal units: m, rad, N, K, s.
   Units();
 
-  /// `units: {length, angle, force, temperature, time}`; temperature and time may be left out (degC, s). Throws InputError for
-  /// an unknown key or unit.
+  /// `units: {length, angle, force, temperature, time}`; temperature and time may be left out (degC, s). Throws
+  /// InputError for an unknown key or unit.
   explicit Units(const YamlNode& node);
 
   [[nodiscard]] double toInternal(double value, Dimension dimension) const;

@@ -30,7 +30,8 @@ std::size_t afterColon(std::string_view text, const YamlNode& node) {
 
 std::size_t endOf(std::string_view text, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kNull) return afterColon(text, node);
-  if (node.kind == YamlNode::Kind::kScalar) return node.is_quoted ? pastQuoted(text, node.begin) : pastPlain(text, node);
+  if (node.kind == YamlNode::Kind::kScalar)
+    return node.is_quoted ? pastQuoted(text, node.begin) : pastPlain(text, node);
   if (node.is_flow) return pastFlow(text, node.begin);
   return node.items.empty() ? node.begin : endOf(text, node.items.back());
 }
@@ -63,7 +64,8 @@ std::string appendedToBlock(const std::string& text, const YamlNode& map, const 
     const std::size_t line_start = key == 0 ? 0 : text.rfind('\n', key - 1) + 1;
     column = key - line_start;
   }
-  return text.substr(0, line_end) + "\n" + std::string(column, ' ') + entry + (line_end == text.size() ? "\n" : "") + text.substr(line_end);
+  return text.substr(0, line_end) + "\n" + std::string(column, ' ') + entry + (line_end == text.size() ? "\n" : "") +
+         text.substr(line_end);
 }
 
 // The part of a path before its last key.

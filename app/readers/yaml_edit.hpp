@@ -6,9 +6,10 @@
 
 namespace tubeplan::app {
 
-/// The text with the value at a dotted path ("base.position", "links[3].beam.Iz") replaced by `value`, a number, a word or a
-/// map or list in flow style. Where the last keys of the path are missing they are added: inside the braces of a flow map, else
-/// on a line of their own. The text must be one that parseYaml accepts, and every list item of the path must exist.
+/// The text with the value at a dotted path ("base.position", "links[3].beam.Iz") replaced by `value`, a number, a word
+/// or a map or list in flow style. Where the last keys of the path are missing they are added: inside the braces of a
+/// flow map, else on a line of their own. The text must be one that parseYaml accepts, and every list item of the path
+/// must exist.
 [[nodiscard]] std::string withYamlValue(const std::string& text, std::string_view path, std::string_view value);
 
 }  // namespace tubeplan::app

@@ -24,7 +24,8 @@ std::optional<double> parseDouble(std::string_view text) {
 
 bool isNotFinite(std::string_view text) {
   while (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
-  static constexpr std::string_view kWords[] = {".nan", ".NaN", ".NAN", "nan", "NaN", "NAN", ".inf", ".Inf", ".INF", "inf", "Inf", "INF", "infinity"};
+  static constexpr std::string_view kWords[] = {".nan", ".NaN", ".NAN", "nan", "NaN", "NAN",     ".inf",
+                                                ".Inf", ".INF", "inf",  "Inf", "INF", "infinity"};
   return std::find(std::begin(kWords), std::end(kWords), text) != std::end(kWords);
 }
 
@@ -109,15 +110,21 @@ std::string YamlNode::where(const std::string& name) const {
 
 std::string YamlNode::description() const {
   switch (kind) {
-    case Kind::kNull: return "nothing";
-    case Kind::kList: return fmt::format("a list of {}", items.size());
-    case Kind::kMap: return "a map";
-    case Kind::kScalar: break;
+    case Kind::kNull:
+      return "nothing";
+    case Kind::kList:
+      return fmt::format("a list of {}", items.size());
+    case Kind::kMap:
+      return "a map";
+    case Kind::kScalar:
+      break;
   }
   return !is_quoted && parseDouble(scalar) ? scalar : "the text " + inQuotes(scalar);
 }
 
-void YamlNode::fail(const std::string& expected, const std::string& advice) const { fail(description(), expected, advice); }
+void YamlNode::fail(const std::string& expected, const std::string& advice) const {
+  fail(description(), expected, advice);
+}
 
 void YamlNode::fail(const std::string& found, const std::string& expected, const std::string& advice) const {
   throw InputError(where(), found, expected, advice);

@@ -39,10 +39,10 @@ struct YamlNode {
   /// Of exactly that many items; `meaning` says which: "three numbers: x, y, z".
   [[nodiscard]] const std::vector<YamlNode>& list(std::size_t count, const std::string& meaning) const;
 
-  [[nodiscard]] double number() const;             ///< finite
+  [[nodiscard]] double number() const;  ///< finite
   [[nodiscard]] int integer(int least, int most) const;
-  [[nodiscard]] bool boolean() const;              ///< true or false, nothing else
-  [[nodiscard]] std::string text() const;          ///< one word or phrase, not empty
+  [[nodiscard]] bool boolean() const;      ///< true or false, nothing else
+  [[nodiscard]] std::string text() const;  ///< one word or phrase, not empty
 
   /// The text of each item of a list.
   [[nodiscard]] std::vector<std::string> texts() const;

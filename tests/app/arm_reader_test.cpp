@@ -43,12 +43,14 @@ TEST(ArmReader, takesSpeedsPerSecondWhateverTheUnitOfTime) {
 }
 
 TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
-  const auto arm = armOf("units: {length: mm, angle: deg, force: N}\nlinks:\n"
-                         "  - name: rail\n    origin: {position: [0, 0, 100], rpy: [0, 90, 0]}\n"
-                         "    joint: {name: s, type: prismatic, offset: 10, limits: [0, 500], max_speed: 50}\n"
-                         "    beam: {E: 70000, Ix: 500, G: 26000, J: 900, segments: 4}\n"
-                         "    weight: {lumps: [{weight: 3, at: [1, 2, 3]}]}\n"
-                         "tool: {tip: [100, 0, 0], axis: [0, 3, 4]}\nreference_temperature: 25\n").arm;
+  const auto arm = armOf(
+                       "units: {length: mm, angle: deg, force: N}\nlinks:\n"
+                       "  - name: rail\n    origin: {position: [0, 0, 100], rpy: [0, 90, 0]}\n"
+                       "    joint: {name: s, type: prismatic, offset: 10, limits: [0, 500], max_speed: 50}\n"
+                       "    beam: {E: 70000, Ix: 500, G: 26000, J: 900, segments: 4}\n"
+                       "    weight: {lumps: [{weight: 3, at: [1, 2, 3]}]}\n"
+                       "tool: {tip: [100, 0, 0], axis: [0, 3, 4]}\nreference_temperature: 25\n")
+                       .arm;
   EXPECT_DOUBLE_EQ(arm.rows[0].joint.offset, 0.01);
   EXPECT_DOUBLE_EQ(arm.rows[0].joint.upper, 0.5);
   EXPECT_DOUBLE_EQ(arm.rows[0].joint.max_speed, 0.05);
@@ -82,16 +84,20 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
 
 // Every number of the arm, changed by its dotted name in the text, is what is read again, and nothing else changes.
 TEST(ArmReader, writesEveryParameterBack) {
-  const std::string text = changed(cobraText(), "weight: {distributed: 0.126, end: 10.4}", "weight: {lumps: [{weight: 1, at: [0, 0, 1]}, {weight: 2, at: [1, 0, 0]}]}");
+  const std::string text = changed(cobraText(), "weight: {distributed: 0.126, end: 10.4}",
+                                   "weight: {lumps: [{weight: 1, at: [0, 0, 1]}, {weight: 2, at: [1, 0, 0]}]}");
   const YamlNode root = parseYaml(text, "arm.yaml");
   const ArmSource source = readArm(root);
   const auto parameters = deflection::parametersOf(source.arm);
   ASSERT_GT(parameters.size(), 30u);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double value = parameters[i].value * 1.01 + 1e-3;
-    const auto again = deflection::parametersOf(armOf(withArmParameters(text, root, source, {{parameters[i].name, value}})).arm);
+    const auto again =
+        deflection::parametersOf(armOf(withArmParameters(text, root, source, {{parameters[i].name, value}})).arm);
     ASSERT_EQ(again.size(), parameters.size());
-    for (std::size_t k = 0; k < again.size(); ++k) EXPECT_NEAR(again[k].value, k == i ? value : parameters[k].value, 1e-11 * (std::abs(value) + 1)) << parameters[i].name;
+    for (std::size_t k = 0; k < again.size(); ++k)
+      EXPECT_NEAR(again[k].value, k == i ? value : parameters[k].value, 1e-11 * (std::abs(value) + 1))
+          << parameters[i].name;
   }
 }
 

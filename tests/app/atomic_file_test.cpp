@@ -12,7 +12,9 @@ namespace fs = std::filesystem;
 
 class AtomicFile : public FolderTest {
  protected:
-  [[nodiscard]] int entries() const { return static_cast<int>(std::distance(fs::recursive_directory_iterator(folder), {})); }
+  [[nodiscard]] int entries() const {
+    return static_cast<int>(std::distance(fs::recursive_directory_iterator(folder), {}));
+  }
 };
 
 TEST_F(AtomicFile, replacesTheFileAndLeavesNothingElse) {
@@ -29,7 +31,8 @@ TEST_F(AtomicFile, checksWithoutATrace) {
 
 TEST_F(AtomicFile, refusesPlacesThatCannotBeWritten) {
   const std::string file = write("file", "x");
-  for (const fs::path& path : {fs::path(file) / "a.txt", folder, fs::path("/proc/none/a.txt"), fs::path("/dev/null/a")}) {
+  for (const fs::path& path :
+       {fs::path(file) / "a.txt", folder, fs::path("/proc/none/a.txt"), fs::path("/dev/null/a")}) {
     expectSays(messageOf([&] { checkWritableFile(path, "--out"); }), "--out: found");
     expectSays(messageOf([&] { writeFileAtomically(path, "y", "--out"); }), "--out: found");
   }

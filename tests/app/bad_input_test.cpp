@@ -20,9 +20,11 @@ struct Outcome {
 class Program : public FolderTest {
  protected:
   [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const std::string command =
+        "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
     const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"), contentOf(folder / "err.txt")};
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"),
+                    contentOf(folder / "err.txt")};
     fs::remove(folder / "out.txt");
     fs::remove(folder / "err.txt");
     return outcome;
@@ -103,6 +105,34 @@ TEST_F(Program, saysWhenItsAnswerIsLost) {
   const std::string cell = (shippedCells() / "mockup.yaml").string();
   const int status = std::system(("'" TUBEPLAN_PROGRAM "' map '" + cell + "' >/dev/full 2>/dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
+}
+
+TEST_F(Program, refusesPosturesAndLoadsTheArmCannotTake) {
+  const std::string cell = "'" + (shippedCells() / "bench.yaml").string() + "'";
+  expectRefused("pose " + cell + " --joints=1,-2,3,4 --json -", {"--joints (theta2)", "-2 deg", "0 and 180"});
+  expectRefused("pose " + cell + " --joints=1,2,3 --json -", {"3 numbers", "4"});
+  expectRefused("pose " + cell + " --joints=1,2,nan,4 --json -", {"theta3", "'nan'"});
+  expectRefused("pose " + cell + " --joints=1,2,3,4 --load -5 --json -", {"--load", "-5"});
+}
+
+TEST_F(Program, refusesTouchesThatCannotPlaceABase) {
+  writeMockup("", "", "");
+  const std::string header = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,sigma_in\n";
+  const std::string first = "1,touch,R10C20,10,90,-20,5,0.01\n", third = "3,touch,R20C60,12,92,-22,7,0.01\n";
+  write("twice.csv", header + first + "2,touch,R10C20,11,91,-21,6,0.01\n" + third);
+  expectRefused("calibrate mockup.yaml twice.csv --out cell2.yaml", {"twice.csv", "R10C20", "twice"});
+  write("two.csv", header + first + third);
+  expectRefused("calibrate mockup.yaml two.csv --out cell2.yaml", {"two.csv", "at least three"});
+  write("nowhere.csv", header + first + "2,touch,R99C20,11,91,-21,6,0.01\n" + third);
+  expectRefused("calibrate mockup.yaml nowhere.csv --out cell2.yaml", {"nowhere.csv:3", "R99C20"});
+}
+
+TEST_F(Program, refusesTubesThatAreNotThereAndFoldersThatCannotBe) {
+  writeMockup("", "", "");
+  write("file", "x");
+  expectRefused("plan mockup.yaml --tubes R99C1 --out result", {"R99C1 is not on this sheet"});
+  expectRefused("plan mockup.yaml --tubes R1C57 --out file", {"--out", "a file, not a folder"});
+  expectRefused("plan mockup.yaml --tubes R1C57 --out /proc/none", {"--out"});
 }
 
 TEST_F(Program, refusesPlacesThatCannotBeWritten) {

@@ -15,7 +15,8 @@ class CellReader : public FolderTest {
  protected:
   /// The mock-up cell with one piece of text changed, beside a copy of its arm.
   std::string mockupWith(const std::string& from, const std::string& to) const {
-    std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml", std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml",
+                               std::filesystem::copy_options::overwrite_existing);
     return write("cell.yaml", changed(contentOf(shippedCells() / "mockup.yaml"), from, to));
   }
 
@@ -48,16 +49,19 @@ TEST_F(CellReader, takesTheToolAxisFromTheTipsBody) {
 }
 
 TEST_F(CellReader, readsEveryShippedCell) {
-  for (const char* name : {"bench.yaml", "bowl.yaml", "mockup-true.yaml"}) EXPECT_FALSE(readCell((shippedCells() / name).string()).arm.rows.empty()) << name;
+  for (const char* name : {"bench.yaml", "bowl.yaml", "mockup-true.yaml"})
+    EXPECT_FALSE(readCell((shippedCells() / name).string()).arm.rows.empty()) << name;
   EXPECT_EQ(readCell((shippedCells() / "bench.yaml").string()).identify.size(), 6u);
 }
 
 TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
   write("holes.csv", "row,column,x_in,y_in,state\n1,1,0,3,open\n1,2,1,3,plugged\n2,1,0,4,open\n");
-  const std::string cell_path = write("cell.yaml", "arm:\n  units: {length: in, angle: deg, force: lbf}\n  links:\n"
-                                                   "    - {name: one, dh: {alpha: 0, a: 0, d: 1}, joint: {name: q, type: revolute}}\n"
-                                                   "  tool: {tip: [1, 0, 0]}\nbase: {position: [0, 0, 0], rpy: [0, 0, 0], known: true}\n"
-                                                   "tubesheet: {map: holes.csv, pitch: 1, hole_diameter: 0.5, leg: hot}\n");
+  const std::string cell_path =
+      write("cell.yaml",
+            "arm:\n  units: {length: in, angle: deg, force: lbf}\n  links:\n"
+            "    - {name: one, dh: {alpha: 0, a: 0, d: 1}, joint: {name: q, type: revolute}}\n"
+            "  tool: {tip: [1, 0, 0]}\nbase: {position: [0, 0, 0], rpy: [0, 0, 0], known: true}\n"
+            "tubesheet: {map: holes.csv, pitch: 1, hole_diameter: 0.5, leg: hot}\n");
   const Cell cell = readCell(cell_path);
   EXPECT_EQ(cell.arm_path, cell_path);
   ASSERT_TRUE(cell.sheet.has_value());
@@ -81,7 +85,8 @@ TEST_F(CellReader, refusesWhatItDoesNotKnow) {
   expectSays(refusal("columns: 114", "columns: 116"), "columns");
   expectSays(refusal("clearance: 0.25", "clearance: -1"), "clearance");
   expectSays(refusal("clearance: 0.25", "clearence: 0.25"), "did you mean 'clearance'?");
-  expectSays(refusal("clearance: 0.25", "clearance: 0.25\nidentify: [forearm.joint_stiffness.x]"), "forearm.joint_stiffness.x");
+  expectSays(refusal("clearance: 0.25", "clearance: 0.25\nidentify: [forearm.joint_stiffness.x]"),
+             "forearm.joint_stiffness.x");
 }
 
 Eigen::Isometry3d randomPose(std::mt19937_64& random) {
@@ -97,7 +102,8 @@ TEST_F(CellReader, writesTheBaseBack) {
   std::mt19937_64 random(11);
   std::vector<Eigen::Isometry3d> poses;
   for (int i = 0; i < 20; ++i) poses.push_back(randomPose(random));
-  poses.push_back(Eigen::Isometry3d(Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX())));
+  poses.push_back(Eigen::Isometry3d(Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitY()) *
+                                    Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX())));
   poses.push_back(Eigen::Isometry3d(Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitY())));
   for (const auto& X_WB : poses) {
     const Matrix6d root = Matrix6d::Random();
@@ -117,8 +123,16 @@ TEST_F(CellReader, writesTheBaseBack) {
 TEST_F(CellReader, readsItsOwnCovarianceAndNoOther) {
   const std::string base = "base: {position: [0, 43.0, -44.0], rpy: [0, 0, -90], known: false";
   expectSays(refusal(base, base + ", covariance: [[1, 2], [3, 4]]"), "six lists");
-  expectSays(refusal(base, base + ", covariance: [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,5,1]]"), "not symmetric");
-  expectSays(refusal(base, base + ", covariance: [[1,2,0,0,0,0],[2,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]"), "negative variance");
+  expectSays(
+      refusal(
+          base,
+          base + ", covariance: [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,5,1]]"),
+      "not symmetric");
+  expectSays(
+      refusal(
+          base,
+          base + ", covariance: [[1,2,0,0,0,0],[2,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]"),
+      "negative variance");
 }
 
 }  // namespace

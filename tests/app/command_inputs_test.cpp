@@ -52,7 +52,8 @@ TEST_F(CommandInputs, readTubesFromWordsAndFiles) {
 }
 
 TEST_F(CommandInputs, writeJsonWithUnits) {
-  const nlohmann::json json{{"units", unitsJson(cell.units)}, {"p", vectorJson(Eigen::Vector3d(0.0254, 0, -0.0127), cell.units, dimension::kLength)}};
+  const nlohmann::json json{{"units", unitsJson(cell.units)},
+                            {"p", vectorJson(Eigen::Vector3d(0.0254, 0, -0.0127), cell.units, dimension::kLength)}};
   EXPECT_EQ(json["units"]["length"], "in");
   EXPECT_EQ(json["p"], nlohmann::json({1.0, 0.0, -0.5}));
   writeJson((folder / "out.json").string(), json);

@@ -12,13 +12,16 @@ namespace {
 using calibration::MeasurementKind;
 
 constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180;
-const char* const kHeader = "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
+const char* const kHeader =
+    "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
 
 class MeasurementsReader : public ::testing::Test {
  protected:
   const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
 
-  [[nodiscard]] auto read(const std::string& text) const { return parseMeasurements(text, "m.csv", cell.arm, &*cell.sheet); }
+  [[nodiscard]] auto read(const std::string& text) const {
+    return parseMeasurements(text, "m.csv", cell.arm, &*cell.sheet);
+  }
   [[nodiscard]] std::string refusal(const std::string& text) const {
     return messageOf([&] { (void)read(text); });
   }
@@ -40,7 +43,9 @@ TEST_F(MeasurementsReader, readsAPosition) {
 }
 
 TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
-  const auto readings = read("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C57,0,90,0,0\n2,touch,elsewhere,0,90,0,0\n");
+  const auto readings = read(
+      "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C57,0,90,0,0\n2,touch,elsewhere,0,90,0,"
+      "0\n");
   ASSERT_TRUE(readings[0].p_W.has_value());
   EXPECT_TRUE(readings[0].p_W->isApprox(Eigen::Vector3d(-1.0625 / 2, 2.28, 0) * kInch));
   EXPECT_FALSE(readings[1].p_W.has_value());
@@ -48,8 +53,9 @@ TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
 }
 
 TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
-  const auto readings = read("time_s,temperature_degC,id,kind,setup,split,distance_mm,theta1_rad,theta2_rad,theta3_deg,theta4_deg,x_m,y_m,z_m,"
-                             "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n60,20,\"a,b\",distance,s1,held-out,100,0.5,1,0,0,1,2,3,-1,0,1,1\n");
+  const auto readings = read(
+      "time_s,temperature_degC,id,kind,setup,split,distance_mm,theta1_rad,theta2_rad,theta3_deg,theta4_deg,x_m,y_m,z_m,"
+      "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n60,20,\"a,b\",distance,s1,held-out,100,0.5,1,0,0,1,2,3,-1,0,1,1\n");
   const auto& m = readings.at(0);
   EXPECT_EQ(m.id, "a,b");
   EXPECT_EQ(m.setup, "s1");
@@ -75,7 +81,9 @@ TEST_F(MeasurementsReader, refusesBadHeaders) {
 
 TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
   const std::string good = "a,touch,P1,20,10,90,-20,5,1,2,3,0.003\n";
-  const auto with = [&](const std::string& from, const std::string& to) { return refusal(kHeader + changed(good, from, to)); };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return refusal(kHeader + changed(good, from, to));
+  };
   ASSERT_EQ(read(kHeader + good).size(), 1u);
   expectSays(with(",90,", ",nan,"), "m.csv:2 (column theta2_deg): found 'nan', expected a finite number");
   expectSays(with(",90,", ",,"), "found nothing");

@@ -43,7 +43,8 @@ TEST(RealData, isReadWhole) {
 TEST(RealData, contractCellsAreTheShippedOnes) {
   const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/contract";
   if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no contract at ../shared/contract";
-  for (const char* name : {"bench.yaml", "bowl.yaml", "cobra-arm.yaml", "mockup.yaml"}) EXPECT_EQ(contentOf(folder / name), contentOf(shippedCells() / name)) << name;
+  for (const char* name : {"bench.yaml", "bowl.yaml", "cobra-arm.yaml", "mockup.yaml"})
+    EXPECT_EQ(contentOf(folder / name), contentOf(shippedCells() / name)) << name;
 }
 
 TEST(RealData, practiceSetsAreRead) {

@@ -45,7 +45,8 @@ TEST(StrictYaml, refusesWhatIsNoPlainData) {
 }
 
 TEST(StrictYaml, refusesBrokenTextWithItsPlace) {
-  for (const char* text : {"a: [1, 2\nb: 3\n", "a: {x: 1\n", "a: \"open\n", "a: 'it''s open\n", "'a: 1\n", "a: b: c\n", "a: 1\n  b: 2\n", "}\n", "a: @x\n"})
+  for (const char* text : {"a: [1, 2\nb: 3\n", "a: {x: 1\n", "a: \"open\n", "a: 'it''s open\n", "'a: 1\n", "a: b: c\n",
+                           "a: 1\n  b: 2\n", "}\n", "a: @x\n"})
     expectSays(refusal(text), "f.yaml:");
 }
 
@@ -67,10 +68,12 @@ TEST(StrictYaml, namesUnknownAndMissingKeys) {
 }
 
 TEST(StrictYaml, readsNumbersStrictly) {
-  const YamlNode root = parseYaml("a: 1.0121e7\nb: '5'\nc: .nan\nd: -inf\ne: 12 in\nf: 1e999\ng: +3\nh: [1]\ni:\nj: 0x10\nk: 1_000\n", "f");
+  const YamlNode root = parseYaml(
+      "a: 1.0121e7\nb: '5'\nc: .nan\nd: -inf\ne: 12 in\nf: 1e999\ng: +3\nh: [1]\ni:\nj: 0x10\nk: 1_000\n", "f");
   EXPECT_EQ(root.at("a").number(), 1.0121e7);
   EXPECT_EQ(root.at("g").number(), 3);
-  for (const char* key : {"b", "c", "d", "e", "f", "h", "i", "j", "k"}) EXPECT_THROW((void)root.at(key).number(), InputError) << key;
+  for (const char* key : {"b", "c", "d", "e", "f", "h", "i", "j", "k"})
+    EXPECT_THROW((void)root.at(key).number(), InputError) << key;
   expectSays(messageOf([&] { (void)root.at("c").number(); }), "found .nan, expected a finite number");
   expectSays(messageOf([&] { (void)root.at("e").number(); }), "'12 in'");
   expectSays(messageOf([&] { (void)root.at("i").number(); }), "nothing");
@@ -101,8 +104,9 @@ TEST_F(StrictYamlFile, refusesFilesThatAreNone) {
 }
 
 TEST_F(StrictYamlFile, acceptsWindowsLinesAndAByteOrderMark) {
-  const YamlFile file = readYamlFile(write("windows.yaml", "\xEF\xBB\xBF"
-                                                           "a: 1\r\nb: two words\r\n"));
+  const YamlFile file = readYamlFile(write("windows.yaml",
+                                           "\xEF\xBB\xBF"
+                                           "a: 1\r\nb: two words\r\n"));
   EXPECT_EQ(file.root.at("a").number(), 1);
   EXPECT_EQ(file.root.at("b").text(), "two words");
 }

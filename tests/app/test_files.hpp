@@ -14,7 +14,8 @@
 namespace tubeplan::app {
 
 /// The message of the InputError that the action throws; a failure where it throws none.
-template <class Action> std::string messageOf(Action&& action) {
+template <class Action>
+std::string messageOf(Action&& action) {
   try {
     action();
   } catch (const InputError& error) {
@@ -49,8 +50,8 @@ class FolderTest : public ::testing::Test {
  protected:
   FolderTest() {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::temp_directory_path() /
-             (std::string("tubeplan_") + info->test_suite_name() + "_" + info->name() + "_" + std::to_string(::getpid()));
+    folder = std::filesystem::temp_directory_path() / (std::string("tubeplan_") + info->test_suite_name() + "_" +
+                                                       info->name() + "_" + std::to_string(::getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
   }

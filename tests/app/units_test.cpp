@@ -20,7 +20,8 @@ TEST(Units, convertsByExactFactors) {
   EXPECT_DOUBLE_EQ(units.toInternal(180, dimension::kAngle), std::numbers::pi);
   EXPECT_DOUBLE_EQ(units.toInternal(1, dimension::kForce), 4.4482216152605);
   EXPECT_NEAR(units.toInternal(1, dimension::kPressure), 6894.757293168, 1e-8);
-  EXPECT_NEAR(units.toInternal(1, dimension::kTorquePerAngle), 4.4482216152605 * 0.0254 * 180 / std::numbers::pi, 1e-13);
+  EXPECT_NEAR(units.toInternal(1, dimension::kTorquePerAngle), 4.4482216152605 * 0.0254 * 180 / std::numbers::pi,
+              1e-13);
   EXPECT_NEAR(units.toInternal(1, dimension::kLengthToTheFourth), 4.162314256e-7, 1e-20);
   EXPECT_NEAR(units.toInternal(1, dimension::kForcePerLength), 175.126835246, 1e-8);
 }
@@ -41,11 +42,14 @@ TEST(Units, namesQuantities) {
 
 TEST(Units, returnEveryDecimalOfTwelveDigits) {
   std::mt19937_64 random(7);
-  for (const char* block : {"{length: in, angle: deg, force: lbf}", "{length: mm, angle: deg, force: N}", "{length: ft, angle: rad, force: kgf}"}) {
+  for (const char* block : {"{length: in, angle: deg, force: lbf}", "{length: mm, angle: deg, force: N}",
+                            "{length: ft, angle: rad, force: kgf}"}) {
     const Units units = unitsOf(block);
-    for (const Dimension d : {dimension::kLength, dimension::kAngle, dimension::kTorquePerAngle, dimension::kPressure, dimension::kLengthToTheFourth})
+    for (const Dimension d : {dimension::kLength, dimension::kAngle, dimension::kTorquePerAngle, dimension::kPressure,
+                              dimension::kLengthToTheFourth})
       for (int i = 0; i < 1000; ++i) {
-        const double value = rounded((static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * std::pow(10.0, static_cast<int>(random() % 9) - 2));
+        const double value = rounded((static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) *
+                                     std::pow(10.0, static_cast<int>(random() % 9) - 2));
         EXPECT_EQ(units.toFile(units.toInternal(value, d), d), value);
       }
   }

@@ -7,7 +7,8 @@ namespace tubeplan::app {
 namespace {
 
 TEST(YamlEdit, changesOneValueAndNothingElse) {
-  const std::string text = "# top\na: 1   # one\nb: {c: [1, 2], d: 'x # y'}  # two\ne:\n  - f: plain words # three\n    g: 2\n";
+  const std::string text =
+      "# top\na: 1   # one\nb: {c: [1, 2], d: 'x # y'}  # two\ne:\n  - f: plain words # three\n    g: 2\n";
   EXPECT_EQ(withYamlValue(text, "a", "5"), changed(text, "a: 1", "a: 5"));
   EXPECT_EQ(withYamlValue(text, "b.c", "[7]"), changed(text, "[1, 2]", "[7]"));
   EXPECT_EQ(withYamlValue(text, "b.c[1]", "9"), changed(text, "[1, 2]", "[1, 9]"));

@@ -1,0 +1,160 @@
+// The commands from outside: what they answer when asked properly.
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class Commands : public ProgramTest {
+ protected:
+  [[nodiscard]] json jsonOf(const std::string& arguments) const {
+    const Outcome outcome = run(arguments + " --json -");
+    EXPECT_EQ(outcome.exit_code, 0) << arguments << "\n" << outcome.err;
+    return json::parse(outcome.out, nullptr, false);
+  }
+
+  /// A plan of a few tubes with rehearsed touches, in folder `name`.
+  [[nodiscard]] Outcome plan(const std::string& name, const std::string& more = "--tubes spread:6") const {
+    return run("plan " + shipped("mockup.yaml") + " --touches auto --truth " + shipped("mockup-true.yaml") + " --seed 3 --out " + name + " " + more);
+  }
+
+  [[nodiscard]] json planJson(const std::string& name) const { return json::parse(contentOf(folder / name / "plan.json")); }
+  void writePlanJson(const std::string& name, const json& plan) const { (void)write(name + "/plan.json", plan.dump()); }
+};
+
+TEST_F(Commands, poseGivesRigidFlexibleAndChange) {
+  const json pose = jsonOf("pose " + shipped("bench.yaml") + " --joints=-36.688,46.138,-35.856,-11.127 --load 30 --all");
+  EXPECT_NEAR(pose["rigid"]["position"][0], 68.688, 0.0015);
+  EXPECT_NEAR(pose["change"]["position"][2], -2.315, 0.0015);
+  EXPECT_NEAR(pose["flexible"]["fixed_angles"][1].get<double>() - pose["rigid"]["fixed_angles"][1].get<double>(), 2.275, 0.0015);
+  EXPECT_EQ(pose["units"]["length"], "in");
+  EXPECT_GT(pose["iterations"], 2);
+  EXPECT_EQ(pose["intermediates"]["rows"].size(), 6u);
+  EXPECT_EQ(pose["intermediates"]["components"].size(), 6u);
+  // Weight of the arm and 30 lbf stand on the first row.
+  EXPECT_NEAR(pose["intermediates"]["rows"][0]["force_base"][2], -(26.7 + 20 + 10.4 + 0.152 * 13.202 + 0.403 * 26.406 + 0.126 * 19.4 + 1.2062 * std::hypot(16.2493, 7.8471) + 30), 1e-6);
+}
+
+TEST_F(Commands, calibrateFindsTheBaseThatAPlanTouchedWith) {
+  ASSERT_EQ(plan("made").exit_code, 0);
+  const json found = jsonOf("calibrate " + shipped("mockup.yaml") + " made/touches.csv --out again.yaml");
+  const json made = planJson("made");
+  EXPECT_EQ(found["status"], "done");
+  EXPECT_EQ(found["residuals"].size(), 3u);
+  EXPECT_EQ(found["distances"].size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(found["base"]["position"][k], made["base"]["position"][k], 1e-6);
+  const json map = jsonOf("map again.yaml");
+  EXPECT_EQ(map["holes"], 4674);
+  expectSays(contentOf(folder / "again.yaml"), "known: true");
+}
+
+TEST_F(Commands, planKeepsItsPromisesAndVerifyProvesIt) {
+  const Outcome outcome = plan("made");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 24) << "more than one screen";
+  const json made = planJson("made");
+  EXPECT_EQ(made["tubes"].size() + made["unreachable"].size(), 6u);
+  EXPECT_GE(made["tubes"].size(), 4u);
+  EXPECT_EQ(made["seed"], 3);
+  EXPECT_GE(made["min_clearance"], 0.25);
+  EXPECT_GE(made["travel_time_s"], made["lower_bound_s"]);
+  for (const auto& tube : made["tubes"]) {
+    EXPECT_LE(tube["centring_error"], 1e-6);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(tube["predicted_tip"][k], tube["hole"][k], 1e-6);
+    double sum = 0;
+    for (const auto& p : tube["probability_by_steps"]) sum += p.get<double>();
+    EXPECT_NEAR(sum, 1, 1e-9);
+    EXPECT_LT(tube["scored"]["via_point"]["error"], tube["scored"]["none"]["error"]);
+  }
+  const Outcome proof = run("verify " + shipped("mockup.yaml") + " made");
+  EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;
+  expectSays(proof.out, "proved");
+}
+
+TEST_F(Commands, theSameSeedGivesTheSameBytes) {
+  ASSERT_EQ(plan("one").exit_code, 0);
+  ASSERT_EQ(plan("two").exit_code, 0);
+  for (const char* file : {"plan.json", "path.csv", "report.html", "touches.csv", "cell.yaml"})
+    EXPECT_EQ(contentOf(folder / "one" / file), contentOf(folder / "two" / file)) << file;
+}
+
+TEST_F(Commands, verifyRefutesAPlanThatWasChanged) {
+  ASSERT_EQ(plan("made").exit_code, 0);
+  const json made = planJson("made");
+  json altered = made;
+  altered["tubes"][1]["joints"][2] = altered["tubes"][1]["joints"][2].get<double>() + 0.001;
+  writePlanJson("made", altered);
+  const Outcome joint = run("verify " + shipped("mockup.yaml") + " made");
+  EXPECT_EQ(joint.exit_code, 1);
+  expectSays(joint.out, "REFUTED");
+  altered = made;
+  altered["tubes"].erase(1);
+  writePlanJson("made", altered);
+  EXPECT_EQ(run("verify " + shipped("mockup.yaml") + " made").exit_code, 1);
+  writePlanJson("made", made);
+  for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
+  (void)write("mockup.yaml", changed(contentOf(folder / "mockup.yaml"), "radius: 6}}", "radius: 29}}"));
+  const Outcome moved = run("verify mockup.yaml made");
+  EXPECT_EQ(moved.exit_code, 1);
+  expectSays(moved.out, "nozzle-dam");
+}
+
+TEST_F(Commands, verifyRefutesAnotherSheetOrArm) {
+  ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
+  for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
+  (void)write("cold.yaml", changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"), "normal: [0, 1, 0]", "normal: [0, -1, 0]"));
+  const Outcome sheet = run("verify cold.yaml made");
+  EXPECT_EQ(sheet.exit_code, 1);
+  expectSays(sheet.out, "another sheet");
+  (void)write("cobra-arm.yaml", changed(contentOf(folder / "cobra-arm.yaml"), "{z: 5588}", "{z: 5589}"));
+  const Outcome arm = run("verify mockup.yaml made");
+  EXPECT_EQ(arm.exit_code, 1);
+  expectSays(arm.out, "tool.joint_stiffness.z");
+}
+
+TEST_F(Commands, planSaysWhatIsInTheWay) {
+  for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
+  (void)write("blocked.yaml", changed(contentOf(folder / "mockup.yaml"), "scene:\n", "scene:\n  - {name: wall, box: {center: [0, 20, -20], size: [120, 1, 30]}}\n"));
+  const Outcome outcome = run("plan blocked.yaml --tubes R2C57 --out made");
+  EXPECT_EQ(outcome.exit_code, 1);
+  expectSays(outcome.err, "wall");
+  EXPECT_FALSE(std::filesystem::exists(folder / "made"));
+}
+
+TEST_F(Commands, scoreCountsStepsOfEachMode) {
+  const json score = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup-true.yaml") + " --tubes spread:8 --seed 2");
+  int scored = 0;
+  for (const auto& tube : score["tubes"]) {
+    if (tube.contains("unreachable")) continue;
+    ++scored;
+    EXPECT_NEAR(tube["goal_point"]["centring_error"], tube["via_point"]["centring_error"], 1e-6);
+  }
+  for (const char* mode : {"none", "goal_point", "via_point"}) {
+    int sum = 0;
+    for (const auto& count : score["counts"][mode]) sum += count.get<int>();
+    EXPECT_LE(sum, scored) << mode;
+  }
+  EXPECT_GT(score["counts"]["none"][0], score["counts"]["via_point"][0]);
+}
+
+TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
+  const json runs = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
+  EXPECT_EQ(runs["runs"].get<int>() + runs["refused"].get<int>(), 6);
+  EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
+  EXPECT_GT(runs["none"]["mean_counts"][0], 6);
+  EXPECT_LT(runs["via_point"]["mean_counts"][0], 2);
+}
+
+TEST_F(Commands, aScoreWithoutErrorsTakesAllThreeSteps) {
+  const json runs = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 3 --seed 5 --unmodelled 0 --stiffness 0");
+  EXPECT_LT(runs["via_point"]["mean_centring_error"], 0.01);
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,32 @@
+// The program from outside, run in a folder of its own.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+class ProgramTest : public FolderTest {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const int status = std::system(command.c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"), contentOf(folder / "err.txt")};
+    std::filesystem::remove(folder / "out.txt");
+    std::filesystem::remove(folder / "err.txt");
+    return outcome;
+  }
+
+  [[nodiscard]] static std::string shipped(const std::string& name) { return "'" + (shippedCells() / name).string() + "'"; }
+};
+
+}  // namespace tubeplan::app

@@ -1,0 +1,303 @@
+#include "planner/visit_plan.hpp"
+
+#include <gtest/gtest.h>
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <set>
+
+#include "planner/plan_checks.hpp"
+#include "planner/travel_network.hpp"
+#include "workcell.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+using Eigen::Vector3d, Eigen::VectorXd;
+using testing::holeOf;
+using testing::kInch;
+using testing::mockup;
+using testing::obstacleInInches;
+using testing::withObstacle;
+
+/// Every number of a plan, exactly.
+std::string bytesOf(const VisitPlan& plan) {
+  std::string text = fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status), plan.reason, plan.travel_time,
+                                 plan.lower_bound, plan.gap, plan.row_by_row_time, plan.total_time, plan.min_margin, plan.tightest.body, plan.detours);
+  for (const auto& visit : plan.visits) text += fmt::format("visit {} {:a} {:a}\n", visit.tube, visit.branch.tilt, visit.branch.path_deviation);
+  for (const auto& missed : plan.unreachable) text += fmt::format("missed {} {}\n", missed.tube, missed.reason);
+  for (const auto& segment : plan.segments) {
+    text += fmt::format("{} {} {:a} {}\n", nameOf(segment.kind), segment.visit, segment.margin, segment.tightest.other);
+    for (const auto& q : segment.waypoints) text += fmt::format(" {:a}", fmt::join(q, " "));
+  }
+  return text;
+}
+
+/// The scene while travelling, said once more by the test: the sheet is out of bounds for the tip as well.
+Scene travellingScene(Scene scene) {
+  for (auto& obstacle : scene.obstacles) std::erase(obstacle.allow, "tool-tip");
+  return scene;
+}
+
+/// The mock-up's plan for a few tubes, made once.
+class MockupPlan : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    cell_ = std::make_unique<Workcell>(mockup());
+    tubes_ = testing::tubesOf(*cell_, "spread:12,R39C58");
+    if (std::ranges::find(tubes_, kBehind()) == tubes_.end()) tubes_.push_back(kBehind());
+    plan_ = std::make_unique<VisitPlan>(planVisits(*cell_, tubes_));
+  }
+  static void TearDownTestSuite() {
+    plan_.reset();
+    cell_.reset();
+  }
+  static int kBehind() { return testing::tubesOf(*cell_, "R39C58").front(); }
+
+  static inline std::unique_ptr<Workcell> cell_;
+  static inline std::vector<int> tubes_;
+  static inline std::unique_ptr<VisitPlan> plan_;
+};
+
+TEST_F(MockupPlan, VisitsEveryTubeOnceOrNamesItWithItsReason) {
+  ASSERT_EQ(plan_->status, VisitPlanStatus::kPlanned) << plan_->reason;
+  std::multiset<int> seen;
+  for (const auto& visit : plan_->visits) seen.insert(visit.tube);
+  for (const auto& missed : plan_->unreachable) {
+    seen.insert(missed.tube);
+    EXPECT_FALSE(missed.reason.empty());
+  }
+  EXPECT_EQ(seen, std::multiset<int>(tubes_.begin(), tubes_.end()));
+  ASSERT_EQ(plan_->unreachable.size(), 1u);
+  EXPECT_EQ(plan_->unreachable[0].tube, kBehind());
+  EXPECT_NE(plan_->unreachable[0].reason.find("theta1"), std::string::npos);
+}
+
+TEST_F(MockupPlan, PutsEveryDeflectedTipOnItsHolesCentreWithinLimits) {
+  for (const auto& visit : plan_->visits) {
+    EXPECT_LT((testing::deflectedTip(*cell_, visit.branch.q) - holeOf(*cell_, visit.tube)).norm(), 1e-6 * kInch);
+    EXPECT_TRUE(testing::withinLimits(cell_->arm, visit.branch.q));
+  }
+}
+
+TEST_F(MockupPlan, IsOneUnbrokenPathUpDownAndOn) {
+  static constexpr SegmentKind kCycle[] = {SegmentKind::kApproach, SegmentKind::kRetreat, SegmentKind::kTravel};
+  ASSERT_EQ(plan_->segments.size(), 3 * plan_->visits.size() - 1);
+  for (std::size_t k = 0; k < plan_->segments.size(); ++k) {
+    const auto& segment = plan_->segments[k];
+    EXPECT_EQ(segment.kind, kCycle[k % 3]);
+    EXPECT_EQ(segment.visit, static_cast<int>((k + 1) / 3));
+    if (k > 0) {
+      EXPECT_EQ(segment.waypoints.front(), plan_->segments[k - 1].waypoints.back());
+    }
+    if (segment.kind == SegmentKind::kApproach) {
+      EXPECT_EQ(segment.waypoints.back(), plan_->visits[k / 3].branch.q);
+    }
+    for (const auto& q : segment.waypoints) EXPECT_TRUE(testing::withinLimits(cell_->arm, q));
+  }
+}
+
+TEST_F(MockupPlan, TravelsAreAsClearAsTheyWereProved) {
+  const CollisionWorld world(travellingScene(cell_->scene));
+  std::vector<const PathSegment*> travels;
+  for (const auto& segment : plan_->segments)
+    if (segment.kind == SegmentKind::kTravel) travels.push_back(&segment);
+  std::ranges::stable_sort(travels, {}, [](const PathSegment* segment) { return segment->margin; });
+  ASSERT_GE(travels.size(), 3u);
+  // The tightest three, 10,000 postures each.
+  for (std::size_t t = 0; t < 3; ++t) {
+    const auto& waypoints = travels[t]->waypoints;
+    const int share = static_cast<int>(10000 / (waypoints.size() - 1));
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < waypoints.size(); ++k)
+      for (int s = 0; s <= share; ++s) {
+        double bow = 0;
+        const auto frames = bodyFrames(*cell_, waypoints[k] + static_cast<double>(s) / share * (waypoints[k + 1] - waypoints[k]), &bow);
+        least = std::min(least, world.closest(frames).margin - bow);
+      }
+    EXPECT_GE(least, travels[t]->margin - 1e-9);
+    EXPECT_LE(least, travels[t]->margin + 1.1 * VisitPlanOptions().report_accuracy);
+    EXPECT_GE(travels[t]->margin, 0);
+  }
+}
+
+TEST_F(MockupPlan, TimesAndMarginsAddUp) {
+  const JointSpeeds speeds = jointSpeedsOf(cell_->arm);
+  double travel = 0, total = 0, least = std::numeric_limits<double>::infinity();
+  for (const auto& segment : plan_->segments) {
+    double time = 0;
+    for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) time += straightMoveDuration(segment.waypoints[k], segment.waypoints[k + 1], speeds);
+    total += time;
+    if (segment.kind == SegmentKind::kTravel) travel += time;
+    least = std::min(least, segment.margin);
+  }
+  EXPECT_NEAR(plan_->travel_time, travel, 1e-9);
+  EXPECT_NEAR(plan_->total_time, total, 1e-9);
+  EXPECT_EQ(plan_->min_margin, least);
+  EXPECT_GT(plan_->lower_bound, 0);
+  EXPECT_LE(plan_->lower_bound, plan_->travel_time + 1e-9);
+  EXPECT_NEAR(plan_->gap, plan_->travel_time / plan_->lower_bound - 1, 1e-12);
+  EXPECT_GE(plan_->row_by_row_time, plan_->lower_bound);
+}
+
+TEST_F(MockupPlan, SampledPathKeepsEveryWaypointAndRisesInSmallSteps) {
+  const auto rows = samplePath(*plan_, jointSpeedsOf(cell_->arm), 0.2);
+  EXPECT_EQ(rows.front().time, 0);
+  EXPECT_NEAR(rows.back().time, plan_->total_time, 1e-9);
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    EXPECT_GT(rows[k].time, rows[k - 1].time);
+    EXPECT_LE(rows[k].time - rows[k - 1].time, 0.2 + 1e-9);
+    EXPECT_EQ(rows[k].kind, plan_->segments[static_cast<std::size_t>(rows[k].segment)].kind);
+  }
+  std::size_t row = 0;
+  for (const auto& segment : plan_->segments)
+    for (const auto& waypoint : segment.waypoints) {
+      while (row < rows.size() && rows[row].q != waypoint) ++row;
+      ASSERT_LT(row, rows.size()) << "a waypoint is not among the rows";
+    }
+}
+
+TEST_F(MockupPlan, SameSeedIsTheSamePlanToTheByteOnOneAndTwoThreads) {
+  const std::string expected = bytesOf(*plan_);
+  for (std::size_t threads : {1, 2}) {
+    const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_EQ(bytesOf(planVisits(*cell_, tubes_)), expected) << threads << " threads";
+  }
+}
+
+TEST_F(MockupPlan, AnotherSeedIsAnotherSearchForAnEquallySoundPlan) {
+  VisitPlanOptions options;
+  options.seed = 77;
+  const VisitPlan other = planVisits(*cell_, tubes_, options);
+  ASSERT_EQ(other.status, VisitPlanStatus::kPlanned);
+  EXPECT_EQ(other.visits.size(), plan_->visits.size());
+  EXPECT_GE(other.min_margin, 0);
+  EXPECT_LE(other.travel_time, 1.05 * plan_->travel_time);
+}
+
+TEST(PlanVisits, TheToolTipKeepsOffTheSheetBetweenHolesThoughItTouchesItBelowThem) {
+  const Workcell cell = mockup();
+  const VisitPlan plan = planVisits(cell, testing::tubesOf(cell, "R10C30,R10C33"));
+  ASSERT_EQ(plan.segments.size(), 5u);
+  const CollisionWorld travelling(travellingScene(cell.scene));
+  const auto gapAt = [&](const VectorXd& q) {
+    for (const auto& pair : travelling.allPairs(bodyFrames(cell, q, nullptr)))
+      if (pair.clearance.body == "tool-tip" && pair.clearance.other == "tubesheet") return pair.clearance.distance;
+    return std::nan("");
+  };
+  EXPECT_LT(gapAt(plan.visits[0].branch.q), cell.scene.clearance);
+  const auto& travel = plan.segments[2];
+  ASSERT_EQ(travel.kind, SegmentKind::kTravel);
+  for (std::size_t k = 0; k + 1 < travel.waypoints.size(); ++k)
+    for (int s = 0; s <= 500; ++s)
+      EXPECT_GE(gapAt(travel.waypoints[k] + s / 500. * (travel.waypoints[k + 1] - travel.waypoints[k])), cell.scene.clearance);
+}
+
+TEST(PlanVisits, ANozzleDamMovedUnderATubeIsNamed) {
+  const Workcell cell = mockup();
+  const auto tubes = testing::tubesOf(cell, "R10C30,R20C80");
+  ASSERT_EQ(planVisits(cell, tubes).visits.size(), 2u);
+  const Vector3d hole = holeOf(cell, tubes[0]) / kInch;
+  const Workcell moved = withObstacle(cell, obstacleInInches("nozzle-dam", "cylinder", {hole.x(), hole.y(), -12, hole.x(), hole.y(), -4, 6}));
+  const VisitPlan plan = planVisits(moved, tubes);
+  ASSERT_EQ(plan.status, VisitPlanStatus::kPlanned);
+  ASSERT_EQ(plan.visits.size(), 1u);
+  EXPECT_EQ(plan.visits[0].tube, tubes[1]);
+  ASSERT_EQ(plan.unreachable.size(), 1u);
+  EXPECT_EQ(plan.unreachable[0].tube, tubes[0]);
+  EXPECT_EQ(plan.unreachable[0].blocking.other, "nozzle-dam");
+  EXPECT_NE(plan.unreachable[0].reason.find("comes too near nozzle-dam"), std::string::npos) << plan.unreachable[0].reason;
+}
+
+TEST(PlanVisits, AWallAroundTheBaseLeavesNothingToPlan) {
+  Workcell cell = mockup();
+  for (const auto& [name, x, y, wide, deep] : {std::tuple{"wall-west", -9., 43., 1., 19.}, std::tuple{"wall-east", 9., 43., 1., 19.},
+                                               std::tuple{"wall-south", 0., 34., 19., 1.}, std::tuple{"wall-north", 0., 52., 19., 1.}}) {
+    Obstacle wall = obstacleInInches(name, "box", {x, y, -25, wide, deep, 50});
+    wall.allow = {"base-link", "mezzanine-beam", "mezzanine-platform"};
+    cell = withObstacle(cell, wall);
+  }
+  const auto tubes = testing::tubesOf(cell, "spread:6");
+  const VisitPlan plan = planVisits(cell, tubes);
+  EXPECT_EQ(plan.status, VisitPlanStatus::kNothingReachable);
+  EXPECT_EQ(plan.reason, "none of the tubes can be reached");
+  EXPECT_TRUE(plan.visits.empty());
+  EXPECT_TRUE(plan.segments.empty());
+  ASSERT_EQ(plan.unreachable.size(), tubes.size());
+  int by_wall = 0;
+  for (const auto& missed : plan.unreachable) by_wall += missed.reason.find("comes too near wall-") != std::string::npos;
+  EXPECT_GE(by_wall, 4);
+}
+
+/// A thin wall from the divider to beyond the base, as high as the sheet: the arm cannot get from one side to the other.
+Workcell walledInTwo() {
+  Obstacle wall = obstacleInInches("partition", "box", {0, 21, -31.6, 0.5, 30, 62});
+  return withObstacle(mockup(), wall);
+}
+
+TEST(PlanVisits, TubesBehindAPartitionAreLeftOutWithWhatIsInTheWay) {
+  const Workcell cell = walledInTwo();
+  VisitPlanOptions options;
+  options.motion.max_iterations = 300;
+  options.reprice_rounds = 3;
+  const auto tubes = testing::tubesOf(cell, "R10C20,R14C22,R10C95");
+  const VisitPlan plan = planVisits(cell, tubes, options);
+  ASSERT_EQ(plan.status, VisitPlanStatus::kPlanned);
+  EXPECT_EQ(plan.visits.size() + plan.unreachable.size(), tubes.size());
+  ASSERT_FALSE(plan.unreachable.empty());
+  for (const auto& missed : plan.unreachable) {
+    EXPECT_NE(missed.reason.find("no path from the tube before it"), std::string::npos) << missed.reason;
+    EXPECT_NE(missed.reason.find("partition"), std::string::npos) << missed.reason;
+  }
+  EXPECT_GE(plan.min_margin, 0);
+}
+
+TEST(PlanVisits, NoTubesIsNoPlan) {
+  const VisitPlan plan = planVisits(mockup(), {});
+  EXPECT_EQ(plan.status, VisitPlanStatus::kNothingReachable);
+}
+
+TEST(PlanVisits, StopsWhenAskedAndTellsHowFarItIs) {
+  const Workcell cell = mockup();
+  const auto tubes = testing::tubesOf(cell, "spread:4");
+  std::set<std::string> stages;
+  PlanHooks hooks;
+  hooks.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+    stages.insert(std::string(stage));
+    EXPECT_LE(done, total);
+  };
+  EXPECT_EQ(planVisits(cell, tubes, {}, hooks).status, VisitPlanStatus::kPlanned);
+  EXPECT_EQ(stages, (std::set<std::string>{"proof", "reach", "travel"}));
+  for (const std::string last : {"reach", "travel", "proof"}) {
+    std::atomic<bool> stop = false;
+    hooks.progress = [&](std::string_view stage, std::size_t, std::size_t) { stop = stop || stage == last; };
+    hooks.stop = [&] { return stop.load(); };
+    EXPECT_EQ(planVisits(cell, tubes, {}, hooks).status, VisitPlanStatus::kStopped) << last;
+  }
+}
+
+TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
+  const Workcell cell = mockup();
+  const ArmClearance clearance(cell);
+  std::vector<TubeReach> reach;
+  for (int tube : testing::tubesOf(cell, "R10C20,R30C40,R10C95")) reach.push_back(reachTube(clearance, tube));
+  const JointSpeeds speeds = jointSpeedsOf(cell.arm);
+  const VisitPlanOptions options;
+  TravelNetwork network(clearance, reach, speeds, options), other(clearance, reach, speeds, options);
+  const Stop a{0, 0}, b{2, 0}, c{1, 0};
+  EXPECT_FALSE(network.knows(a, b));
+  const MotionPlan forth = network.between(a, b);
+  EXPECT_TRUE(network.knows(b, a));
+  MotionPlan back = network.between(b, a);
+  std::ranges::reverse(back.waypoints);
+  EXPECT_EQ(forth.waypoints, back.waypoints);
+  EXPECT_EQ(forth.waypoints.front(), network.standoff(a));
+  EXPECT_GE(network.timeOf(forth), moveDuration(network.standoff(a), network.standoff(b), speeds) - 1e-9);
+  // Asked in another order, and the other way round: the same motion.
+  (void)other.between(c, a);
+  EXPECT_EQ(other.between(b, a).waypoints, network.between(b, a).waypoints);
+  EXPECT_EQ(network.timeOf(MotionPlan{}), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace tubeplan::planner
