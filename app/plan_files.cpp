@@ -163,7 +163,12 @@ std::string planText(const PlanOutcome& outcome) {
     tilt = std::max(tilt, plan.visits[k].branch.tilt);
   }
   std::string text;
-  if (outcome.calibration) text += calibrationText(outcome.calibration->flexible, units);
+  if (outcome.calibration) {
+    const auto& base = outcome.calibration->flexible;
+    text += calibrationText(base, units);
+    if (base.p_value < 0.01)
+      text += fmt::format("  the model is off by more than the readings' noise; the base's covariance is widened by {:.0f}\n", base.chi2 / base.degrees_of_freedom);
+  }
   text += fmt::format("tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n", plan.visits.size(),
                       plan.unreachable.size(), worst / units.factor(dimension::kLength), unit, tilt / units.factor(dimension::kAngle), units.angle().name);
   for (std::size_t k = 0; k < std::min<std::size_t>(plan.unreachable.size(), 5); ++k) {
@@ -180,8 +185,13 @@ std::string planText(const PlanOutcome& outcome) {
   text += "steps of the calibration tool that go in, by the true arm:   0    1    2    3\n";
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     text += fmt::format("  {:<54}", std::string(planner::nameOf(kCompensations[mode])) + " compensation");
-    for (int count : counts[mode]) text += fmt::format("{:5}", count);
-    text += "\n";
+    int scored = 0;
+    for (int count : counts[mode]) {
+      text += fmt::format("{:5}", count);
+      scored += count;
+    }
+    const int missed = static_cast<int>(outcome.scores.size()) - scored;
+    text += missed ? fmt::format("   ({} out of this model's reach)\n", missed) : "\n";
   }
   return text;
 }

@@ -127,23 +127,24 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
   ++experiment.runs;
 }
 
-/// One calibration and its ten holes; false where the touches were refused.
-bool runOnce(const planner::Workcell& model, const planner::Workcell& truth, const std::vector<TouchPlan>& candidates,
+/// One calibration and its ten holes; the reason where the touches were refused.
+std::string runOnce(const planner::Workcell& model, const planner::Workcell& truth, const std::vector<TouchPlan>& candidates,
              const StepExperimentOptions& options, std::uint64_t seed, StepExperiment& experiment) {
   Draw draw(seed);
   const planner::Workcell drawn = drawTruth(truth, options, draw);
   std::vector<TestHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   while (!areWellSpread(holes, options.calibration_holes)) holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   const auto touches = touch(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw);
-  if (touches.empty()) return false;
+  if (touches.empty()) return "the true arm cannot touch one of the calibration holes";
   const BothCalibrations base = calibrateBoth(model, touches);
-  if (base.flexible.status != CalibrationStatus::kDone || base.rigid.status != CalibrationStatus::kDone) return false;
+  if (base.flexible.status != CalibrationStatus::kDone) return base.flexible.reason;
+  if (base.rigid.status != CalibrationStatus::kDone) return "by the rigid model: " + base.rigid.reason;
   ScoringModels models{withBase(model, base.flexible), withBase(model, base.rigid), drawn};
   models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
   std::vector<ModeScores> scores;
   for (const auto& hole : holes) scores.push_back(scoreModes(models, {hole.tube, hole.plan.q_start, hole.tip_error}, false));
   addRun(scores, static_cast<int>(model.tool.steps.size()), experiment);
-  return true;
+  return {};
 }
 
 }  // namespace
@@ -161,14 +162,15 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
   for (int run = 0; run < options.runs; ++run) {
     if (hooks.stop && hooks.stop()) break;
     if (hooks.progress) hooks.progress("runs", static_cast<std::size_t>(run) + 1, static_cast<std::size_t>(options.runs));
-    experiment.refused += !runOnce(model, truth, candidates, options, seeds.seed(), experiment);
+    const std::string reason = runOnce(model, truth, candidates, options, seeds.seed(), experiment);
+    if (!reason.empty()) experiment.refused.push_back(reason);
   }
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
     experiment.mean_error[mode] /= std::max(1, experiment.runs);
   }
   experiment.mean_touch_error = meanTouchError(model, truth, candidates, options);
-  const bool complete = experiment.runs + experiment.refused == options.runs;
+  const bool complete = experiment.runs + static_cast<int>(experiment.refused.size()) == options.runs;
   experiment.status = complete ? StepExperimentStatus::kDone : StepExperimentStatus::kStopped;
   if (!complete) experiment.reason = "stopped after " + std::to_string(experiment.runs) + " runs, which are kept";
   return experiment;

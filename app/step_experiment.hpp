@@ -29,7 +29,8 @@ enum class StepExperimentStatus { kNotRun, kDone, kTooFewHoles, kStopped };
 struct StepExperiment {
   StepExperimentStatus status = StepExperimentStatus::kNotRun;
   std::string reason;
-  int runs = 0, refused = 0;
+  int runs = 0;
+  std::vector<std::string> refused;  ///< why, for each run that could not be calibrated
   /// Mean number of the test holes that took 0, 1, ... steps, by mode; and the same by run.
   std::array<std::vector<double>, kCompensations.size()> mean_counts;
   std::array<std::vector<std::vector<int>>, kCompensations.size()> counts_by_run;

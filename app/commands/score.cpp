@@ -145,7 +145,8 @@ nlohmann::json experimentJson(const StepExperiment& experiment, const Units& uni
 
 void printExperiment(const StepExperiment& experiment, const Units& units) {
   const double unit = units.factor(dimension::kLength);
-  fmt::print("{} runs of three calibration holes and ten test holes ({} refused)\n", experiment.runs, experiment.refused);
+  fmt::print("{} runs of three calibration holes and ten test holes ({} refused{})\n", experiment.runs, experiment.refused.size(),
+             experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
   fmt::print("mean error that a fit leaves at 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit, units.length().name);
   fmt::print("of ten holes, steps inserted       0     1     2     3   mean error, {}\n", units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {

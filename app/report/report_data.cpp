@@ -1,4 +1,6 @@
 // The data behind report.html, in the file's units.
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,7 @@ json sheetData(const PlanOutcome& outcome) {
   json holes = json::array();
   for (const auto& tube : sheet.tubes)
     holes.push_back({tube.row, tube.column, lengthOf(tube.x, units), lengthOf(tube.y, units), tubesheets::tubeStateName(tube.state)});
-  return {{"name", sheet.name}, {"leg", tubesheets::legName(sheet.leg)}, {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+  return {{"name", outcome.cell.name}, {"leg", tubesheets::legName(sheet.leg)}, {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
           {"hole_diameter", lengthOf(sheet.hole_diameter, units)}, {"pitch", lengthOf(sheet.pitch, units)}, {"rows", sheet.rows},
           {"columns", sheet.columns}, {"holes", holes}, {"fingerprint", sheet.fingerprint()}};
 }
@@ -171,12 +173,33 @@ json calibrationData(const PlanOutcome& outcome) {
   return data;
 }
 
+/// Mean and worst centring error of a mode over the scored tubes.
+std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
+  double sum = 0, worst = 0;
+  int count = 0;
+  for (const auto& scores : outcome.scores)
+    if (scores[mode]) {
+      sum += scores[mode]->error;
+      worst = std::max(worst, scores[mode]->error);
+      ++count;
+    }
+  if (!count) return "not scored";
+  const double unit = outcome.cell.units.factor(dimension::kLength);
+  return fmt::format("{:.3f} {} mean, {:.3f} worst", sum / count / unit, outcome.cell.units.length().name, worst / unit);
+}
+
 json summaryData(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
+  const double unit = outcome.cell.units.factor(dimension::kLength);
   json rows = json::array();
-  rows.push_back({"tubes planned", std::to_string(plan.visits.size())});
-  rows.push_back({"unreachable", std::to_string(plan.unreachable.size())});
+  rows.push_back({"tubes planned", fmt::format("{} of {}", plan.visits.size(), plan.visits.size() + plan.unreachable.size())});
   rows.push_back({"compensation", planner::nameOf(outcome.compensation)});
+  rows.push_back({"error without compensation", errorText(outcome, 0)});
+  rows.push_back({"error with compensation", errorText(outcome, 2)});
+  rows.push_back({"base", outcome.calibration ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
+                                                             outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
+                                              : std::string("as the cell has it")});
+  rows.push_back({"whole path", fmt::format("{:.0f} s, {} detours", plan.total_time, plan.detours)});
   return rows;
 }
 
@@ -190,7 +213,7 @@ json reportJson(const PlanRequest& request, const PlanOutcome& outcome) {
     steps.push_back({{"diameter", lengthOf(step.diameter, units)}, {"tolerance", lengthOf(step.tolerance, units)}});
   const json plan = planJson(request, outcome);
   const json calibration = calibrationData(outcome);
-  return {{"title", outcome.cell.name}, {"cell", outcome.cell.name}, {"version", kVersion}, {"seed", request.seed}, {"units", unitsJson(units)},
+  return {{"title", outcome.cell.name + ": plan of tube visits"}, {"cell", outcome.cell.name}, {"version", kVersion}, {"seed", request.seed}, {"units", unitsJson(units)},
           {"sheet", sheetData(outcome)}, {"bowl_radius", bowlRadius(outcome)}, {"steps", steps}, {"tubes", tubesData(outcome)},
           {"unreachable", unreachableData(outcome)}, {"tour", tourData(outcome, path)}, {"touches", touchesData(outcome)},
           {"distances", calibration.is_null() ? json(nullptr) : calibration["distances"]}, {"calibration", calibration},

@@ -70,7 +70,9 @@ TEST_F(Commands, planKeepsItsPromisesAndVerifyProvesIt) {
     double sum = 0;
     for (const auto& p : tube["probability_by_steps"]) sum += p.get<double>();
     EXPECT_NEAR(sum, 1, 1e-9);
-    EXPECT_LT(tube["scored"]["via_point"]["error"], tube["scored"]["none"]["error"]);
+    // A rigid model may find a far hole out of its reach.
+    const json& none = tube["scored"]["none"];
+    if (!none.is_null()) EXPECT_LT(tube["scored"]["via_point"]["error"], none["error"]);
   }
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " made");
   EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;
@@ -145,7 +147,7 @@ TEST_F(Commands, scoreCountsStepsOfEachMode) {
 
 TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
   const json runs = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
-  EXPECT_EQ(runs["runs"].get<int>() + runs["refused"].get<int>(), 6);
+  EXPECT_EQ(runs["runs"].get<std::size_t>() + runs["refused"].size(), 6u);
   EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
   EXPECT_GT(runs["none"]["mean_counts"][0], 6);
   EXPECT_LT(runs["via_point"]["mean_counts"][0], 2);

@@ -70,7 +70,7 @@ TEST(ReachTube, ABoxUnderTheHoleIsNamedWithWhatComesTooNear) {
 }
 
 TEST(ReachTube, WhatIsMetOnlyOnTheWayUpBlocksTheApproach) {
-  // A small ball over the middle of each branch's forearm, half an inch clear at the standoff: an inch further up is too far.
+  // A small ball over the middle of each branch's tool, which lies level, half an inch clear at the standoff: an inch up is too far.
   const Workcell cell = mockup();
   const int tube = tubeAt(cell, "R20C40");
   const TubeReach before = reachTube(ArmClearance(cell), tube);
@@ -78,14 +78,14 @@ TEST(ReachTube, WhatIsMetOnlyOnTheWayUpBlocksTheApproach) {
   Workcell blocked = cell;
   for (const auto& branch : before.branches) {
     const auto frames = bodyFrames(cell, branch.approach.front(), nullptr);
-    const Vector3d middle = frames[4] * Vector3d(9.7 * kInch, 0, 0) / kInch;
-    const double height = middle.z() + 2.25 + 0.25 + 0.5 + 0.1;
+    const Vector3d middle = frames[5] * Vector3d(8 * kInch, 0, 0) / kInch;
+    const double height = middle.z() + 1.75 + 0.25 + 0.5 + 0.1;
     const std::string name = "ball-" + std::to_string(&branch - before.branches.data());
     blocked = withObstacle(blocked, obstacleInInches(name, "sphere", {middle.x(), middle.y(), height, 0.1}));
   }
   const TubeReach reach = reachTube(ArmClearance(blocked), tube);
   EXPECT_EQ(reach.status, ReachStatus::kUnreachable);
-  expectContains(reach.reason, "approach blocked: forearm comes too near ball-");
+  expectContains(reach.reason, "approach blocked: tool comes too near ball-");
 }
 
 TEST(ReachTube, TheSpareIsKeptInHand) {
