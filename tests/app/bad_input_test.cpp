@@ -1,35 +1,17 @@
 // The program from outside: what it refuses, with which words and exit code.
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/test_files.hpp"
+#include "tests/app/program.hpp"
 
 namespace tubeplan::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-class Program : public FolderTest {
+class Program : public ProgramTest {
  protected:
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
-    const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"),
-                    contentOf(folder / "err.txt")};
-    fs::remove(folder / "out.txt");
-    fs::remove(folder / "err.txt");
-    return outcome;
-  }
-
   /// Refused as bad input: exit code 2, one line with these words, nothing on standard output, no file made.
   void expectRefused(const std::string& arguments, const std::vector<std::string>& words) const {
     const auto files_before = std::distance(fs::recursive_directory_iterator(folder), {});

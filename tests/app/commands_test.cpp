@@ -72,7 +72,9 @@ TEST_F(Commands, planKeepsItsPromisesAndVerifyProvesIt) {
     EXPECT_NEAR(sum, 1, 1e-9);
     // A rigid model may find a far hole out of its reach.
     const json& none = tube["scored"]["none"];
-    if (!none.is_null()) EXPECT_LT(tube["scored"]["via_point"]["error"], none["error"]);
+    if (!none.is_null()) {
+      EXPECT_LT(tube["scored"]["via_point"]["error"], none["error"]);
+    }
   }
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " made");
   EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;

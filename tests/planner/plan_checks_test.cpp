@@ -206,14 +206,17 @@ bool standInTheWay(Work& work, Generator& generator) {
   return true;
 }
 
-/// The same between two rows of a travel, where neither of them need notice.
+/// A needle where the thin tool-tip passes midway between two rows, far enough apart for neither to touch it.
 bool standBetweenRows(Work& work, Generator& generator) {
   const auto k = anyRow(work.plan, SegmentKind::kTravel, generator);
-  const VectorXd q = (work.plan.path[k - 1].q + work.plan.path[k].q) / 2;
-  const Vector3d p = bodyFrames(work.cell, q, nullptr)[5] * Vector3d(0.35, 0, 0);
+  const auto needleAt = [&](const VectorXd& q) -> Vector3d {
+    return bodyFrames(work.cell, q, nullptr)[5] * Vector3d(16.25 * kInch, 4 * kInch, 0);
+  };
+  const VectorXd &before = work.plan.path[k - 1].q, &after = work.plan.path[k].q;
+  const Vector3d p = needleAt((before + after) / 2);
   work.cell = testing::withObstacle(work.cell, {"needle", testing::shape("sphere", {p.x(), p.y(), p.z(), 1e-4}), {}});
   work.cell.scene.clearance = 0;
-  return true;
+  return std::min(sideways(needleAt(before), p), sideways(needleAt(after), p)) > 0.35 * kInch;
 }
 
 bool askForMoreClearance(Work& work, Generator& generator) {
