@@ -127,6 +127,7 @@ void recordResiduals(const deflection::Arm& arm, const std::vector<Touch>& touch
   result.rms = std::sqrt(sum / static_cast<double>(touches.size()));
   for (std::size_t i = 0; i < touches.size(); ++i)
     for (std::size_t j = i + 1; j < touches.size(); ++j) {
+      if (touches[i].hole == touches[j].hole) continue;
       const Vector3d along = (touches[j].p_WH - touches[i].p_WH).normalized();
       const Matrix3d both = touchCovariance(arm, tips[i], touches[i].sigma) + touchCovariance(arm, tips[j], touches[j].sigma);
       result.distances.push_back({touches[i].hole, touches[j].hole, (tips[j].p_WT - tips[i].p_WT).norm(),

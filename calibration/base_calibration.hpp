@@ -49,7 +49,7 @@ struct BaseCalibration {
 [[nodiscard]] BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches,
                                             const Eigen::Isometry3d& X_WB_start, const BaseCalibrationOptions& options = {});
 
-/// Why these touches cannot place a base (fewer than three, one hole twice, near a line), or empty.
+/// Why these touches cannot place a base (fewer than three holes, one hole twice under the same load, near a line), or empty.
 std::string findTouchProblem(const std::vector<Touch>& touches, const BaseCalibrationOptions& options = {});
 
 }  // namespace tubeplan::calibration

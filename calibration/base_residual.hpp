@@ -1,6 +1,7 @@
 // The whitened misfit of touched holes for a placing of the base, with exact derivatives.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,9 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step);
 
 /// Tip place in the world and its derivatives by the base step, by the joints. Gravity turns in the base frame as the base turns.
 struct TipInWorld {
-  bool ok = false;
-  Eigen::Vector3d p_WT;
-  Eigen::Matrix<double, 3, 6> by_base;
+  bool ok = false;  ///< whether the deflected shape settled; the rest is NaN otherwise
+  Eigen::Vector3d p_WT = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  Eigen::Matrix<double, 3, 6> by_base = Eigen::Matrix<double, 3, 6>::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Matrix3Xd by_joints;
 };
 [[nodiscard]] TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q, double load);

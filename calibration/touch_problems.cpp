@@ -1,6 +1,7 @@
 // Touches that cannot place a base, told before anything is solved.
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "calibration/base_calibration.hpp"
 
@@ -21,13 +22,15 @@ double flatness(const std::vector<Touch>& touches) {
 }  // namespace
 
 std::string findTouchProblem(const std::vector<Touch>& touches, const BaseCalibrationOptions& options) {
-  if (touches.size() < 3)
-    return "a base needs at least three touched holes, and there " + std::string(touches.size() == 1 ? "is " : "are ") +
-           std::to_string(touches.size());
   std::set<std::string> holes;
-  for (const auto& touch : touches)
-    if (!holes.insert(touch.hole).second)
-      return "hole " + touch.hole + " is touched twice (second time by " + touch.id + "): every touch needs a hole of its own";
+  std::set<std::pair<std::string, double>> seen;
+  for (const auto& touch : touches) {
+    holes.insert(touch.hole);
+    if (!seen.insert({touch.hole, touch.load}).second)
+      return "hole " + touch.hole + " is touched twice under the same load (second time by " + touch.id + "): every touch needs a hole of its own";
+  }
+  if (holes.size() < 3)
+    return "a base needs at least three touched holes, and there " + std::string(holes.size() == 1 ? "is " : "are ") + std::to_string(holes.size());
   if (flatness(touches) < options.collinear_ratio)
     return "the touched holes lie nearly on a line, so the turn about that line cannot be told: touch one hole well off it";
   return {};

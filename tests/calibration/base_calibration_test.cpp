@@ -103,6 +103,24 @@ TEST(BaseCalibration, RefusesTheSameHoleTwice) {
   EXPECT_NE(found.reason.find("H1 is touched twice"), std::string::npos);
 }
 
+TEST(BaseCalibration, AHoleMayBeTouchedAgainUnderAnotherLoad) {
+  const auto cell = touchedCell();
+  auto touches = touchesOf(cell, 0, 1);
+  auto loaded = cell;
+  TouchSimulationOptions options;
+  options.sigma = 0;
+  options.load = 133;
+  for (auto& row : loaded.arm.rows) row.joint.encoder_sigma = 0;
+  for (auto touch : simulateTouches(loaded.arm, cell.X_WB_true, cell.plans, options).touches) {
+    touch.sigma = 0.005 * kInch;
+    touches.push_back(touch);
+  }
+  const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+  ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+  EXPECT_LE((found.X_WB.translation() - cell.X_WB_true.translation()).norm(), 1e-6 * kInch);
+  EXPECT_EQ(found.distances.size(), 12u);
+}
+
 TEST(BaseCalibration, RefusesHolesOnALine) {
   const auto cell = touchedCell({{-40, 10}, {38, 10}, {5, 10.5}});
   const auto found = calibrateBase(cell.arm, touchesOf(cell, 0, 1), cell.X_WB_nominal);

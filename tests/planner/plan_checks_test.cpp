@@ -443,6 +443,65 @@ TEST_F(Checked, FindingsSayWhere) {
   EXPECT_EQ(firstFinding([](Work& work) { work.plan.path.front().segment = 3; }), "path row 1: segments out of order");
 }
 
+TEST_F(Checked, JointLimitsHoldInEveryRow) {
+  Work work = *work_;
+  double widest = 0;
+  for (const auto& row : work.plan.path) widest = std::max(widest, row.q[0]);
+  auto& joint = work.cell.arm.rows[2].joint;
+  joint.upper = widest;
+  EXPECT_EQ(checkPlan(work.cell, work.plan).status, PlanCheckStatus::kProved);
+  joint.upper = widest - 1e-6;
+  const PlanCheck check = checkPlan(work.cell, work.plan);
+  ASSERT_EQ(check.status, PlanCheckStatus::kRefuted);
+  EXPECT_NE(check.findings.front().find("theta1 is past its limit"), std::string::npos) << check.findings.front();
+}
+
+TEST_F(Checked, OnlyAnApproachAndARetreatHaveLeaveToTouch) {
+  Work work = *work_;
+  for (auto& row : work.plan.path)
+    if (row.segment == 2) row.kind = SegmentKind::kRetreat;
+  PlanCheckOptions options;
+  options.via_points = false;
+  const PlanCheck check = checkPlan(work.cell, work.plan, options);
+  ASSERT_EQ(check.status, PlanCheckStatus::kRefuted);
+  EXPECT_NE(check.findings.front().find("segment 3 cannot be a retreat"), std::string::npos) << check.findings.front();
+}
+
+/// Two thin links of one metre that turn in a plane, and nothing else.
+Workcell twoLinks() {
+  Workcell cell;
+  for (const char* name : {"link1", "link2"}) {
+    deflection::Row<double> row;
+    row.name = name;
+    row.placement = deflection::DenavitHartenberg<double>{.a = cell.arm.rows.empty() ? 0. : 1.};
+    row.joint = {.name = name, .type = deflection::JointType::kRevolute, .max_speed = 1};
+    cell.arm.rows.push_back(row);
+    cell.scene.links.push_back({name, true});
+    cell.scene.bodies.push_back({name, static_cast<int>(cell.arm.rows.size()) - 1, "", testing::shape("capsule", {0, 0, 0, 1, 0, 0, 0.01}), {}});
+  }
+  cell.arm.p_LT = Vector3d::UnitX();
+  return cell;
+}
+
+TEST(CheckPlan, NothingThinIsSteppedOverHoweverFarApartTheRowsAre) {
+  // The arm stretched out sweeps by its first joint alone, or its last link by the second: over a needle at the very end, or beside it.
+  for (int joint : {0, 1})
+    for (double step : {0.02, 0.1, 0.5, 1.5})
+      for (double where : {0.3, 0.5, 0.8}) {
+        StatedPlan plan;
+        plan.path = {{0, 0, SegmentKind::kApproach, Eigen::Vector2d::Zero()}, {10, 0, SegmentKind::kApproach, step * Eigen::Vector2d::Unit(joint)}};
+        const double length = joint == 0 ? 2 : 1;
+        for (const double beyond : {0.005, 0.015}) {
+          const double reach = length + beyond, angle = where * step;
+          const Vector3d p(reach * std::cos(angle) + 2 - length, reach * std::sin(angle), 0);
+          const Workcell cell = testing::withObstacle(twoLinks(), {"needle", testing::shape("sphere", {p.x(), p.y(), p.z(), 1e-3}), {}});
+          const PlanCheck check = checkPlan(cell, plan);
+          const bool found = std::ranges::any_of(check.findings, [](const std::string& f) { return f.find("too near: link2, needle") != std::string::npos; });
+          EXPECT_EQ(found, beyond < 0.011) << joint << " " << step << " " << where;
+        }
+      }
+}
+
 TEST_F(Checked, ALeaveThatTheToolsBodyStatesEndsOnTravelAsInThePlan) {
   Work work = *work_;
   for (auto& obstacle : work.cell.scene.obstacles) std::erase(obstacle.allow, "tool-tip");
