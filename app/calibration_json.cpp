@@ -15,10 +15,14 @@ using calibration::BaseCalibration, calibration::CalibrationStatus;
 
 const char* nameOf(CalibrationStatus status) {
   switch (status) {
-    case CalibrationStatus::kNotRun: return "not-run";
-    case CalibrationStatus::kDone: return "done";
-    case CalibrationStatus::kRefused: return "refused";
-    case CalibrationStatus::kNotConverged: return "not-converged";
+    case CalibrationStatus::kNotRun:
+      return "not-run";
+    case CalibrationStatus::kDone:
+      return "done";
+    case CalibrationStatus::kRefused:
+      return "refused";
+    case CalibrationStatus::kNotConverged:
+      return "not-converged";
   }
   return "";
 }
@@ -26,7 +30,8 @@ const char* nameOf(CalibrationStatus status) {
 /// Covariance in file units; order x, y, z, then the turns about them.
 nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, const Units& units) {
   Eigen::Matrix<double, 6, 1> scale;
-  scale << Eigen::Vector3d::Constant(1 / units.factor(dimension::kLength)), Eigen::Vector3d::Constant(1 / units.factor(dimension::kAngle));
+  scale << Eigen::Vector3d::Constant(1 / units.factor(dimension::kLength)),
+      Eigen::Vector3d::Constant(1 / units.factor(dimension::kAngle));
   const Eigen::Matrix<double, 6, 6> scaled = scale.asDiagonal() * covariance * scale.asDiagonal();
   nlohmann::json rows = nlohmann::json::array();
   for (int i = 0; i < 6; ++i) {
@@ -39,12 +44,16 @@ nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, con
 }  // namespace
 
 nlohmann::json calibrationJson(const BaseCalibration& result, const Units& units) {
-  nlohmann::json json = {{"status", nameOf(result.status)}, {"reason", result.reason}, {"suspects", result.suspects}, {"units", unitsJson(units)}};
+  nlohmann::json json = {{"status", nameOf(result.status)},
+                         {"reason", result.reason},
+                         {"suspects", result.suspects},
+                         {"units", unitsJson(units)}};
   if (result.status != CalibrationStatus::kDone) return json;
   json["base"] = poseJson(result.X_WB, units);
   json["covariance"] = covarianceJson(result.covariance, units);
   const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
-  json["sigma"] = {{"position", vectorJson(sigma.head(3), units, dimension::kLength)}, {"rotation", vectorJson(sigma.tail(3), units, dimension::kAngle)}};
+  json["sigma"] = {{"position", vectorJson(sigma.head(3), units, dimension::kLength)},
+                   {"rotation", vectorJson(sigma.tail(3), units, dimension::kAngle)}};
   json["rms"] = lengthOf(result.rms, units);
   json["chi2"] = result.chi2;
   json["degrees_of_freedom"] = result.degrees_of_freedom;
@@ -68,25 +77,29 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Units& units
 }
 
 std::string calibrationText(const BaseCalibration& result, const Units& units) {
-  if (result.status != CalibrationStatus::kDone) return "calibration " + std::string(nameOf(result.status)) + ": " + result.reason + "\n";
+  if (result.status != CalibrationStatus::kDone)
+    return "calibration " + std::string(nameOf(result.status)) + ": " + result.reason + "\n";
   const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
   const auto angle = [&](double radians) { return radians / units.factor(dimension::kAngle); };
   const std::string unit(units.length().name), turn(units.angle().name);
   const nlohmann::json base = poseJson(result.X_WB, units);
   const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
-  std::string text = fmt::format("base  position {:.4f} {:.4f} {:.4f} {}  rpy {:.4f} {:.4f} {:.4f} {}\n", base["position"][0].get<double>(),
-                                 base["position"][1].get<double>(), base["position"][2].get<double>(), unit, base["rpy"][0].get<double>(),
+  std::string text = fmt::format("base  position {:.4f} {:.4f} {:.4f} {}  rpy {:.4f} {:.4f} {:.4f} {}\n",
+                                 base["position"][0].get<double>(), base["position"][1].get<double>(),
+                                 base["position"][2].get<double>(), unit, base["rpy"][0].get<double>(),
                                  base["rpy"][1].get<double>(), base["rpy"][2].get<double>(), turn);
-  text += fmt::format("sigma position {:.4f} {:.4f} {:.4f} {}  turn {:.4f} {:.4f} {:.4f} {}\n", length(sigma[0]), length(sigma[1]),
-                      length(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
-  text += fmt::format("fit   rms {:.4f} {}, chi-square {:.2f} for {} degrees of freedom (p = {:.3g})\n", length(result.rms), unit,
-                      result.chi2, result.degrees_of_freedom, result.p_value);
+  text +=
+      fmt::format("sigma position {:.4f} {:.4f} {:.4f} {}  turn {:.4f} {:.4f} {:.4f} {}\n", length(sigma[0]),
+                  length(sigma[1]), length(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
+  text += fmt::format("fit   rms {:.4f} {}, chi-square {:.2f} for {} degrees of freedom (p = {:.3g})\n",
+                      length(result.rms), unit, result.chi2, result.degrees_of_freedom, result.p_value);
   for (const auto& touch : result.residuals)
-    text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole, length(touch.residual_W.x()),
-                        length(touch.residual_W.y()), length(touch.residual_W.z()), unit);
+    text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole,
+                        length(touch.residual_W.x()), length(touch.residual_W.y()), length(touch.residual_W.z()), unit);
   for (const auto& check : result.distances)
-    text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from, check.to,
-                        length(check.by_arm), length(check.on_sheet), length(check.by_arm - check.on_sheet), length(check.sigma), unit);
+    text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from,
+                        check.to, length(check.by_arm), length(check.on_sheet), length(check.by_arm - check.on_sheet),
+                        length(check.sigma), unit);
   return text;
 }
 

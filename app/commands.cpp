@@ -5,18 +5,21 @@ namespace tubeplan::app {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"pose", "where the tip is, rigid and deflected", "tubeplan pose app/cells/bench.yaml --joints=-36.688,46.138,-35.856,-11.127 --load 30",
-     configurePose},
+    {"pose", "where the tip is, rigid and deflected",
+     "tubeplan pose app/cells/bench.yaml --joints=-36.688,46.138,-35.856,-11.127 --load 30", configurePose},
     {"map", "the holes of a cell's tube sheet", "tubeplan map app/cells/mockup.yaml --csv holes.csv", configureMap},
     {"calibrate", "where the base stands, from three or more touched holes",
      "tubeplan calibrate app/cells/mockup.yaml touches.csv --out calibrated.yaml", configureCalibrate},
     {"plan", "a proved, timed visit of a list of tubes",
-     "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 --out out/demo",
+     "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 "
+     "--out out/demo",
      configurePlan},
-    {"verify", "proves a plan again, by other code than made it", "tubeplan verify app/cells/mockup.yaml out/demo", configureVerify},
+    {"verify", "proves a plan again, by other code than made it", "tubeplan verify app/cells/mockup.yaml out/demo",
+     configureVerify},
     {"score", "centring and steps inserted by the true arm, with and without compensation",
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup-true.yaml --tubes spread:60\n"
-     "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup.yaml --runs 100", configureScore},
+     "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup.yaml --runs 100",
+     configureScore},
 };
 
 }  // namespace

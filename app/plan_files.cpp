@@ -37,7 +37,9 @@ json scoreJson(const std::optional<planner::Centring>& score, const Units& units
 }
 
 json modesJson(const ModeScores& scores, const Units& units) {
-  return {{"none", scoreJson(scores[0], units)}, {"goal_point", scoreJson(scores[1], units)}, {"via_point", scoreJson(scores[2], units)}};
+  return {{"none", scoreJson(scores[0], units)},
+          {"goal_point", scoreJson(scores[1], units)},
+          {"via_point", scoreJson(scores[2], units)}};
 }
 
 json tubeJson(const PlanOutcome& outcome, std::size_t k) {
@@ -65,7 +67,9 @@ json unreachableJson(const PlanOutcome& outcome) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
     json entry = {{"row", tube.row}, {"column", tube.column}, {"reason", missed.reason}};
     if (!missed.blocking.other.empty())
-      entry["in_the_way"] = {{"body", missed.blocking.body}, {"other", missed.blocking.other}, {"distance", lengthOf(missed.blocking.distance, outcome.cell.units)}};
+      entry["in_the_way"] = {{"body", missed.blocking.body},
+                             {"other", missed.blocking.other},
+                             {"distance", lengthOf(missed.blocking.distance, outcome.cell.units)}};
     list.push_back(entry);
   }
   return list;
@@ -145,9 +149,11 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   folder.write("plan.json", planJson(request, outcome).dump(1) + "\n");
   folder.write("path.csv", pathCsv(outcome));
   const auto cell_file = folder.path() / "cell.yaml";
-  folder.write("cell.yaml", outcome.calibration
-                                ? cellTextWithBase(outcome.cell, {outcome.model.X_WB, outcome.calibration->flexible.covariance, true}, cell_file)
-                                : cellTextAt(outcome.cell, cell_file));
+  folder.write("cell.yaml",
+               outcome.calibration
+                   ? cellTextWithBase(outcome.cell,
+                                      {outcome.model.X_WB, outcome.calibration->flexible.covariance, true}, cell_file)
+                   : cellTextAt(outcome.cell, cell_file));
   if (!outcome.touches.empty()) folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();
@@ -167,18 +173,25 @@ std::string planText(const PlanOutcome& outcome) {
     const auto& base = outcome.calibration->flexible;
     text += calibrationText(base, units);
     if (base.p_value < 0.01)
-      text += fmt::format("  the model is off by more than the readings' noise; the base's covariance is widened by {:.0f}\n", base.chi2 / base.degrees_of_freedom);
+      text += fmt::format(
+          "  the model is off by more than the readings' noise; the base's covariance is widened by {:.0f}\n",
+          base.chi2 / base.degrees_of_freedom);
   }
-  text += fmt::format("tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n", plan.visits.size(),
-                      plan.unreachable.size(), worst / units.factor(dimension::kLength), unit, tilt / units.factor(dimension::kAngle), units.angle().name);
+  text += fmt::format(
+      "tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n",
+      plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), unit,
+      tilt / units.factor(dimension::kAngle), units.angle().name);
   for (std::size_t k = 0; k < std::min<std::size_t>(plan.unreachable.size(), 5); ++k) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.unreachable[k].tube)];
     text += fmt::format("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), plan.unreachable[k].reason);
   }
-  if (plan.unreachable.size() > 5) text += fmt::format("  and {} more, each with its reason in plan.json\n", plan.unreachable.size() - 5);
-  text += fmt::format("travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n", plan.travel_time,
-                      plan.lower_bound, 100 * plan.gap, plan.row_by_row_time, plan.total_time, plan.detours);
-  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for), tightest {}\n", minClearance(outcome) / units.factor(dimension::kLength), unit,
+  if (plan.unreachable.size() > 5)
+    text += fmt::format("  and {} more, each with its reason in plan.json\n", plan.unreachable.size() - 5);
+  text += fmt::format(
+      "travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n",
+      plan.travel_time, plan.lower_bound, 100 * plan.gap, plan.row_by_row_time, plan.total_time, plan.detours);
+  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for), tightest {}\n",
+                      minClearance(outcome) / units.factor(dimension::kLength), unit,
                       outcome.model.scene.clearance / units.factor(dimension::kLength), tightestText(outcome));
   if (outcome.scores.empty()) return text;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));

@@ -22,11 +22,14 @@ planner::Compensation compensationOf(const std::string& name) {
 
 void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
   if (cell.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError(file, "another tube sheet (fingerprint " + truth.sheet.fingerprint() + ")", "the cell's (" + cell.sheet.fingerprint() + ")");
+    throw InputError(file, "another tube sheet (fingerprint " + truth.sheet.fingerprint() + ")",
+                     "the cell's (" + cell.sheet.fingerprint() + ")");
 }
 
 std::vector<calibration::Touch> rehearsedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
-  if (!outcome.truth) throw InputError("--touches auto", "no true arm to touch with", "--truth CELL", "name a true cell, or a file of touches");
+  if (!outcome.truth)
+    throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
+                     "name a true cell, or a file of touches");
   const auto plans = bestTouches(outcome.nominal, touchCandidates(outcome.nominal, kTouchCandidates), kTouchCount);
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(outcome.nominal.tool);
@@ -34,7 +37,8 @@ std::vector<calibration::Touch> rehearsedTouches(const PlanOutcome& outcome, std
   options.seed = seed;
   auto simulation = calibration::simulateTouches(outcome.truth->arm, outcome.truth->X_WB, plans, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch", "give touches in a file");
+    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
+                     "give touches in a file");
   addNeighbours(outcome.nominal.sheet, simulation.touches);
   return simulation.touches;
 }
@@ -54,8 +58,10 @@ void predict(PlanOutcome& outcome) {
     const auto hole = planner::holeCentre(outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
     outcome.predicted.push_back(planner::scoreVisit(outcome.model, hole, visit.branch));
     const auto tip = calibration::tipInWorld(outcome.model.arm, outcome.model.X_WB, visit.branch.q, outcome.model.load);
-    const Eigen::Matrix2d covariance = calibration::tipCovariance(outcome.model.arm, tip, outcome.model.base_covariance).topLeftCorner<2, 2>();
-    outcome.probability_by_steps.push_back(tubesheets::probabilityBySteps(outcome.model.tool, outcome.predicted.back().offset, covariance));
+    const Eigen::Matrix2d covariance =
+        calibration::tipCovariance(outcome.model.arm, tip, outcome.model.base_covariance).topLeftCorner<2, 2>();
+    outcome.probability_by_steps.push_back(
+        tubesheets::probabilityBySteps(outcome.model.tool, outcome.predicted.back().offset, covariance));
   }
 }
 
@@ -99,7 +105,8 @@ PlanOutcome runPlanJob(const PlanRequest& request, const planner::PlanHooks& hoo
     if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return outcome;
     outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
   }
-  outcome.plan = planner::planVisits(outcome.model, selection.tube_indices, planOptions(request, outcome.compensation), hooks);
+  outcome.plan =
+      planner::planVisits(outcome.model, selection.tube_indices, planOptions(request, outcome.compensation), hooks);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return outcome;
   predict(outcome);
   score(outcome);

@@ -14,12 +14,13 @@
 namespace tubeplan::app {
 
 struct PlanRequest {
-  std::string cell;            ///< file
-  std::string tubes = "all";   ///< selection or CSV file
-  std::string touches;         ///< file, `auto` (the truth touches holes chosen by the program), or empty: base as the cell has it
-  std::string truth;           ///< file; empty: nothing is scored
+  std::string cell;           ///< file
+  std::string tubes = "all";  ///< selection or CSV file
+  std::string
+      touches;  ///< file, `auto` (the truth touches holes chosen by the program), or empty: base as the cell has it
+  std::string truth;  ///< file; empty: nothing is scored
   std::string compensation = "via-point";
-  double load = 0;             ///< in the cell's unit of force
+  double load = 0;  ///< in the cell's unit of force
   std::uint64_t seed = 1;
 };
 
@@ -31,13 +32,13 @@ struct PlanOutcome {
   std::vector<calibration::Touch> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitPlan plan;
-  std::vector<planner::Centring> predicted;           ///< by the model itself, per visit
+  std::vector<planner::Centring> predicted;               ///< by the model itself, per visit
   std::vector<std::vector<double>> probability_by_steps;  ///< per visit, under the covariance of base and encoders
-  std::vector<ModeScores> scores;                     ///< per visit; empty without truth
+  std::vector<ModeScores> scores;                         ///< per visit; empty without truth
 };
 
-/// Reads, calibrates, plans and scores. Throws InputError for bad input. A calibration that is refused ends the job with the plan not
-/// run.
+/// Reads, calibrates, plans and scores. Throws InputError for bad input. A calibration that is refused ends the job
+/// with the plan not run.
 [[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, const planner::PlanHooks& hooks);
 
 }  // namespace tubeplan::app

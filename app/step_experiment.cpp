@@ -27,7 +27,8 @@ class Draw {
     return {x, y, z};
   }
   std::uint64_t seed() { return random_(); }
-  template <class T> void shuffle(std::vector<T>& items) {
+  template <class T>
+  void shuffle(std::vector<T>& items) {
     for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[random_() % k]);
   }
 
@@ -42,7 +43,8 @@ planner::Workcell drawTruth(planner::Workcell truth, const StepExperimentOptions
   step << draw.vector(options.base_shift_sigma), draw.vector(options.base_turn_sigma);
   truth.X_WB = calibration::moved(truth.X_WB, step);
   for (const auto& parameter : deflection::parametersOf(truth.arm)) {
-    const bool is_stiffness = parameter.quantity == deflection::Quantity::kTorquePerAngle || parameter.quantity == deflection::Quantity::kLengthToTheFourth;
+    const bool is_stiffness = parameter.quantity == deflection::Quantity::kTorquePerAngle ||
+                              parameter.quantity == deflection::Quantity::kLengthToTheFourth;
     if (is_stiffness) deflection::locate(truth.arm, parameter.path) *= std::exp(draw.normal(options.stiffness_sigma));
   }
   return truth;
@@ -55,7 +57,8 @@ struct TestHole {
 };
 
 /// Touches of the first `count` holes by the true arm; empty when one is out of its reach.
-std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std::vector<TestHole>& holes, int count, double sigma, Draw& draw) {
+std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std::vector<TestHole>& holes, int count,
+                                      double sigma, Draw& draw) {
   std::vector<TouchPlan> plans;
   for (int k = 0; k < count; ++k) {
     plans.push_back(holes[static_cast<std::size_t>(k)].plan);
@@ -68,12 +71,14 @@ std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std:
   options.seed = draw.seed();
   auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone) return {};
-  for (int k = 0; k < count; ++k) simulation.touches[static_cast<std::size_t>(k)].p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
+  for (int k = 0; k < count; ++k)
+    simulation.touches[static_cast<std::size_t>(k)].p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
   addNeighbours(truth.sheet, simulation.touches);
   return simulation.touches;
 }
 
-std::vector<TestHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count, double error_sigma, Draw& draw) {
+std::vector<TestHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
+                                double error_sigma, Draw& draw) {
   draw.shuffle(candidates);
   std::vector<TestHole> holes;
   for (int k = 0; k < count; ++k) {
@@ -85,8 +90,8 @@ std::vector<TestHole> drawHoles(const planner::Workcell& cell, std::vector<Touch
 }
 
 /// Mean error that a base fitted to many touches leaves at them.
-double meanTouchError(const planner::Workcell& model, const planner::Workcell& truth, const std::vector<TouchPlan>& candidates,
-                      const StepExperimentOptions& options) {
+double meanTouchError(const planner::Workcell& model, const planner::Workcell& truth,
+                      const std::vector<TouchPlan>& candidates, const StepExperimentOptions& options) {
   Draw draw(options.seed ^ 0x5bd1e995u);
   double sum = 0;
   int count = 0;
@@ -128,12 +133,14 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
 }
 
 /// One calibration and its ten holes; the reason where the touches were refused.
-std::string runOnce(const planner::Workcell& model, const planner::Workcell& truth, const std::vector<TouchPlan>& candidates,
-             const StepExperimentOptions& options, std::uint64_t seed, StepExperiment& experiment) {
+std::string runOnce(const planner::Workcell& model, const planner::Workcell& truth,
+                    const std::vector<TouchPlan>& candidates, const StepExperimentOptions& options, std::uint64_t seed,
+                    StepExperiment& experiment) {
   Draw draw(seed);
   const planner::Workcell drawn = drawTruth(truth, options, draw);
   std::vector<TestHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
-  while (!areWellSpread(holes, options.calibration_holes)) holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
+  while (!areWellSpread(holes, options.calibration_holes))
+    holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   const auto touches = touch(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw);
   if (touches.empty()) return "the true arm cannot touch one of the calibration holes";
   const BothCalibrations base = calibrateBoth(model, touches);
@@ -142,15 +149,16 @@ std::string runOnce(const planner::Workcell& model, const planner::Workcell& tru
   ScoringModels models{withBase(model, base.flexible), withBase(model, base.rigid), drawn};
   models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
   std::vector<ModeScores> scores;
-  for (const auto& hole : holes) scores.push_back(scoreModes(models, {hole.tube, hole.plan.q_start, hole.tip_error}, false));
+  for (const auto& hole : holes)
+    scores.push_back(scoreModes(models, {hole.tube, hole.plan.q_start, hole.tip_error}, false));
   addRun(scores, static_cast<int>(model.tool.steps.size()), experiment);
   return {};
 }
 
 }  // namespace
 
-StepExperiment runStepExperiment(const planner::Workcell& model, const planner::Workcell& truth, const StepExperimentOptions& options,
-                                 const planner::PlanHooks& hooks) {
+StepExperiment runStepExperiment(const planner::Workcell& model, const planner::Workcell& truth,
+                                 const StepExperimentOptions& options, const planner::PlanHooks& hooks) {
   StepExperiment experiment;
   const auto candidates = touchCandidates(model, kCandidates);
   if (static_cast<int>(candidates.size()) < std::max(options.test_holes, options.touch_fit_points)) {
@@ -161,7 +169,8 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
   Draw seeds(options.seed);
   for (int run = 0; run < options.runs; ++run) {
     if (hooks.stop && hooks.stop()) break;
-    if (hooks.progress) hooks.progress("runs", static_cast<std::size_t>(run) + 1, static_cast<std::size_t>(options.runs));
+    if (hooks.progress)
+      hooks.progress("runs", static_cast<std::size_t>(run) + 1, static_cast<std::size_t>(options.runs));
     const std::string reason = runOnce(model, truth, candidates, options, seeds.seed(), experiment);
     if (!reason.empty()) experiment.refused.push_back(reason);
   }

@@ -11,7 +11,8 @@ ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool
     options.mode = kCompensations[k];
     const auto& cell = options.mode == planner::Compensation::kNone ? models.rigid : models.flexible;
     const auto branch = planner::compensateFrom(cell, hole, tube.q, options);
-    if (branch.status == deflection::BranchStatus::kConverged) scores[k] = planner::scoreVisit(models.truth, hole, branch, tube.tip_error_W);
+    if (branch.status == deflection::BranchStatus::kConverged)
+      scores[k] = planner::scoreVisit(models.truth, hole, branch, tube.tip_error_W);
   }
   return scores;
 }

@@ -10,7 +10,8 @@
 
 namespace tubeplan::app {
 
-inline constexpr std::array kCompensations{planner::Compensation::kNone, planner::Compensation::kGoalPoint, planner::Compensation::kViaPoint};
+inline constexpr std::array kCompensations{planner::Compensation::kNone, planner::Compensation::kGoalPoint,
+                                           planner::Compensation::kViaPoint};
 
 /// The models that the modes plan with, and the truth.
 struct ScoringModels {
@@ -33,6 +34,7 @@ using ModeScores = std::array<std::optional<planner::Centring>, kCompensations.s
 [[nodiscard]] ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach = true);
 
 /// Counts by mode of 0, 1, ... steps.
-[[nodiscard]] std::array<std::vector<int>, kCompensations.size()> countByMode(const std::vector<ModeScores>& scores, int steps);
+[[nodiscard]] std::array<std::vector<int>, kCompensations.size()> countByMode(const std::vector<ModeScores>& scores,
+                                                                              int steps);
 
 }  // namespace tubeplan::app

@@ -26,10 +26,10 @@ void requireOneSetup(const std::vector<Measurement>& readings, const std::string
   std::set<std::string> setups;
   for (const auto& reading : readings)
     if (reading.kind == MeasurementKind::kTouch) setups.insert(reading.setup);
-  if (!setup.empty() && !setups.contains(setup))
-    throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
+  if (!setup.empty() && !setups.contains(setup)) throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
   if (setup.empty() && setups.size() > 1)
-    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches of one placing of the base", "choose one with --setup");
+    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches of one placing of the base",
+                     "choose one with --setup");
 }
 
 }  // namespace
@@ -56,7 +56,8 @@ void addNeighbours(const tubesheets::Sheet& sheet, std::vector<Touch>& touches) 
   }
 }
 
-std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file, const std::string& setup) {
+std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file,
+                             const std::string& setup) {
   requireOneSetup(readings, file, setup);
   std::vector<Touch> touches;
   for (const auto& reading : readings) {
@@ -77,8 +78,10 @@ std::string touchesCsv(const std::vector<Touch>& touches, const Cell& cell) {
   for (int row : active) text += "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + angle;
   text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", length);
   for (const auto& touch : touches) {
-    text += fmt::format("{},touch,{},{}", touch.id, touch.hole, formatNumber(cell.units.toFile(touch.load, dimension::kForce)));
-    for (int k = 0; k < touch.q.size(); ++k) text += "," + formatNumber(cell.units.toFile(touch.q[k], dimension::kAngle));
+    text += fmt::format("{},touch,{},{}", touch.id, touch.hole,
+                        formatNumber(cell.units.toFile(touch.load, dimension::kForce)));
+    for (int k = 0; k < touch.q.size(); ++k)
+      text += "," + formatNumber(cell.units.toFile(touch.q[k], dimension::kAngle));
     for (int k = 0; k < 3; ++k) text += "," + formatNumber(cell.units.toFile(touch.p_WH[k], dimension::kLength));
     text += "," + formatNumber(cell.units.toFile(touch.sigma, dimension::kLength)) + "\n";
   }

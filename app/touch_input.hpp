@@ -10,10 +10,12 @@
 
 namespace tubeplan::app {
 
-/// The touches of known holes among the readings. `file` is for messages. Throws InputError where there are none, where they come
-/// from several set-ups and none is chosen, or where a touch says no sigma and the cell has no tool to take it from.
-[[nodiscard]] std::vector<calibration::Touch> touchesOf(const std::vector<calibration::Measurement>& readings, const Cell& cell,
-                                                        const std::string& file, const std::string& setup = "");
+/// The touches of known holes among the readings. `file` is for messages. Throws InputError where there are none, where
+/// they come from several set-ups and none is chosen, or where a touch says no sigma and the cell has no tool to take
+/// it from.
+[[nodiscard]] std::vector<calibration::Touch> touchesOf(const std::vector<calibration::Measurement>& readings,
+                                                        const Cell& cell, const std::string& file,
+                                                        const std::string& setup = "");
 
 /// The neighbours of the hole a touch names, for telling a mistaken one.
 void addNeighbours(const tubesheets::Sheet& sheet, std::vector<calibration::Touch>& touches);

@@ -10,24 +10,29 @@
 namespace tubeplan::app {
 
 std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count) {
-  const auto selection = tubesheets::selectTubes(cell.sheet, "spread:" + std::to_string(std::min<std::size_t>(count, cell.sheet.tubes.size())));
+  const auto selection = tubesheets::selectTubes(
+      cell.sheet, "spread:" + std::to_string(std::min<std::size_t>(count, cell.sheet.tubes.size())));
   const planner::ArmClearance clearance(cell);
   std::vector<calibration::TouchPlan> candidates;
   for (int index : selection.tube_indices) {
     const auto reach = planner::reachTube(clearance, index);
     if (reach.status != planner::ReachStatus::kReachable) continue;
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(index)];
-    candidates.push_back({"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), reach.branches.front().q});
+    candidates.push_back(
+        {"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), reach.branches.front().q});
   }
   return candidates;
 }
 
-std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates, int count) {
+std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
+                                                const std::vector<calibration::TouchPlan>& candidates, int count) {
   std::vector<Eigen::VectorXd> work;
   for (const auto& candidate : candidates) work.push_back(candidate.q_start);
-  const auto choice = calibration::chooseTouches(cell.arm, cell.X_WB, candidates, work, {count, touchSigmaOf(cell.tool)});
+  const auto choice =
+      calibration::chooseTouches(cell.arm, cell.X_WB, candidates, work, {count, touchSigmaOf(cell.tool)});
   if (choice.status != calibration::TouchChoiceStatus::kDone)
-    throw InputError("--touches auto", choice.reason, "holes to touch", "check base, scene and joint limits of the cell");
+    throw InputError("--touches auto", choice.reason, "holes to touch",
+                     "check base, scene and joint limits of the cell");
   std::vector<calibration::TouchPlan> plans;
   for (int index : choice.chosen) {
     plans.push_back(candidates[static_cast<std::size_t>(index)]);

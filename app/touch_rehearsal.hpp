@@ -15,15 +15,19 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count);
 
 /// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ...
-[[nodiscard]] std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates, int count);
+[[nodiscard]] std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
+                                                              const std::vector<calibration::TouchPlan>& candidates,
+                                                              int count);
 
 /// The base by the flexible model and, for comparison, by the rigid one.
 struct BothCalibrations {
   calibration::BaseCalibration flexible, rigid;
 };
-[[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<calibration::Touch>& touches);
+[[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& cell,
+                                             const std::vector<calibration::Touch>& touches);
 
-/// The cell with its base as calibrated. A misfit beyond noise widens the covariance by chi-square per degree of freedom.
+/// The cell with its base as calibrated. A misfit beyond noise widens the covariance by chi-square per degree of
+/// freedom.
 [[nodiscard]] planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base);
 
 }  // namespace tubeplan::app

@@ -20,7 +20,8 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
 
 nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units) {
   const Eigen::Vector3d rpy = deflection::fixedAnglesOf(X.linear());
-  return {{"position", vectorJson(X.translation(), units, dimension::kLength)}, {"rpy", vectorJson(rpy, units, dimension::kAngle)}};
+  return {{"position", vectorJson(X.translation(), units, dimension::kLength)},
+          {"rpy", vectorJson(rpy, units, dimension::kAngle)}};
 }
 
 }  // namespace tubeplan::app

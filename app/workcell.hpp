@@ -15,7 +15,11 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
 
 /// One number, a length unless said otherwise, in file units.
-[[nodiscard]] inline double lengthOf(double metres, const Units& units) { return units.toFile(metres, dimension::kLength); }
-[[nodiscard]] inline double angleOf(double radians, const Units& units) { return units.toFile(radians, dimension::kAngle); }
+[[nodiscard]] inline double lengthOf(double metres, const Units& units) {
+  return units.toFile(metres, dimension::kLength);
+}
+[[nodiscard]] inline double angleOf(double radians, const Units& units) {
+  return units.toFile(radians, dimension::kAngle);
+}
 
 }  // namespace tubeplan::app

@@ -1,7 +1,7 @@
 #include "calibration/base_calibration.hpp"
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "calibration/least_squares.hpp"
@@ -13,13 +13,14 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
-/// Best rigid placing of the arm's touched tips on the holes (Umeyama 1991, no scale); repeated, since the sag of the tips
-/// depends on gravity's direction in the base, which the placing tells.
+/// Best rigid placing of the arm's touched tips on the holes (Umeyama 1991, no scale); repeated, since the sag of the
+/// tips depends on gravity's direction in the base, which the placing tells.
 Isometry3d alignBase(const deflection::Arm& arm, const std::vector<Touch>& touches, Isometry3d X_WB, int repeats) {
   Eigen::Matrix3Xd tips(3, touches.size()), holes(3, touches.size());
   for (int n = 0; n < repeats; ++n) {
     for (std::size_t k = 0; k < touches.size(); ++k) {
-      const auto shape = deflection::solveFlexibleKinematics(arm, {touches[k].q, touches[k].load, deflection::gravityInBase(arm, X_WB)});
+      const auto shape = deflection::solveFlexibleKinematics(
+          arm, {touches[k].q, touches[k].load, deflection::gravityInBase(arm, X_WB)});
       tips.col(static_cast<Eigen::Index>(k)) = shape.X_BD.p;
       holes.col(static_cast<Eigen::Index>(k)) = touches[k].p_WH;
     }
@@ -39,21 +40,25 @@ struct WhitenedTouch {
 
 using Whitener = Matrix3d;  // inverse of the lower Cholesky factor of a touch's covariance
 
-WhitenedTouch whitenedTouch(const deflection::Arm& arm, const Isometry3d& X_WB, const Touch& touch, const Whitener& whitener) {
+WhitenedTouch whitenedTouch(const deflection::Arm& arm, const Isometry3d& X_WB, const Touch& touch,
+                            const Whitener& whitener) {
   const TipInWorld tip = tipInWorld(arm, X_WB, touch.q, touch.load);
   return {tip.ok, whitener * (tip.p_WT - touch.p_WH), whitener * tip.by_base};
 }
 
-std::vector<Whitener> whitenersAt(const deflection::Arm& arm, const Isometry3d& X_WB, const std::vector<Touch>& touches, double model_sigma) {
+std::vector<Whitener> whitenersAt(const deflection::Arm& arm, const Isometry3d& X_WB, const std::vector<Touch>& touches,
+                                  double model_sigma) {
   std::vector<Whitener> whiteners;
   for (const auto& touch : touches) {
-    const Matrix3d covariance = touchCovariance(arm, tipInWorld(arm, X_WB, touch.q, touch.load), std::hypot(touch.sigma, model_sigma));
+    const Matrix3d covariance =
+        touchCovariance(arm, tipInWorld(arm, X_WB, touch.q, touch.load), std::hypot(touch.sigma, model_sigma));
     whiteners.push_back(covariance.llt().matrixL().solve(Matrix3d::Identity()));
   }
   return whiteners;
 }
 
-/// d(exp(w + e)) = exp(J e) exp(w): the left Jacobian of the rotation, so that steps away from zero have exact derivatives.
+/// d(exp(w + e)) = exp(J e) exp(w): the left Jacobian of the rotation, so that steps away from zero have exact
+/// derivatives.
 Matrix3d leftJacobian(const Vector3d& w) {
   const double t = w.norm();
   Matrix3d K;
@@ -81,7 +86,8 @@ LeastSquaresProblem baseProblem(const deflection::Arm& arm, const std::vector<To
       r.segment<3>(3 * static_cast<Eigen::Index>(k)) = row.residual;
       if (!jacobian) continue;
       jacobian->block<3, 3>(3 * static_cast<Eigen::Index>(k), 0) = row.jacobian.leftCols<3>();
-      jacobian->block<3, 3>(3 * static_cast<Eigen::Index>(k), 3) = row.jacobian.rightCols<3>() * leftJacobian(x.tail<3>());
+      jacobian->block<3, 3>(3 * static_cast<Eigen::Index>(k), 3) =
+          row.jacobian.rightCols<3>() * leftJacobian(x.tail<3>());
     }
     return true;
   };
@@ -95,17 +101,21 @@ struct BaseFit {
 };
 
 /// Weights are taken at the aligned pose: encoder noise through the Jacobian changes little after it.
-BaseFit fitBase(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& aligned, double model_sigma) {
+BaseFit fitBase(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& aligned,
+                double model_sigma) {
   const auto whiteners = whitenersAt(arm, aligned, touches, model_sigma);
   BaseFit fit;
   fit.solution = minimizeLeastSquares(baseProblem(arm, touches, aligned, whiteners));
   fit.X_WB = moved(aligned, fit.solution.x);
   const double freedom = 3. * static_cast<double>(touches.size()) - 6;
-  if (std::isfinite(fit.solution.chi2)) fit.p_value = boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), std::max(fit.solution.chi2, 0.)));
+  if (std::isfinite(fit.solution.chi2))
+    fit.p_value =
+        boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), std::max(fit.solution.chi2, 0.)));
   return fit;
 }
 
-Eigen::Matrix<double, 6, 6> baseCovariance(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB) {
+Eigen::Matrix<double, 6, 6> baseCovariance(const deflection::Arm& arm, const std::vector<Touch>& touches,
+                                           const Isometry3d& X_WB) {
   Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
   const auto whiteners = whitenersAt(arm, X_WB, touches, 0);
   for (std::size_t k = 0; k < touches.size(); ++k) {
@@ -121,7 +131,8 @@ void recordResiduals(const deflection::Arm& arm, const std::vector<Touch>& touch
   for (const auto& touch : touches) {
     tips.push_back(tipInWorld(arm, result.X_WB, touch.q, touch.load));
     const Vector3d residual = tips.back().p_WT - touch.p_WH;
-    result.residuals.push_back({touch.id, touch.hole, residual, touchCovariance(arm, tips.back(), touch.sigma).diagonal().cwiseSqrt()});
+    result.residuals.push_back(
+        {touch.id, touch.hole, residual, touchCovariance(arm, tips.back(), touch.sigma).diagonal().cwiseSqrt()});
     sum += residual.squaredNorm();
   }
   result.rms = std::sqrt(sum / static_cast<double>(touches.size()));
@@ -129,15 +140,16 @@ void recordResiduals(const deflection::Arm& arm, const std::vector<Touch>& touch
     for (std::size_t j = i + 1; j < touches.size(); ++j) {
       if (touches[i].hole == touches[j].hole) continue;
       const Vector3d along = (touches[j].p_WH - touches[i].p_WH).normalized();
-      const Matrix3d both = touchCovariance(arm, tips[i], touches[i].sigma) + touchCovariance(arm, tips[j], touches[j].sigma);
+      const Matrix3d both =
+          touchCovariance(arm, tips[i], touches[i].sigma) + touchCovariance(arm, tips[j], touches[j].sigma);
       result.distances.push_back({touches[i].hole, touches[j].hole, (tips[j].p_WT - tips[i].p_WT).norm(),
                                   (touches[j].p_WH - touches[i].p_WH).norm(), std::sqrt(along.dot(both * along))});
     }
 }
 
 /// Each touch in turn is taken for each of its neighbours; those that make the touches fit are named, best first.
-std::vector<std::string> findMistakenHoles(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB,
-                                           double chi2, const BaseCalibrationOptions& options) {
+std::vector<std::string> findMistakenHoles(const deflection::Arm& arm, const std::vector<Touch>& touches,
+                                           const Isometry3d& X_WB, double chi2, const BaseCalibrationOptions& options) {
   std::vector<std::pair<double, std::string>> found;
   for (std::size_t k = 0; k < touches.size(); ++k)
     for (const auto& neighbour : touches[k].neighbours) {
@@ -145,7 +157,8 @@ std::vector<std::string> findMistakenHoles(const deflection::Arm& arm, const std
       supposed[k].p_WH = neighbour.p_WH;
       const BaseFit fit = fitBase(arm, supposed, alignBase(arm, supposed, X_WB, 3), options.model_sigma);
       if (fit.p_value > 0.01 && fit.solution.chi2 < chi2 / 4)
-        found.emplace_back(fit.solution.chi2, "touch " + touches[k].id + " named " + touches[k].hole + " fits hole " + neighbour.name);
+        found.emplace_back(fit.solution.chi2,
+                           "touch " + touches[k].id + " named " + touches[k].hole + " fits hole " + neighbour.name);
     }
   std::sort(found.begin(), found.end());
   std::vector<std::string> names;
@@ -161,16 +174,20 @@ BaseCalibration refused(std::string reason) {
 }
 
 /// Looks at a misfit that noise and the model's usual error cannot explain.
-bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, const BaseCalibrationOptions& options, BaseCalibration& result) {
+bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, const BaseCalibrationOptions& options,
+                BaseCalibration& result) {
   if (result.p_value >= options.mistaken_hole_p_value) return false;
   const BaseFit tolerant = fitBase(arm, touches, result.X_WB, options.model_sigma);
   if (tolerant.p_value >= options.mistaken_hole_p_value) return false;
   result.suspects = findMistakenHoles(arm, touches, result.X_WB, tolerant.solution.chi2, options);
   if (result.suspects.empty()) {
-    result.reason = "the touches fit neither the holes they name nor any of their neighbours: check the hole names, the arm file and the load";
+    result.reason =
+        "the touches fit neither the holes they name nor any of their neighbours: check the hole names, the arm file "
+        "and the load";
   } else {
     result.reason = "a hole was mistaken for its neighbour: " + result.suspects.front();
-    for (std::size_t k = 1; k < std::min<std::size_t>(result.suspects.size(), 3); ++k) result.reason += "; or " + result.suspects[k];
+    for (std::size_t k = 1; k < std::min<std::size_t>(result.suspects.size(), 3); ++k)
+      result.reason += "; or " + result.suspects[k];
   }
   result.status = CalibrationStatus::kRefused;
   return true;
@@ -178,8 +195,8 @@ bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, c
 
 }  // namespace
 
-BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB_start,
-                              const BaseCalibrationOptions& options) {
+BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches,
+                              const Isometry3d& X_WB_start, const BaseCalibrationOptions& options) {
   if (const std::string problem = findTouchProblem(touches, options); !problem.empty()) return refused(problem);
   const BaseFit fit = fitBase(arm, touches, alignBase(arm, touches, X_WB_start, options.alignments), 0);
   BaseCalibration result;

@@ -33,11 +33,13 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step) {
   return result;
 }
 
-TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q, double load) {
+TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
+                      double load) {
   auto variables = deflection::jointVariables(arm);
   const int joints = static_cast<int>(variables.size());
   for (int axis = 0; axis < 3; ++axis) variables.push_back(deflection::Variable::gravityTurn(axis));
-  const auto derivatives = deflection::differentiateTip(arm, {q, load, deflection::gravityInBase(arm, X_WB)}, variables, {1e-12, 100});
+  const auto derivatives =
+      deflection::differentiateTip(arm, {q, load, deflection::gravityInBase(arm, X_WB)}, variables, {1e-12, 100});
   TipInWorld tip;
   tip.ok = derivatives.kinematics.status == deflection::KinematicsStatus::kConverged;
   const Matrix3d R = X_WB.linear();
@@ -50,7 +52,8 @@ TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   return tip;
 }
 
-Matrix3d tipCovariance(const deflection::Arm& arm, const TipInWorld& tip, const Eigen::Matrix<double, 6, 6>& base_covariance) {
+Matrix3d tipCovariance(const deflection::Arm& arm, const TipInWorld& tip,
+                       const Eigen::Matrix<double, 6, 6>& base_covariance) {
   return tip.by_base * base_covariance * tip.by_base.transpose() + encoderCovariance(arm, tip);
 }
 

@@ -31,17 +31,20 @@ struct Touch {
 using BaseStep = Eigen::Matrix<double, 6, 1>;
 Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step);
 
-/// Tip place in the world and its derivatives by the base step, by the joints. Gravity turns in the base frame as the base turns.
+/// Tip place in the world and its derivatives by the base step, by the joints. Gravity turns in the base frame as the
+/// base turns.
 struct TipInWorld {
   bool ok = false;  ///< whether the deflected shape settled; the rest is NaN otherwise
   Eigen::Vector3d p_WT = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Matrix<double, 3, 6> by_base = Eigen::Matrix<double, 3, 6>::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Matrix3Xd by_joints;
 };
-[[nodiscard]] TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q, double load);
+[[nodiscard]] TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
+                                    double load);
 
 /// Covariance [m^2] of the tip's place from base covariance and encoder noise together.
-Eigen::Matrix3d tipCovariance(const deflection::Arm& arm, const TipInWorld& tip, const Eigen::Matrix<double, 6, 6>& base_covariance);
+Eigen::Matrix3d tipCovariance(const deflection::Arm& arm, const TipInWorld& tip,
+                              const Eigen::Matrix<double, 6, 6>& base_covariance);
 
 /// Covariance of one touch: centring noise and encoder noise through the arm's Jacobian.
 Eigen::Matrix3d touchCovariance(const deflection::Arm& arm, const TipInWorld& tip, double sigma);

@@ -60,29 +60,32 @@ class ScaledProblem : public Ipopt::TNLP {
   bool eval_g(Index, const Number*, bool, Index, Number*) override { return true; }
   bool eval_jac_g(Index, const Number*, bool, Index, Index, Index*, Index*, Number*) override { return true; }
 
-  bool eval_h(Index n, const Number* x, bool, Number factor, Index, const Number*, bool, Index, Index* rows, Index* columns,
-              Number* values) override {
+  bool eval_h(Index n, const Number* x, bool, Number factor, Index, const Number*, bool, Index, Index* rows,
+              Index* columns, Number* values) override {
     if (values && !update(x)) return false;
     const MatrixXd H = values ? MatrixXd(factor * J_.transpose() * J_) : MatrixXd();
     for (Index i = 0, k = 0; i < n; ++i)
       for (Index j = 0; j <= i; ++j, ++k) {
-        if (values) values[k] = H(i, j);
-        else rows[k] = i, columns[k] = j;
+        if (values)
+          values[k] = H(i, j);
+        else
+          rows[k] = i, columns[k] = j;
       }
     return true;
   }
 
-  /// Ipopt's own test is absolute in the gradient; with a large misfit rounding keeps it from ever being met. An objective that
-  /// stays the same to rounding twice is as far down as it goes.
-  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number value, Number, Number, Number, Number, Number, Number, Number, Index,
-                             const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+  /// Ipopt's own test is absolute in the gradient; with a large misfit rounding keeps it from ever being met. An
+  /// objective that stays the same to rounding twice is as far down as it goes.
+  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number value, Number, Number, Number, Number, Number, Number,
+                             Number, Index, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     resting_ = std::abs(value - last_value_) <= 1e-13 * std::abs(value) ? resting_ + 1 : 0;
     last_value_ = value;
     return resting_ < 2;
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index, const Number*,
-                         const Number*, Number value, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index,
+                         const Number*, const Number*, Number value, const Ipopt::IpoptData*,
+                         Ipopt::IpoptCalculatedQuantities*) override {
     solution = Eigen::Map<const VectorXd>(x, n).cwiseProduct(problem_.scale);
     chi2 = 2 * value;
   }
@@ -124,11 +127,16 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver(const LeastSquaresOptions& o
 
 const char* reasonOf(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
-    case Ipopt::Maximum_Iterations_Exceeded: return "stopped at the iteration limit";
-    case Ipopt::Restoration_Failed: return "no step lowers the error";
-    case Ipopt::Error_In_Step_Computation: return "the steps have become too small";
-    case Ipopt::Invalid_Number_Detected: return "the model could not be evaluated";
-    default: return "the solver failed";
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return "stopped at the iteration limit";
+    case Ipopt::Restoration_Failed:
+      return "no step lowers the error";
+    case Ipopt::Error_In_Step_Computation:
+      return "the steps have become too small";
+    case Ipopt::Invalid_Number_Detected:
+      return "the model could not be evaluated";
+    default:
+      return "the solver failed";
   }
 }
 
@@ -144,11 +152,11 @@ LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, cons
     return result;
   }
   const auto status = solver->OptimizeTNLP(scaled);
-  const bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level || status == Ipopt::Search_Direction_Becomes_Too_Small ||
-                    status == Ipopt::User_Requested_Stop;
-  result.status = good                                              ? LeastSquaresStatus::kConverged
+  const bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level ||
+                    status == Ipopt::Search_Direction_Becomes_Too_Small || status == Ipopt::User_Requested_Stop;
+  result.status = good                                           ? LeastSquaresStatus::kConverged
                   : status == Ipopt::Maximum_Iterations_Exceeded ? LeastSquaresStatus::kIterationLimit
-                                                                    : LeastSquaresStatus::kFailed;
+                                                                 : LeastSquaresStatus::kFailed;
   if (!good) result.reason = reasonOf(status);
   result.x = scaled->solution.size() ? scaled->solution : problem.start;
   result.chi2 = scaled->chi2;

@@ -1,11 +1,10 @@
 // Nonlinear least squares with bounds: the one question every calibration asks of a solver.
 #pragma once
 
+#include <Eigen/Dense>
 #include <functional>
 #include <limits>
 #include <string>
-
-#include <Eigen/Dense>
 
 namespace tubeplan::calibration {
 
@@ -34,6 +33,7 @@ struct LeastSquaresResult {
 };
 
 /// Solved by Ipopt with exact gradients and the Gauss-Newton Hessian.
-[[nodiscard]] LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, const LeastSquaresOptions& options = {});
+[[nodiscard]] LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem,
+                                                      const LeastSquaresOptions& options = {});
 
 }  // namespace tubeplan::calibration

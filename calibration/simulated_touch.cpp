@@ -23,13 +23,14 @@ Eigen::VectorXd encoderNoise(const deflection::Arm& arm, std::mt19937_64& random
 
 }  // namespace
 
-TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB, const std::vector<TouchPlan>& plans,
-                                const TouchSimulationOptions& options) {
+TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
+                                const std::vector<TouchPlan>& plans, const TouchSimulationOptions& options) {
   TouchSimulation result;
   std::mt19937_64 random(options.seed);
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(truth, X_WB);
   for (const auto& plan : plans) {
-    const Eigen::Vector3d tip_W = plan.p_WH + gaussian(random, options.sigma) + gaussian(random, options.model_error_sigma);
+    const Eigen::Vector3d tip_W =
+        plan.p_WH + gaussian(random, options.sigma) + gaussian(random, options.model_error_sigma);
     const deflection::ToolGoal goal{X_WB.inverse() * tip_W, X_WB.linear().transpose() * options.axis_W};
     const auto branch = deflection::refineBranch(truth, goal, options.load, gravity_B, plan.q_start);
     if (branch.status != deflection::BranchStatus::kConverged) {
@@ -37,7 +38,8 @@ TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isome
       result.reason = "hole " + plan.hole + " cannot be touched by the true arm: " + branch.reason;
       return result;
     }
-    result.touches.push_back({plan.id, plan.hole, plan.p_WH, branch.q + encoderNoise(truth, random), options.load, options.sigma, {}});
+    result.touches.push_back(
+        {plan.id, plan.hole, plan.p_WH, branch.q + encoderNoise(truth, random), options.load, options.sigma, {}});
   }
   result.status = TouchSimulationStatus::kDone;
   return result;

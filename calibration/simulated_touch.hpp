@@ -1,4 +1,5 @@
-// Touches as a true arm would make them: the tip found in a hole within the centring noise, the joints read with encoder noise.
+// Touches as a true arm would make them: the tip found in a hole within the centring noise, the joints read with
+// encoder noise.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +19,10 @@ struct TouchPlan {
 };
 
 struct TouchSimulationOptions {
-  double sigma = 1.27e-4;                                    ///< m, of each coordinate of the centring (0.005 in)
-  double model_error_sigma = 0;                              ///< m per coordinate: what the true arm does beyond its own model
-  double load = 0;                                           ///< N
-  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();         ///< the holes' axis
+  double sigma = 1.27e-4;                             ///< m, of each coordinate of the centring (0.005 in)
+  double model_error_sigma = 0;                       ///< m per coordinate: what the true arm does beyond its own model
+  double load = 0;                                    ///< N
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< the holes' axis
   std::uint64_t seed = 1;
 };
 
@@ -35,6 +36,7 @@ struct TouchSimulation {
 
 /// What the arm `truth`, standing at X_WB, would read at each planned touch.
 [[nodiscard]] TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
-                                              const std::vector<TouchPlan>& plans, const TouchSimulationOptions& options = {});
+                                              const std::vector<TouchPlan>& plans,
+                                              const TouchSimulationOptions& options = {});
 
 }  // namespace tubeplan::calibration

@@ -9,14 +9,16 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-Matrix6 informationOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const TouchPlan& candidate, double sigma) {
+Matrix6 informationOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const TouchPlan& candidate,
+                      double sigma) {
   const TipInWorld tip = tipInWorld(arm, X_WB, candidate.q_start, 0);
   const Eigen::Matrix3d weight = touchCovariance(arm, tip, sigma).inverse();
   return tip.by_base.transpose() * weight * tip.by_base;
 }
 
 /// Sum over the work of J^T J: the mean variance is then the trace of this against the base's covariance.
-Matrix6 workSensitivity(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std::vector<Eigen::VectorXd>& work) {
+Matrix6 workSensitivity(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                        const std::vector<Eigen::VectorXd>& work) {
   Matrix6 sum = Matrix6::Zero();
   for (const auto& q : work) {
     const TipInWorld tip = tipInWorld(arm, X_WB, q, 0);
@@ -27,19 +29,22 @@ Matrix6 workSensitivity(const deflection::Arm& arm, const Eigen::Isometry3d& X_W
 
 double variance(const Matrix6& information, const Matrix6& work) {
   const Eigen::LDLT<Matrix6> factor(information);
-  if (factor.vectorD().minCoeff() <= 1e-12 * factor.vectorD().maxCoeff()) return std::numeric_limits<double>::infinity();
+  if (factor.vectorD().minCoeff() <= 1e-12 * factor.vectorD().maxCoeff())
+    return std::numeric_limits<double>::infinity();
   return factor.solve(work).trace();
 }
 
 }  // namespace
 
-TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std::vector<TouchPlan>& candidates,
-                          const std::vector<Eigen::VectorXd>& work, const TouchChoiceOptions& options) {
+TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                          const std::vector<TouchPlan>& candidates, const std::vector<Eigen::VectorXd>& work,
+                          const TouchChoiceOptions& options) {
   TouchChoice result;
   const int n = static_cast<int>(candidates.size());
   if (n < options.count || options.count < 3) {
     result.status = TouchChoiceStatus::kTooFewCandidates;
-    result.reason = std::to_string(n) + " holes can be touched, " + std::to_string(options.count) + " (at least 3) are asked for";
+    result.reason =
+        std::to_string(n) + " holes can be touched, " + std::to_string(options.count) + " (at least 3) are asked for";
     return result;
   }
   std::vector<Matrix6> information;

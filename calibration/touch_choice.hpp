@@ -18,13 +18,16 @@ enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
 struct TouchChoice {
   TouchChoiceStatus status = TouchChoiceStatus::kNotRun;
   std::string reason;
-  std::vector<int> chosen;  ///< indices of the candidates
-  double mean_sigma = std::numeric_limits<double>::quiet_NaN();  ///< predicted sigma of a tip coordinate, root mean square over the work [m]
+  std::vector<int> chosen;                                       ///< indices of the candidates
+  double mean_sigma = std::numeric_limits<double>::quiet_NaN();  ///< predicted sigma of a tip coordinate, root mean
+                                                                 ///< square over the work [m]
 };
 
-/// The best triple of all (least mean variance of the tip over the work postures), then the best further hole one by one.
+/// The best triple of all (least mean variance of the tip over the work postures), then the best further hole one by
+/// one.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                                        const std::vector<TouchPlan>& candidates, const std::vector<Eigen::VectorXd>& work,
+                                        const std::vector<TouchPlan>& candidates,
+                                        const std::vector<Eigen::VectorXd>& work,
                                         const TouchChoiceOptions& options = {});
 
 }  // namespace tubeplan::calibration

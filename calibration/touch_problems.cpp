@@ -27,12 +27,15 @@ std::string findTouchProblem(const std::vector<Touch>& touches, const BaseCalibr
   for (const auto& touch : touches) {
     holes.insert(touch.hole);
     if (!seen.insert({touch.hole, touch.load}).second)
-      return "hole " + touch.hole + " is touched twice under the same load (second time by " + touch.id + "): every touch needs a hole of its own";
+      return "hole " + touch.hole + " is touched twice under the same load (second time by " + touch.id +
+             "): every touch needs a hole of its own";
   }
   if (holes.size() < 3)
-    return "a base needs at least three touched holes, and there " + std::string(holes.size() == 1 ? "is " : "are ") + std::to_string(holes.size());
+    return "a base needs at least three touched holes, and there " + std::string(holes.size() == 1 ? "is " : "are ") +
+           std::to_string(holes.size());
   if (flatness(touches) < options.collinear_ratio)
-    return "the touched holes lie nearly on a line, so the turn about that line cannot be told: touch one hole well off it";
+    return "the touched holes lie nearly on a line, so the turn about that line cannot be told: touch one hole well "
+           "off it";
   return {};
 }
 

@@ -1,11 +1,12 @@
 // A serial arm as data: rows of geometry, joints, stiffnesses and weights.
 //
-// Internal units of the whole program, stated here once: metre, newton, radian, second, kelvin. Files carry their own units;
-// the readers convert. Weights are forces (N), not masses. A stiffness of infinity is a rigid axis.
+// Internal units of the whole program, stated here once: metre, newton, radian, second, kelvin. Files carry their own
+// units; the readers convert. Weights are forces (N), not masses. A stiffness of infinity is a rigid axis.
 //
-// Frames: B is the arm's base, L1..Ln the rows' frames (L0 = B), T the tool frame at the tip, D the same frame deflected.
-// Row i takes frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), the last one to the tip; the member of a
-// prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, as long as the joint says.
+// Frames: B is the arm's base, L1..Ln the rows' frames (L0 = B), T the tool frame at the tip, D the same frame
+// deflected. Row i takes frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), the last one to the
+// tip; the member of a prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, as long as the
+// joint says.
 #pragma once
 
 #include <limits>
@@ -21,12 +22,14 @@ namespace tubeplan::deflection {
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
 /// Modified (Craig) Denavit-Hartenberg numbers: RotX(alpha) TransX(a) RotZ(theta) TransZ(d). rad, m.
-template <class S> struct DenavitHartenberg {
+template <class S>
+struct DenavitHartenberg {
   S alpha{0}, a{0}, d{0}, theta{0};
 };
 
 /// A row placed as URDF does: translation [m], then fixed-axis roll, pitch, yaw [rad].
-template <class S> struct Origin {
+template <class S>
+struct Origin {
   Vector3<S> position = Vector3<S>::Zero();
   Vector3<S> rpy = Vector3<S>::Zero();
 };
@@ -34,7 +37,8 @@ template <class S> struct Origin {
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
 /// Angles in rad (lengths in m for a prismatic joint). Limits, speed and acceleration are infinite where not stated.
-template <class S> struct Joint {
+template <class S>
+struct Joint {
   std::string name;
   JointType type = JointType::kPassive;
   S offset{0};
@@ -47,7 +51,8 @@ template <class S> struct Joint {
 
 /// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. An I of infinity does not bend;
 /// G J of infinity does not twist. `segments` splits it into equal elements.
-template <class S> struct Beam {
+template <class S>
+struct Beam {
   S E{kRigid};
   Vector3<S> I = Vector3<S>::Constant(S(kRigid));
   S G{kRigid};
@@ -55,19 +60,22 @@ template <class S> struct Beam {
   int segments = 1;
 };
 
-template <class S> struct Lump {
-  S weight{0};                               ///< N
-  Vector3<S> at = Vector3<S>::Zero();        ///< m, in the row's frame
+template <class S>
+struct Lump {
+  S weight{0};                         ///< N
+  Vector3<S> at = Vector3<S>::Zero();  ///< m, in the row's frame
 };
 
 /// Distributed along the member [N/m], at its end [N], or lumped anywhere in the row's frame.
-template <class S> struct Weight {
+template <class S>
+struct Weight {
   S distributed{0};
   S end{0};
   std::vector<Lump<S>> lumps;
 };
 
-template <class S> struct Row {
+template <class S>
+struct Row {
   std::string name;
   std::variant<DenavitHartenberg<S>, Origin<S>> placement;
   Joint<S> joint;
@@ -76,13 +84,14 @@ template <class S> struct Row {
   Weight<S> weight;
 };
 
-template <class S> struct ArmOf {
+template <class S>
+struct ArmOf {
   std::string name;
   Vector3<S> gravity_W = -Vector3<S>::UnitZ();  ///< direction, unit length, in the world frame
   std::vector<Row<S>> rows;
-  Vector3<S> p_LT = Vector3<S>::Zero();         ///< the tip in the last row's frame
-  Vector3<S> tool_axis_L = Vector3<S>::UnitZ(); ///< the direction the tool enters a hole, in the last row's frame
-  double reference_temperature = 293.15;        ///< K, where lengths are nominal
+  Vector3<S> p_LT = Vector3<S>::Zero();          ///< the tip in the last row's frame
+  Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
+  double reference_temperature = 293.15;         ///< K, where lengths are nominal
 };
 
 using Arm = ArmOf<double>;
@@ -103,8 +112,8 @@ struct ArmProblem {
   std::string expected;
 };
 
-/// Every problem of an arm, in file order: no rows, double names, a negative or zero stiffness, a flexible beam of no length,
-/// limits the wrong way round, numbers that are not finite. Empty means usable.
+/// Every problem of an arm, in file order: no rows, double names, a negative or zero stiffness, a flexible beam of no
+/// length, limits the wrong way round, numbers that are not finite. Empty means usable.
 std::vector<ArmProblem> findProblems(const Arm& arm);
 
 }  // namespace tubeplan::deflection

@@ -33,8 +33,9 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
       if (std::isnan(*number) || (std::isinf(*number) && !may_be_rigid))
         out.push_back({path, text(*number), "a finite number"});
       else if (*number < field.lower || *number > field.upper || (may_be_rigid && *number <= 0))
-        out.push_back({path, *number <= 0 ? (*number < 0 ? "a negative number" : "zero") : text(*number),
-                       may_be_rigid ? "more than zero (leave the axis out where it is rigid)" : "a value in its physical range"});
+        out.push_back(
+            {path, *number <= 0 ? (*number < 0 ? "a negative number" : "zero") : text(*number),
+             may_be_rigid ? "more than zero (leave the axis out where it is rigid)" : "a value in its physical range"});
     }
   }
 }
@@ -42,9 +43,12 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
 void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
   const auto& joint = row.joint;
   const std::string path = row.name + ".joint";
-  if (!(joint.lower < joint.upper)) out.push_back({path + ".limits", text(joint.lower) + ", " + text(joint.upper), "a lower limit below the upper one"});
+  if (!(joint.lower < joint.upper))
+    out.push_back(
+        {path + ".limits", text(joint.lower) + ", " + text(joint.upper), "a lower limit below the upper one"});
   if (!(joint.max_speed > 0)) out.push_back({path + ".max_speed", text(joint.max_speed), "more than zero"});
-  if (!(joint.max_acceleration > 0)) out.push_back({path + ".max_acceleration", text(joint.max_acceleration), "more than zero"});
+  if (!(joint.max_acceleration > 0))
+    out.push_back({path + ".max_acceleration", text(joint.max_acceleration), "more than zero"});
   if (!(joint.encoder_sigma >= 0)) out.push_back({path + ".encoder_sigma", text(joint.encoder_sigma), "zero or more"});
 }
 
@@ -85,8 +89,10 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
     checkBeam(arm, i, out);
   }
   if (!arm.p_LT.allFinite()) out.push_back({"tool.tip", "a number that is not finite", "three finite lengths"});
-  if (std::abs(arm.gravity_W.norm() - 1) > 1e-9) out.push_back({"gravity", "a direction of length zero", "three numbers, not all zero"});
-  if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9) out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
+  if (std::abs(arm.gravity_W.norm() - 1) > 1e-9)
+    out.push_back({"gravity", "a direction of length zero", "three numbers, not all zero"});
+  if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9)
+    out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
   if (joints.empty()) out.push_back({"links", "no joint", "at least one revolute or prismatic row"});
   return out;
 }

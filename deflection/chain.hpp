@@ -21,29 +21,33 @@ enum class ChainLinkType {
 };
 
 /// One link of the flattened chain; its near frame is the far frame of the link before.
-template <class S> struct ChainLink {
+template <class S>
+struct ChainLink {
   ChainLinkType type;
   int row;
-  int component = -1;                      ///< index of its deflection, -1 where rigid
-  Vector3<S> p = Vector3<S>::Zero();       ///< translation, in near axes
-  Matrix3<S> R = Matrix3<S>::Identity();   ///< rotation, for kTurn
-  S weight{0};                             ///< total weight of this piece
+  int component = -1;                     ///< index of its deflection, -1 where rigid
+  Vector3<S> p = Vector3<S>::Zero();      ///< translation, in near axes
+  Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation, for kTurn
+  S weight{0};                            ///< total weight of this piece
 };
 
-template <class S> struct Chain {
+template <class S>
+struct Chain {
   std::vector<ChainLink<S>> links;
   std::vector<ComponentStateOf<S>> components;
 };
 
 /// Translation from a row's origin to the next row's (its bearing, when that one slides), in the row's axes.
-template <class S> Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
+template <class S>
+Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
     return Vector3<S>::UnitX() * dh->a + rotationX<S>(dh->alpha) * Vector3<S>(Vector3<S>::UnitZ() * dh->d);
   return std::get<Origin<S>>(row.placement).position;
 }
 
 /// Rotation of a row against the one before, its joint turned by `angle` [rad].
-template <class S> Matrix3<S> rotationFromPrevious(const Row<S>& row, const S& angle) {
+template <class S>
+Matrix3<S> rotationFromPrevious(const Row<S>& row, const S& angle) {
   if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
     return rotationX<S>(dh->alpha) * rotationZ<S>(S(dh->theta + angle));
   return rotationFromFixedAngles<S>(std::get<Origin<S>>(row.placement).rpy) * rotationZ<S>(angle);
@@ -51,7 +55,8 @@ template <class S> Matrix3<S> rotationFromPrevious(const Row<S>& row, const S& a
 
 namespace chain_assembly {
 
-template <class S> void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int* segments) {
+template <class S>
+void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int* segments) {
   const auto kinds = elementKinds();
   for (int k = 0; k < static_cast<int>(kinds.size()); ++k) {
     if (kinds[k].place != place || !kinds[k].isFlexible(values)) continue;
@@ -62,7 +67,8 @@ template <class S> void addElements(Chain<S>& chain, const Row<double>& values, 
   }
 }
 
-template <class S> void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
+template <class S>
+void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   const auto before = chain.components.size();
   addElements<S>(chain, values, row, ElementPlace::kOrigin, nullptr);
   if (chain.components.size() == before) return;
@@ -71,7 +77,8 @@ template <class S> void addJoint(Chain<S>& chain, const Row<double>& values, int
   chain.links.push_back(link);
 }
 
-template <class S> void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& v) {
+template <class S>
+void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& v) {
   using std::sqrt;
   const int first = static_cast<int>(chain.components.size());
   int segments = 1;
@@ -93,7 +100,8 @@ template <class S> void addMember(Chain<S>& chain, const Row<S>& row, const Row<
 }  // namespace chain_assembly
 
 /// `values` is the arm in plain numbers: which axes give decides the structure, the same for every scalar.
-template <class S> Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
+template <class S>
+Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   using namespace chain_assembly;
   Chain<S> chain;
   chain.links.reserve(arm.rows.size() * 5);

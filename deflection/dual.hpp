@@ -1,4 +1,5 @@
-// Dual numbers: a value with its derivatives by N variables, carried through ordinary arithmetic (forward differentiation).
+// Dual numbers: a value with its derivatives by N variables, carried through ordinary arithmetic (forward
+// differentiation).
 //
 // Eigen's AutoDiffScalar does the same several times slower: its small loops are not unrolled into the kinematics.
 #pragma once
@@ -9,7 +10,8 @@
 
 namespace tubeplan::deflection {
 
-template <int N> class DualNumber {
+template <int N>
+class DualNumber {
  public:
   using Derivatives = std::array<double, N>;
 
@@ -76,7 +78,8 @@ template <int N> class DualNumber {
 
 namespace Eigen {
 
-template <int N> struct NumTraits<tubeplan::deflection::DualNumber<N>> : NumTraits<double> {
+template <int N>
+struct NumTraits<tubeplan::deflection::DualNumber<N>> : NumTraits<double> {
   using Real = tubeplan::deflection::DualNumber<N>;
   using NonInteger = Real;
   using Nested = const Real&;
@@ -84,10 +87,12 @@ template <int N> struct NumTraits<tubeplan::deflection::DualNumber<N>> : NumTrai
   enum { RequireInitialization = 1, ReadCost = 1 + N, AddCost = 1 + N, MulCost = 3 * N };
 };
 
-template <int N, class BinaryOp> struct ScalarBinaryOpTraits<tubeplan::deflection::DualNumber<N>, double, BinaryOp> {
+template <int N, class BinaryOp>
+struct ScalarBinaryOpTraits<tubeplan::deflection::DualNumber<N>, double, BinaryOp> {
   using ReturnType = tubeplan::deflection::DualNumber<N>;
 };
-template <int N, class BinaryOp> struct ScalarBinaryOpTraits<double, tubeplan::deflection::DualNumber<N>, BinaryOp> {
+template <int N, class BinaryOp>
+struct ScalarBinaryOpTraits<double, tubeplan::deflection::DualNumber<N>, BinaryOp> {
   using ReturnType = tubeplan::deflection::DualNumber<N>;
 };
 

@@ -27,19 +27,22 @@ void combineTransforms(const Chain<S>& chain, bool rigid, std::vector<PoseOf<S>>
   }
 }
 
-template <class S> struct Load {
+template <class S>
+struct Load {
   Vector3<S> force = Vector3<S>::Zero();
   Vector3<S> moment = Vector3<S>::Zero();
 };
 
-template <class S> Deflection<S> deflect(const ElementKind& kind, const Row<S>& row, const Loading<S>& loading) {
+template <class S>
+Deflection<S> deflect(const ElementKind& kind, const Row<S>& row, const Loading<S>& loading) {
   if constexpr (std::is_same_v<S, double>)
     return kind.deflect(row, loading);
   else
     return kind.deflectDual(row, loading);
 }
 
-/// Moves the load in `carry` from a link's far frame to its near frame and deflects the link's element on the way (steps 3, 4).
+/// Moves the load in `carry` from a link's far frame to its near frame and deflects the link's element on the way
+/// (steps 3, 4).
 template <class S>
 void resolveLink(const ArmOf<S>& arm, const PostureOf<S>& posture, const PoseOf<S>& near, const PoseOf<S>& far,
                  const ChainLink<S>& link, std::vector<ComponentStateOf<S>>& components, Load<S>& carry) {
@@ -65,8 +68,8 @@ void resolveLink(const ArmOf<S>& arm, const PostureOf<S>& posture, const PoseOf<
 }
 
 template <class S>
-void resolveLoads(const ArmOf<S>& arm, const PostureOf<S>& posture, const std::vector<PoseOf<S>>& frames, Chain<S>& chain,
-                  std::vector<RowStateOf<S>>& rows) {
+void resolveLoads(const ArmOf<S>& arm, const PostureOf<S>& posture, const std::vector<PoseOf<S>>& frames,
+                  Chain<S>& chain, std::vector<RowStateOf<S>>& rows) {
   Load<S> carry;
   carry.force = posture.gravity_B * posture.load;
   for (std::size_t k = chain.links.size(); k-- > 0;) {
@@ -104,7 +107,7 @@ double changeOf(const PoseOf<Dual>& now, const PoseOf<Dual>& before, double reac
 }
 
 template <class S>
-void recordFrames(const Chain<S>& chain, const std::vector<PoseOf<S>>& frames, PoseOf<S> RowStateOf<S>::* where,
+void recordFrames(const Chain<S>& chain, const std::vector<PoseOf<S>>& frames, PoseOf<S> RowStateOf<S>::*where,
                   std::vector<RowStateOf<S>>& rows) {
   for (std::size_t k = 0; k < chain.links.size(); ++k)
     if (chain.links[k].type == ChainLinkType::kFrame) rows[chain.links[k].row].*where = frames[k];
@@ -144,12 +147,14 @@ FlexibleKinematicsOf<S> iterate(const ArmOf<S>& arm, const PostureOf<S>& posture
 
 }  // namespace
 
-FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture, const FlexibleKinematicsOptions& options) {
+FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
+                                           const FlexibleKinematicsOptions& options) {
   return iterate(arm, posture, assembleChain<double>(arm, arm, posture.q), reachOf(arm), options);
 }
 
 FlexibleKinematicsOf<Dual> solveFlexibleKinematics(const ArmOf<Dual>& arm, const PostureOf<Dual>& posture,
-                                                   const FlexibleKinematics& values, const FlexibleKinematicsOptions& options) {
+                                                   const FlexibleKinematics& values,
+                                                   const FlexibleKinematicsOptions& options) {
   const Arm plain = castArm<double>(arm);
   Chain<Dual> chain = assembleChain<Dual>(arm, plain, posture.q);
   assert(chain.components.size() == values.components.size());

@@ -9,9 +9,10 @@
 
 namespace tubeplan::deflection {
 
-/// Where the arm is asked to be: joint readings (rad, m; one per active row), load hung on the tip [N], and the direction of
-/// gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone.
-template <class S> struct PostureOf {
+/// Where the arm is asked to be: joint readings (rad, m; one per active row), load hung on the tip [N], and the
+/// direction of gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone.
+template <class S>
+struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
@@ -24,21 +25,24 @@ inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_
 }
 
 struct FlexibleKinematicsOptions {
-  double tolerance = 1e-10;  ///< least tip motion between two passes that asks for another, as a share of the arm's reach
+  double tolerance =
+      1e-10;  ///< least tip motion between two passes that asks for another, as a share of the arm's reach
   int max_iterations = 100;
 };
 
 enum class KinematicsStatus { kNotRun, kConverged, kNotConverged };
 
 /// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
-template <class S> struct RowStateOf {
-  PoseOf<S> X_BL_rigid, X_BL;        ///< frame without and with deflection
-  Vector3<S> force_B, moment_B;      ///< N, N m, in base axes
-  Vector3<S> force_L, moment_L;      ///< the same in the row's deflected axes
+template <class S>
+struct RowStateOf {
+  PoseOf<S> X_BL_rigid, X_BL;    ///< frame without and with deflection
+  Vector3<S> force_B, moment_B;  ///< N, N m, in base axes
+  Vector3<S> force_L, moment_L;  ///< the same in the row's deflected axes
 };
 
 /// Deflection of one element: which row, which law (index into elementKinds()), which segment of the member.
-template <class S> struct ComponentStateOf {
+template <class S>
+struct ComponentStateOf {
   int row = -1;
   int kind = -1;
   int segment = 0;
@@ -46,7 +50,8 @@ template <class S> struct ComponentStateOf {
   Vector3<S> rotation = Vector3<S>::Zero();      ///< rad
 };
 
-template <class S> struct FlexibleKinematicsOf {
+template <class S>
+struct FlexibleKinematicsOf {
   KinematicsStatus status = KinematicsStatus::kNotRun;
   std::string reason;
   int iterations = 0;
@@ -57,9 +62,9 @@ template <class S> struct FlexibleKinematicsOf {
 };
 using FlexibleKinematics = FlexibleKinematicsOf<double>;
 
-/// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put together
-/// again, until the tip rests. For dual numbers the derivatives are iterated to rest as well, from the values' fixed point, so they
-/// are exact derivatives of the converged shape. `posture.q` must have one entry per active row.
+/// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put
+/// together again, until the tip rests. For dual numbers the derivatives are iterated to rest as well, from the values'
+/// fixed point, so they are exact derivatives of the converged shape. `posture.q` must have one entry per active row.
 [[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
                                                          const FlexibleKinematicsOptions& options = {});
 [[nodiscard]] FlexibleKinematicsOf<Dual> solveFlexibleKinematics(const ArmOf<Dual>& arm, const PostureOf<Dual>& posture,

@@ -41,7 +41,8 @@ GoalResidual turretResidual(const Arm& arm, const ToolGoal& goal, const TipDeriv
 }
 
 /// Weighted position and axis error, for arms that cannot meet both.
-GoalResidual poseResidual(const Arm& arm, const ToolGoal& goal, const TipDerivatives& tip, const InverseKinematicsOptions& options) {
+GoalResidual poseResidual(const Arm& arm, const ToolGoal& goal, const TipDerivatives& tip,
+                          const InverseKinematicsOptions& options) {
   GoalResidual out;
   const auto& X = tip.kinematics.X_BD;
   const Vector3d t = X.R * arm.tool_axis_L, &n = goal.axis_B;
@@ -52,15 +53,23 @@ GoalResidual poseResidual(const Arm& arm, const ToolGoal& goal, const TipDerivat
   out.value << options.position_weight * off, options.axis_weight * (t - n);
   out.jacobian.resize(6, tip.position_B.cols());
   out.jacobian.topRows(3) = options.position_weight * tip.position_B;
-  for (int k = 0; k < tip.position_B.cols(); ++k) out.jacobian.col(k).tail(3) = options.axis_weight * tip.rotation_B.col(k).cross(t);
+  for (int k = 0; k < tip.position_B.cols(); ++k)
+    out.jacobian.col(k).tail(3) = options.axis_weight * tip.rotation_B.col(k).cross(t);
   return out;
 }
 
 class GoalProblem {
  public:
-  GoalProblem(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& options)
-      : arm_(arm), goal_(goal), load_(load), gravity_B_(gravity_B), options_(options), turret_(isTurretArm(arm)),
-        reach_(reachOf(arm)), variables_(jointVariables(arm)) {}
+  GoalProblem(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B,
+              const InverseKinematicsOptions& options)
+      : arm_(arm),
+        goal_(goal),
+        load_(load),
+        gravity_B_(gravity_B),
+        options_(options),
+        turret_(isTurretArm(arm)),
+        reach_(reachOf(arm)),
+        variables_(jointVariables(arm)) {}
 
   bool exact() const { return turret_; }
   double reach() const { return reach_; }
@@ -69,7 +78,6 @@ class GoalProblem {
     const auto tip = differentiateTip(arm_, {q, load_, gravity_B_}, variables_, options_.kinematics);
     return turret_ ? turretResidual(arm_, goal_, tip, reach_) : poseResidual(arm_, goal_, tip, options_);
   }
-
 
  private:
   const Arm& arm_;
@@ -88,7 +96,8 @@ double smallestSingularValue(const GoalResidual& r, double reach) {
 
 bool reached(const GoalResidual& r, const VectorXd& step, bool exact, const InverseKinematicsOptions& options) {
   if (!exact) return step.norm() < 1e-11;
-  return r.position_error < options.position_tolerance && std::abs(r.pitch) < options.pitch_tolerance && r.tilt < kTurn / 4;
+  return r.position_error < options.position_tolerance && std::abs(r.pitch) < options.pitch_tolerance &&
+         r.tilt < kTurn / 4;
 }
 
 /// Newton where square, Gauss-Newton otherwise; halved until the residual falls.
@@ -143,7 +152,8 @@ void judge(const Arm& arm, bool exact, const InverseKinematicsOptions& options, 
   if (branch.status != BranchStatus::kConverged) {
     const bool flat = branch.smallest_singular_value < options.singular_floor;
     branch.status = flat ? BranchStatus::kSingular : BranchStatus::kNotConverged;
-    branch.reason = flat ? "the arm is stretched or folded: smallest singular value below the floor" : "Newton's method did not reach the goal";
+    branch.reason = flat ? "the arm is stretched or folded: smallest singular value below the floor"
+                         : "Newton's method did not reach the goal";
     return;
   }
   const std::string joint = wrapIntoLimits(arm, branch.q);
@@ -165,11 +175,16 @@ bool isSameBranch(const VectorXd& a, const VectorXd& b) {
 
 int severity(BranchStatus status) {
   switch (status) {
-    case BranchStatus::kConverged: return 0;
-    case BranchStatus::kPastJointLimit: return 1;
-    case BranchStatus::kSingular: return 2;
-    case BranchStatus::kNotConverged: return 3;
-    default: return 4;
+    case BranchStatus::kConverged:
+      return 0;
+    case BranchStatus::kPastJointLimit:
+      return 1;
+    case BranchStatus::kSingular:
+      return 2;
+    case BranchStatus::kNotConverged:
+      return 3;
+    default:
+      return 4;
   }
 }
 
@@ -189,12 +204,18 @@ void summarise(InverseKinematics& result) {
 
 const char* nameOf(BranchStatus status) {
   switch (status) {
-    case BranchStatus::kNotRun: return "not-run";
-    case BranchStatus::kConverged: return "converged";
-    case BranchStatus::kOutOfReach: return "out-of-reach";
-    case BranchStatus::kPastJointLimit: return "past-joint-limit";
-    case BranchStatus::kSingular: return "singular";
-    case BranchStatus::kNotConverged: return "not-converged";
+    case BranchStatus::kNotRun:
+      return "not-run";
+    case BranchStatus::kConverged:
+      return "converged";
+    case BranchStatus::kOutOfReach:
+      return "out-of-reach";
+    case BranchStatus::kPastJointLimit:
+      return "past-joint-limit";
+    case BranchStatus::kSingular:
+      return "singular";
+    case BranchStatus::kNotConverged:
+      return "not-converged";
   }
   return "";
 }

@@ -15,49 +15,113 @@ constexpr double kTiny = 1e-12;
 /// Both scalar versions of one accessor, a generic lambda from (row, lump) to a pointer.
 template <class Find>
 ParameterField field(const char* name, Quantity quantity, double lower, double upper, Find, bool of_lump = false) {
-  return {name,  quantity, lower, upper, false, of_lump, [](Row<double>& row, int lump) { return Find{}(row, lump); },
+  return {name,
+          quantity,
+          lower,
+          upper,
+          false,
+          of_lump,
+          [](Row<double>& row, int lump) { return Find{}(row, lump); },
           [](Row<Dual>& row, int lump) { return Find{}(row, lump); }};
 }
 
-ParameterField toolField(const char* name) { return {name, Quantity::kLength, -kInfinity, kInfinity, true, false, nullptr, nullptr}; }
+ParameterField toolField(const char* name) {
+  return {name, Quantity::kLength, -kInfinity, kInfinity, true, false, nullptr, nullptr};
+}
 
-template <class S> DenavitHartenberg<S>* dhOf(Row<S>& row) { return std::get_if<DenavitHartenberg<S>>(&row.placement); }
-template <class S> Origin<S>* originOf(Row<S>& row) { return std::get_if<Origin<S>>(&row.placement); }
-template <class S> bool moves(const Row<S>& row) { return row.joint.type != JointType::kPassive; }
+template <class S>
+DenavitHartenberg<S>* dhOf(Row<S>& row) {
+  return std::get_if<DenavitHartenberg<S>>(&row.placement);
+}
+template <class S>
+Origin<S>* originOf(Row<S>& row) {
+  return std::get_if<Origin<S>>(&row.placement);
+}
+template <class S>
+bool moves(const Row<S>& row) {
+  return row.joint.type != JointType::kPassive;
+}
 
 }  // namespace
 
 const std::vector<ParameterField>& parameterFields() {
   using Q = Quantity;
   static const std::vector<ParameterField> kFields{
-      field("dh.alpha", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* dh = dhOf(r); return dh ? &dh->alpha : nullptr; }),
-      field("dh.a", Q::kLength, -kInfinity, kInfinity, [](auto& r, int) { auto* dh = dhOf(r); return dh ? &dh->a : nullptr; }),
-      field("dh.d", Q::kLength, -kInfinity, kInfinity, [](auto& r, int) { auto* dh = dhOf(r); return dh ? &dh->d : nullptr; }),
+      field("dh.alpha", Q::kAngle, -kTurn, kTurn,
+            [](auto& r, int) {
+              auto* dh = dhOf(r);
+              return dh ? &dh->alpha : nullptr;
+            }),
+      field("dh.a", Q::kLength, -kInfinity, kInfinity,
+            [](auto& r, int) {
+              auto* dh = dhOf(r);
+              return dh ? &dh->a : nullptr;
+            }),
+      field("dh.d", Q::kLength, -kInfinity, kInfinity,
+            [](auto& r, int) {
+              auto* dh = dhOf(r);
+              return dh ? &dh->d : nullptr;
+            }),
       field("dh.theta", Q::kAngle, -kTurn, kTurn,
-            [](auto& r, int) { auto* dh = dhOf(r); return dh && !moves(r) ? &dh->theta : nullptr; }),
+            [](auto& r, int) {
+              auto* dh = dhOf(r);
+              return dh && !moves(r) ? &dh->theta : nullptr;
+            }),
       field("origin.position.x", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) { auto* o = originOf(r); return o ? &o->position[0] : nullptr; }),
+            [](auto& r, int) {
+              auto* o = originOf(r);
+              return o ? &o->position[0] : nullptr;
+            }),
       field("origin.position.y", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) { auto* o = originOf(r); return o ? &o->position[1] : nullptr; }),
+            [](auto& r, int) {
+              auto* o = originOf(r);
+              return o ? &o->position[1] : nullptr;
+            }),
       field("origin.position.z", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) { auto* o = originOf(r); return o ? &o->position[2] : nullptr; }),
-      field("origin.rpy.r", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* o = originOf(r); return o ? &o->rpy[0] : nullptr; }),
-      field("origin.rpy.p", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* o = originOf(r); return o ? &o->rpy[1] : nullptr; }),
-      field("origin.rpy.y", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { auto* o = originOf(r); return o ? &o->rpy[2] : nullptr; }),
-      field("joint.offset", Q::kAngle, -kTurn, kTurn, [](auto& r, int) { return moves(r) ? &r.joint.offset : nullptr; }),
-      field("joint_stiffness.x", Q::kTorquePerAngle, kTiny, kInfinity, [](auto& r, int) { return &r.joint_stiffness[0]; }),
-      field("joint_stiffness.y", Q::kTorquePerAngle, kTiny, kInfinity, [](auto& r, int) { return &r.joint_stiffness[1]; }),
-      field("joint_stiffness.z", Q::kTorquePerAngle, kTiny, kInfinity, [](auto& r, int) { return &r.joint_stiffness[2]; }),
+            [](auto& r, int) {
+              auto* o = originOf(r);
+              return o ? &o->position[2] : nullptr;
+            }),
+      field("origin.rpy.r", Q::kAngle, -kTurn, kTurn,
+            [](auto& r, int) {
+              auto* o = originOf(r);
+              return o ? &o->rpy[0] : nullptr;
+            }),
+      field("origin.rpy.p", Q::kAngle, -kTurn, kTurn,
+            [](auto& r, int) {
+              auto* o = originOf(r);
+              return o ? &o->rpy[1] : nullptr;
+            }),
+      field("origin.rpy.y", Q::kAngle, -kTurn, kTurn,
+            [](auto& r, int) {
+              auto* o = originOf(r);
+              return o ? &o->rpy[2] : nullptr;
+            }),
+      field("joint.offset", Q::kAngle, -kTurn, kTurn,
+            [](auto& r, int) { return moves(r) ? &r.joint.offset : nullptr; }),
+      field("joint_stiffness.x", Q::kTorquePerAngle, kTiny, kInfinity,
+            [](auto& r, int) { return &r.joint_stiffness[0]; }),
+      field("joint_stiffness.y", Q::kTorquePerAngle, kTiny, kInfinity,
+            [](auto& r, int) { return &r.joint_stiffness[1]; }),
+      field("joint_stiffness.z", Q::kTorquePerAngle, kTiny, kInfinity,
+            [](auto& r, int) { return &r.joint_stiffness[2]; }),
       field("beam.E", Q::kPressure, kTiny, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->E : nullptr; }),
-      field("beam.Ix", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->I[0] : nullptr; }),
-      field("beam.Iy", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->I[1] : nullptr; }),
-      field("beam.Iz", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->I[2] : nullptr; }),
+      field("beam.Ix", Q::kLengthToTheFourth, 0, kInfinity,
+            [](auto& r, int) { return r.beam ? &r.beam->I[0] : nullptr; }),
+      field("beam.Iy", Q::kLengthToTheFourth, 0, kInfinity,
+            [](auto& r, int) { return r.beam ? &r.beam->I[1] : nullptr; }),
+      field("beam.Iz", Q::kLengthToTheFourth, 0, kInfinity,
+            [](auto& r, int) { return r.beam ? &r.beam->I[2] : nullptr; }),
       field("beam.G", Q::kPressure, kTiny, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->G : nullptr; }),
       field("beam.J", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->J : nullptr; }),
       field("weight.distributed", Q::kForcePerLength, 0, kInfinity, [](auto& r, int) { return &r.weight.distributed; }),
       field("weight.end", Q::kForce, 0, kInfinity, [](auto& r, int) { return &r.weight.end; }),
-      field("weight.lumps", Q::kForce, 0, kInfinity, [](auto& r, int lump) { return &r.weight.lumps[lump].weight; }, true),
-      toolField("tip.x"), toolField("tip.y"), toolField("tip.z"),
+      field(
+          "weight.lumps", Q::kForce, 0, kInfinity, [](auto& r, int lump) { return &r.weight.lumps[lump].weight; },
+          true),
+      toolField("tip.x"),
+      toolField("tip.y"),
+      toolField("tip.z"),
   };
   return kFields;
 }
@@ -66,7 +130,8 @@ namespace {
 
 int toolAxis(const ParameterField& f) { return f.name[4] - 'x'; }
 
-template <class S> S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
+template <class S>
+S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields().at(path.field);
   if (f.of_tool) return arm.p_LT[toolAxis(f)];
   S* found = nullptr;
@@ -78,27 +143,37 @@ template <class S> S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
   return *found;
 }
 
-template <class To, class From> To castScalar(const From& x) { return To(valueOf(x)); }
-template <class To, class From> Vector3<To> castVector(const Vector3<From>& v) { return valuesOf(v).template cast<To>(); }
+template <class To, class From>
+To castScalar(const From& x) {
+  return To(valueOf(x));
+}
+template <class To, class From>
+Vector3<To> castVector(const Vector3<From>& v) {
+  return valuesOf(v).template cast<To>();
+}
 
-template <class To, class From> Row<To> castRow(const Row<From>& row) {
+template <class To, class From>
+Row<To> castRow(const Row<From>& row) {
   Row<To> out;
   out.name = row.name;
   if (const auto* dh = std::get_if<DenavitHartenberg<From>>(&row.placement))
-    out.placement = DenavitHartenberg<To>{castScalar<To>(dh->alpha), castScalar<To>(dh->a), castScalar<To>(dh->d), castScalar<To>(dh->theta)};
+    out.placement = DenavitHartenberg<To>{castScalar<To>(dh->alpha), castScalar<To>(dh->a), castScalar<To>(dh->d),
+                                          castScalar<To>(dh->theta)};
   else {
     const auto& origin = std::get<Origin<From>>(row.placement);
     out.placement = Origin<To>{castVector<To>(origin.position), castVector<To>(origin.rpy)};
   }
   const auto& j = row.joint;
-  out.joint = {j.name, j.type, castScalar<To>(j.offset), j.lower, j.upper, j.max_speed, j.max_acceleration, j.encoder_sigma};
+  out.joint = {j.name,  j.type,      castScalar<To>(j.offset), j.lower,
+               j.upper, j.max_speed, j.max_acceleration,       j.encoder_sigma};
   out.joint_stiffness = castVector<To>(row.joint_stiffness);
   if (row.beam)
     out.beam = Beam<To>{castScalar<To>(row.beam->E), castVector<To>(row.beam->I), castScalar<To>(row.beam->G),
                         castScalar<To>(row.beam->J), row.beam->segments};
   out.weight.distributed = castScalar<To>(row.weight.distributed);
   out.weight.end = castScalar<To>(row.weight.end);
-  for (const auto& lump : row.weight.lumps) out.weight.lumps.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
+  for (const auto& lump : row.weight.lumps)
+    out.weight.lumps.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
   return out;
 }
 
@@ -123,7 +198,8 @@ void appendRowParameters(Arm& arm, int row, std::vector<Parameter>& out) {
 
 }  // namespace
 
-template <class To, class From> ArmOf<To> castArm(const ArmOf<From>& arm) {
+template <class To, class From>
+ArmOf<To> castArm(const ArmOf<From>& arm) {
   ArmOf<To> out;
   out.name = arm.name;
   out.gravity_W = castVector<To>(arm.gravity_W);

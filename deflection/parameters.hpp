@@ -52,6 +52,7 @@ double& locate(Arm& arm, const ParameterPath& path);
 Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path);
 
 /// The same arm in another scalar (derivatives zero, or dropped).
-template <class To, class From> ArmOf<To> castArm(const ArmOf<From>& arm);
+template <class To, class From>
+ArmOf<To> castArm(const ArmOf<From>& arm);
 
 }  // namespace tubeplan::deflection

@@ -54,14 +54,16 @@ struct Plane {
 double angleOf(const Vector2d& d) { return std::atan2(d.y(), d.x()); }
 Vector2d turned(const Vector2d& d, double angle) { return Eigen::Rotation2Dd(angle) * d; }
 
-/// Shoulder and elbow angles that bring the wrist to `w`, shoulder at the plane's origin, `elbow` and `wrist` at zero readings.
+/// Shoulder and elbow angles that bring the wrist to `w`, shoulder at the plane's origin, `elbow` and `wrist` at zero
+/// readings.
 std::vector<Vector2d> solveTwoLinks(const Vector2d& elbow, const Vector2d& wrist, const Vector2d& w) {
   const Vector2d upper = elbow, fore = wrist - elbow;
   const double l1 = upper.norm(), l2 = fore.norm();
   const double c = (w.squaredNorm() - l1 * l1 - l2 * l2) / (2 * l1 * l2);
   if (!(std::abs(c) <= kLastReach)) return {};
   // A bent arm may reach a little further than a rigid one: the elbow is started slightly bent there.
-  const double at_zero = angleOf(fore) - angleOf(upper), bend = std::acos(std::abs(c) <= 1 ? c : std::copysign(0.98, c));
+  const double at_zero = angleOf(fore) - angleOf(upper),
+               bend = std::acos(std::abs(c) <= 1 ? c : std::copysign(0.98, c));
   std::vector<Vector2d> solutions;
   for (double sign : {1., -1.}) {
     const double elbow_angle = sign * bend - at_zero;
@@ -128,7 +130,8 @@ std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {
     for (int k = 0; k < n; ++k) {
       const auto& joint = arm.rows[active[k]].joint;
       const double span = joint.type == JointType::kPrismatic ? reachOf(arm) : kPi;
-      const double lower = std::isfinite(joint.lower) ? joint.lower : -span, upper = std::isfinite(joint.upper) ? joint.upper : span;
+      const double lower = std::isfinite(joint.lower) ? joint.lower : -span,
+                   upper = std::isfinite(joint.upper) ? joint.upper : span;
       const double share = std::fmod(0.5 + (s + 1) * std::pow(1 / ratio, k + 1), 1.);
       q[k] = lower + share * (upper - lower);
     }

@@ -8,12 +8,14 @@
 namespace tubeplan::deflection {
 
 /// Pose of a frame: p_out = R p_in + p.
-template <class S> struct PoseOf {
+template <class S>
+struct PoseOf {
   Matrix3<S> R = Matrix3<S>::Identity();
   Vector3<S> p = Vector3<S>::Zero();
 };
 
-template <class S> PoseOf<S> operator*(const PoseOf<S>& X_AB, const PoseOf<S>& X_BC) {
+template <class S>
+PoseOf<S> operator*(const PoseOf<S>& X_AB, const PoseOf<S>& X_BC) {
   return {X_AB.R * X_BC.R, X_AB.R * X_BC.p + X_AB.p};
 }
 
@@ -24,7 +26,8 @@ inline Eigen::Isometry3d toIsometry(const PoseOf<double>& X) {
   return result;
 }
 
-template <class S> Matrix3<S> rotationX(const S& angle) {
+template <class S>
+Matrix3<S> rotationX(const S& angle) {
   using std::cos, std::sin;
   const S c = cos(angle), s = sin(angle), zero(0), one(1);
   Matrix3<S> R;
@@ -32,7 +35,8 @@ template <class S> Matrix3<S> rotationX(const S& angle) {
   return R;
 }
 
-template <class S> Matrix3<S> rotationY(const S& angle) {
+template <class S>
+Matrix3<S> rotationY(const S& angle) {
   using std::cos, std::sin;
   const S c = cos(angle), s = sin(angle), zero(0), one(1);
   Matrix3<S> R;
@@ -40,7 +44,8 @@ template <class S> Matrix3<S> rotationY(const S& angle) {
   return R;
 }
 
-template <class S> Matrix3<S> rotationZ(const S& angle) {
+template <class S>
+Matrix3<S> rotationZ(const S& angle) {
   using std::cos, std::sin;
   const S c = cos(angle), s = sin(angle), zero(0), one(1);
   Matrix3<S> R;
@@ -49,17 +54,20 @@ template <class S> Matrix3<S> rotationZ(const S& angle) {
 }
 
 /// Fixed-axis roll, pitch, yaw [rad]: Rz(yaw) Ry(pitch) Rx(roll), Craig's X-Y-Z fixed angles (gamma, beta, alpha).
-template <class S> Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
+template <class S>
+Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
   return rotationZ<S>(rpy.z()) * rotationY<S>(rpy.y()) * rotationX<S>(rpy.x());
 }
 
 /// The fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2].
 inline Eigen::Vector3d fixedAnglesOf(const Eigen::Matrix3d& R) {
-  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))), std::atan2(R(1, 0), R(0, 0))};
+  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
+          std::atan2(R(1, 0), R(0, 0))};
 }
 
 /// exp of a rotation vector [rad]. The series below 0.1 rad keeps derivatives finite at zero (error under 1e-15).
-template <class S> Matrix3<S> rotationFromVector(const Vector3<S>& v) {
+template <class S>
+Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   using std::cos, std::sin, std::sqrt;
   const S t2 = v.squaredNorm();
   S a, b;

@@ -11,13 +11,16 @@ namespace tubeplan::deflection {
 inline constexpr int kDualSize = 8;
 using Dual = DualNumber<kDualSize>;
 
-template <class S> using Vector3 = Eigen::Matrix<S, 3, 1>;
-template <class S> using Matrix3 = Eigen::Matrix<S, 3, 3>;
+template <class S>
+using Vector3 = Eigen::Matrix<S, 3, 1>;
+template <class S>
+using Matrix3 = Eigen::Matrix<S, 3, 3>;
 
 inline double valueOf(double x) { return x; }
 inline double valueOf(const Dual& x) { return x.value(); }
 
-template <class Derived> auto valuesOf(const Eigen::MatrixBase<Derived>& m) {
+template <class Derived>
+auto valuesOf(const Eigen::MatrixBase<Derived>& m) {
   return m.unaryExpr([](const typename Derived::Scalar& x) { return valueOf(x); }).eval();
 }
 

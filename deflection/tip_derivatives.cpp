@@ -16,16 +16,20 @@ struct Seeded {
 
 void seedVariable(Seeded& seeded, Vector3<Dual>& gravity_turn, const Variable& variable, int slot) {
   switch (variable.type) {
-    case Variable::Type::kJoint: return seed(seeded.posture.q[variable.index], slot);
-    case Variable::Type::kLoad: return seed(seeded.posture.load, slot);
-    case Variable::Type::kGravityTurn: return seed(gravity_turn[variable.index], slot);
-    case Variable::Type::kParameter: return seed(locate(seeded.arm, variable.parameter), slot);
+    case Variable::Type::kJoint:
+      return seed(seeded.posture.q[variable.index], slot);
+    case Variable::Type::kLoad:
+      return seed(seeded.posture.load, slot);
+    case Variable::Type::kGravityTurn:
+      return seed(gravity_turn[variable.index], slot);
+    case Variable::Type::kParameter:
+      return seed(locate(seeded.arm, variable.parameter), slot);
   }
 }
 
 /// Columns of one pass: at most kDualSize variables from `first` on.
-void differentiateSome(const ArmOf<Dual>& arm, const Posture& posture, const std::vector<Variable>& variables, int first,
-                       const FlexibleKinematicsOptions& options, TipDerivatives& out) {
+void differentiateSome(const ArmOf<Dual>& arm, const Posture& posture, const std::vector<Variable>& variables,
+                       int first, const FlexibleKinematicsOptions& options, TipDerivatives& out) {
   Seeded seeded{arm, {posture.q.cast<Dual>(), Dual(posture.load), posture.gravity_B.cast<Dual>()}};
   Vector3<Dual> gravity_turn = Vector3<Dual>::Zero();
   const int count = std::min<int>(kDualSize, static_cast<int>(variables.size()) - first);
@@ -40,7 +44,8 @@ void differentiateSome(const ArmOf<Dual>& arm, const Posture& posture, const std
       for (int j = 0; j < 3; ++j) dR(i, j) = dual.X_BD.R(i, j).derivatives()[k];
     }
     const Eigen::Matrix3d spin = dR * out.kinematics.X_BD.R.transpose();
-    out.rotation_B.col(first + k) << (spin(2, 1) - spin(1, 2)) / 2, (spin(0, 2) - spin(2, 0)) / 2, (spin(1, 0) - spin(0, 1)) / 2;
+    out.rotation_B.col(first + k) << (spin(2, 1) - spin(1, 2)) / 2, (spin(0, 2) - spin(2, 0)) / 2,
+        (spin(1, 0) - spin(0, 1)) / 2;
   }
 }
 
@@ -62,7 +67,8 @@ TipDerivatives differentiateTip(const Arm& arm, const Posture& posture, const st
   out.rotation_B = Eigen::Matrix3Xd::Constant(3, n, nan);
   if (out.kinematics.status != KinematicsStatus::kConverged) return out;
   const ArmOf<Dual> dual_arm = castArm<Dual>(arm);
-  for (int first = 0; first < n; first += kDualSize) differentiateSome(dual_arm, posture, variables, first, options, out);
+  for (int first = 0; first < n; first += kDualSize)
+    differentiateSome(dual_arm, posture, variables, first, options, out);
   return out;
 }
 

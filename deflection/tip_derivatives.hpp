@@ -8,8 +8,8 @@
 
 namespace tubeplan::deflection {
 
-/// What a derivative is taken by: a joint reading (index), the hung load, gravity turned about a base axis (index: the rotation
-/// vector that turns gravity_B), or a number of the arm.
+/// What a derivative is taken by: a joint reading (index), the hung load, gravity turned about a base axis (index: the
+/// rotation vector that turns gravity_B), or a number of the arm.
 struct Variable {
   enum class Type { kJoint, kLoad, kGravityTurn, kParameter };
   Type type = Type::kJoint;
@@ -27,12 +27,14 @@ std::vector<Variable> jointVariables(const Arm& arm);
 struct TipDerivatives {
   FlexibleKinematics kinematics;  ///< the shape itself
   Eigen::Matrix3Xd position_B;    ///< d p_BD / d variable [m per unit], one column per variable
-  Eigen::Matrix3Xd rotation_B;    ///< rotation vector of the tool frame per unit of the variable [rad per unit], base axes
+  Eigen::Matrix3Xd
+      rotation_B;  ///< rotation vector of the tool frame per unit of the variable [rad per unit], base axes
 };
 
-/// Tip pose and its derivatives by each of `variables`. Where the shape does not converge, `kinematics.status` says so and the
-/// columns are NaN.
-[[nodiscard]] TipDerivatives differentiateTip(const Arm& arm, const Posture& posture, const std::vector<Variable>& variables,
+/// Tip pose and its derivatives by each of `variables`. Where the shape does not converge, `kinematics.status` says so
+/// and the columns are NaN.
+[[nodiscard]] TipDerivatives differentiateTip(const Arm& arm, const Posture& posture,
+                                              const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});
 
 }  // namespace tubeplan::deflection

@@ -21,21 +21,22 @@ Scene travelScene(Scene scene) {
   if (scene.links.empty()) return scene;
   const std::string& tool = scene.links.back().name;
   const auto isTool = [&](const std::string& name) {
-    return name == tool || std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
-             return body.link == tool && body.name == name;
-           });
+    return name == tool || std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                       [&](const Body& body) { return body.link == tool && body.name == name; });
   };
   for (auto& obstacle : scene.obstacles) std::erase_if(obstacle.allow, isTool);
   for (auto& body : scene.bodies)
     if (body.link == tool)
       std::erase_if(body.allow, [&](const std::string& name) {
-        return std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const Obstacle& o) { return o.name == name; });
+        return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
+                           [&](const Obstacle& o) { return o.name == name; });
       });
   return scene;
 }
 
 Vector3d memberOf(const deflection::Arm& arm, int row) {
-  return row + 1 < static_cast<int>(arm.rows.size()) ? deflection::offsetInPreviousAxes<double>(arm.rows[row + 1]) : arm.p_LT;
+  return row + 1 < static_cast<int>(arm.rows.size()) ? deflection::offsetInPreviousAxes<double>(arm.rows[row + 1])
+                                                     : arm.p_LT;
 }
 
 /// Greatest distance of a bent element from its chord, of the cubic with its end displacement d and end rotation w.
@@ -51,7 +52,8 @@ double bowOfRow(const deflection::Arm& arm, const FlexibleKinematics& shape, int
   double bow = 0, turn = 0;
   int segments = 0;
   for (const auto& component : shape.components) {
-    if (component.row != row || deflection::elementKinds()[component.kind].place != deflection::ElementPlace::kMember) continue;
+    if (component.row != row || deflection::elementKinds()[component.kind].place != deflection::ElementPlace::kMember)
+      continue;
     ++segments;
     turn += component.rotation.norm();
     bow = bowOf(memberOf(arm, row), component.displacement, component.rotation);
@@ -101,14 +103,18 @@ TravelBound travelOf(const Workcell& cell, const std::vector<double>& body_reach
 }  // namespace
 
 std::vector<Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow) {
-  const auto shape = deflection::solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)});
+  const auto shape =
+      deflection::solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)});
   if (shape.status != deflection::KinematicsStatus::kConverged) return {};
   return framesAlongChords(cell, shape, bow);
 }
 
 ArmClearance::ArmClearance(const Workcell& cell)
-    : cell_(cell), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)), approach_world_(cell.scene),
-      travel_world_(travelScene(cell.scene)), travel_(travelOf(cell, approach_world_.bodyReach())) {}
+    : cell_(cell),
+      gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
+      approach_world_(cell.scene),
+      travel_world_(travelScene(cell.scene)),
+      travel_(travelOf(cell, approach_world_.bodyReach())) {}
 
 Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   double bow = 0;

@@ -15,11 +15,12 @@ class ArmClearance {
  public:
   explicit ArmClearance(const Workcell& cell);
 
-  /// Least margin at joint readings q, on the deflected shape; the bow of a bent member between its frames is taken off. A shape
-  /// that does not settle has a NaN margin, with the reason in `other`.
+  /// Least margin at joint readings q, on the deflected shape; the bow of a bent member between its frames is taken
+  /// off. A shape that does not settle has a NaN margin, with the reason in `other`.
   [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
 
-  /// The same with `spare` [m] taken off the margin: what a plan keeps in hand, so that a proof by other means succeeds too.
+  /// The same with `spare` [m] taken off the margin: what a plan keeps in hand, so that a proof by other means succeeds
+  /// too.
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
 
   /// Bound on any body point's travel, deflection's change included.
@@ -34,7 +35,8 @@ class ArmClearance {
   TravelBound travel_;
 };
 
-/// Poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the bent member's chord.
+/// Poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the bent member's
+/// chord.
 std::vector<Eigen::Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow);
 
 }  // namespace tubeplan::planner

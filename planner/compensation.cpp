@@ -15,7 +15,8 @@ struct CompensationRow {
   Compensation mode;
   std::string_view name;
 };
-constexpr std::array kModes{CompensationRow{Compensation::kNone, "none"}, CompensationRow{Compensation::kGoalPoint, "goal-point"},
+constexpr std::array kModes{CompensationRow{Compensation::kNone, "none"},
+                            CompensationRow{Compensation::kGoalPoint, "goal-point"},
                             CompensationRow{Compensation::kViaPoint, "via-point"}};
 
 /// Inverse kinematics of one model of the cell (the arm as it is, or rigid), goals given in the world.
@@ -35,7 +36,9 @@ class ToolPlacer {
   }
 
  private:
-  ToolGoal goalAt(const Vector3d& tip_W) const { return {cell_.X_WB.inverse() * tip_W, cell_.X_WB.linear().transpose() * kHoleAxis_W}; }
+  ToolGoal goalAt(const Vector3d& tip_W) const {
+    return {cell_.X_WB.inverse() * tip_W, cell_.X_WB.linear().transpose() * kHoleAxis_W};
+  }
 
   const Workcell& cell_;
   deflection::Arm arm_;
@@ -45,8 +48,10 @@ class ToolPlacer {
 
 double lateral(const Vector3d& p, const Vector3d& hole) { return std::hypot(p.x() - hole.x(), p.y() - hole.y()); }
 
-/// Via points from the goal down to the standoff at equal heights, each started from the one above. Empty when one fails.
-std::vector<VectorXd> viaPoints(const ToolPlacer& placer, const Vector3d& goal_W, const VectorXd& q_goal, double standoff, int count, std::string& reason) {
+/// Via points from the goal down to the standoff at equal heights, each started from the one above. Empty when one
+/// fails.
+std::vector<VectorXd> viaPoints(const ToolPlacer& placer, const Vector3d& goal_W, const VectorXd& q_goal,
+                                double standoff, int count, std::string& reason) {
   std::vector<VectorXd> postures{q_goal};
   for (int k = 1; k < count; ++k) {
     const auto via = placer.near(goal_W - standoff * k / (count - 1) * kHoleAxis_W, postures.back());
@@ -69,7 +74,8 @@ double midwayDeviation(const ToolPlacer& placer, const Vector3d& goal_W, const s
 }
 
 /// As many via points as keep the placer's tip within the tolerance of its straight line.
-void addApproach(const ToolPlacer& placer, const Vector3d& goal_W, const CompensationOptions& options, TubeBranch& branch) {
+void addApproach(const ToolPlacer& placer, const Vector3d& goal_W, const CompensationOptions& options,
+                 TubeBranch& branch) {
   for (int count = 3; count <= options.max_via_points; count = 2 * count - 1) {
     branch.approach = viaPoints(placer, goal_W, branch.q, options.standoff, count, branch.reason);
     if (branch.approach.empty()) {
@@ -95,17 +101,20 @@ std::optional<Compensation> findCompensation(std::string_view name) {
 }
 
 PredictedTip predictTip(const Workcell& cell, const VectorXd& q) {
-  const auto shape = solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)}, {1e-13, 100});
+  const auto shape =
+      solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)}, {1e-13, 100});
   const Vector3d axis_W = cell.X_WB.linear() * shape.X_BD.R * cell.arm.tool_axis_L;
   return {cell.X_WB * shape.X_BD.p, std::atan2(axis_W.cross(kHoleAxis_W).norm(), axis_W.dot(kHoleAxis_W))};
 }
 
-double lateralDeviation(const Workcell& cell, const Vector3d& hole_W, const std::vector<VectorXd>& postures, int samples) {
+double lateralDeviation(const Workcell& cell, const Vector3d& hole_W, const std::vector<VectorXd>& postures,
+                        int samples) {
   double worst = 0;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
     for (int s = 0; s <= samples; ++s) {
       const double share = static_cast<double>(s) / samples;
-      worst = std::max(worst, lateral(predictTip(cell, (1 - share) * postures[k] + share * postures[k + 1]).p_WT, hole_W));
+      worst =
+          std::max(worst, lateral(predictTip(cell, (1 - share) * postures[k] + share * postures[k + 1]).p_WT, hole_W));
     }
   return worst;
 }
@@ -116,7 +125,10 @@ namespace {
 class Modes {
  public:
   Modes(const Workcell& cell, const CompensationOptions& options)
-      : cell_(cell), options_(options), flexible_(cell, cell.arm, options.inverse), rigid_(cell, deflection::rigidCopy(cell.arm), options.inverse) {}
+      : cell_(cell),
+        options_(options),
+        flexible_(cell, cell.arm, options.inverse),
+        rigid_(cell, deflection::rigidCopy(cell.arm), options.inverse) {}
 
   const ToolPlacer& goal() const { return options_.mode == Compensation::kNone ? rigid_ : flexible_; }
   const ToolPlacer& via() const { return options_.mode == Compensation::kViaPoint ? flexible_ : rigid_; }
@@ -133,7 +145,8 @@ class Modes {
     if (!options_.with_approach) return branch;
     // The goal as the way's own model sees it: for goal-point compensation, the rigid place of the flexible goal.
     addApproach(via(), via().tipAt(found.q), options_, branch);
-    if (branch.status == BranchStatus::kConverged) branch.path_deviation = lateralDeviation(cell_, hole_W, branch.approach);
+    if (branch.status == BranchStatus::kConverged)
+      branch.path_deviation = lateralDeviation(cell_, hole_W, branch.approach);
     return branch;
   }
 
@@ -152,7 +165,8 @@ std::vector<TubeBranch> compensate(const Workcell& cell, const Vector3d& hole_W,
   return branches;
 }
 
-TubeBranch compensateFrom(const Workcell& cell, const Vector3d& hole_W, const VectorXd& q_start, const CompensationOptions& options) {
+TubeBranch compensateFrom(const Workcell& cell, const Vector3d& hole_W, const VectorXd& q_start,
+                          const CompensationOptions& options) {
   const Modes modes(cell, options);
   return modes.complete(hole_W, modes.goal().near(hole_W, q_start));
 }

@@ -17,7 +17,9 @@ struct Stretch {
 
 const Capsule& capsuleAround(const Body& body) { return static_cast<const Solid&>(*body.shape).around(); }
 
-Capsule placed(const Eigen::Isometry3d& X, const Capsule& capsule) { return {X * capsule.from, X * capsule.to, capsule.radius}; }
+Capsule placed(const Eigen::Isometry3d& X, const Capsule& capsule) {
+  return {X * capsule.from, X * capsule.to, capsule.radius};
+}
 
 /// Two things that may not touch, and what one look at the capsule's middle tells of them.
 struct Pair {
@@ -80,7 +82,8 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   return std::min(proved, least);
 }
 
-double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share, std::string* names) {
+double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
+                       std::string* names) {
   std::vector<Pair> pairs = pairsOf(scene, X_WL);
   std::ranges::stable_sort(pairs, {}, &Pair::bound);
   LipschitzOptions options{accuracy, share, scene.clearance};

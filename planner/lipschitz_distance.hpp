@@ -1,7 +1,8 @@
 // Clearance by another way than the planner's: nothing is known of a shape but how far a point is from it.
 //
-// A point that moves by h changes its distance by at most h, so the least distance along a capsule's axis is found to any accuracy
-// by halving the axis where it could still be less (Piyavskii 1972). Short and without special cases: for checking.
+// A point that moves by h changes its distance by at most h, so the least distance along a capsule's axis is found to
+// any accuracy by halving the axis where it could still be less (Piyavskii 1972). Short and without special cases: for
+// checking.
 #pragma once
 
 #include <limits>
@@ -21,11 +22,13 @@ struct LipschitzOptions {
 };
 
 /// A lower bound of the distance between a capsule and a shape [m]; `capsule` in the shape's frame.
-[[nodiscard]] double lipschitzDistance(const Capsule& capsule, const Shape& shape, const LipschitzOptions& options = {});
+[[nodiscard]] double lipschitzDistance(const Capsule& capsule, const Shape& shape,
+                                       const LipschitzOptions& options = {});
 
-/// Lower bound of the least margin (distance less the scene's clearance) of all pairs that may not touch, the rows' bodies being at
-/// X_WL [m]; `accuracy` and `share` (of the margin) as above. `names` gets the tightest pair, "tool, divider".
-[[nodiscard]] double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
-                                     std::string* names);
+/// Lower bound of the least margin (distance less the scene's clearance) of all pairs that may not touch, the rows'
+/// bodies being at X_WL [m]; `accuracy` and `share` (of the margin) as above. `names` gets the tightest pair, "tool,
+/// divider".
+[[nodiscard]] double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy,
+                                     double share, std::string* names);
 
 }  // namespace tubeplan::planner

@@ -21,8 +21,13 @@ constexpr double kLimitShare = 1 + 1e-9;
 class Checker {
  public:
   Checker(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks)
-      : cell_(cell), plan_(plan), options_(options), hooks_(hooks), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
-        travel_scene_(withoutContact(cell.scene)), lever_(leversOf()) {}
+      : cell_(cell),
+        plan_(plan),
+        options_(options),
+        hooks_(hooks),
+        gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
+        travel_scene_(withoutContact(cell.scene)),
+        lever_(leversOf()) {}
 
   PlanCheck run() {
     checkTubes();
@@ -48,15 +53,17 @@ class Checker {
   /// Not a number where the shape does not settle.
   Vector3d tipAt(const VectorXd& q) const {
     const auto shape = solveFlexibleKinematics(cell_.arm, {q, cell_.load, gravity_B_}, {1e-13, 100});
-    if (shape.status != deflection::KinematicsStatus::kConverged) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (shape.status != deflection::KinematicsStatus::kConverged)
+      return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     return cell_.X_WB * shape.X_BD.p;
   }
 
   bool shapesFit() {
     const auto joints = static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size());
     const auto fits = [&](const VectorXd& q) { return q.size() == joints && q.allFinite(); };
-    const bool fit = std::all_of(plan_.path.begin(), plan_.path.end(), [&](const PathRow& row) { return fits(row.q); }) &&
-                     std::all_of(plan_.tubes.begin(), plan_.tubes.end(), [&](const StatedTube& tube) { return fits(tube.q); });
+    const bool fit =
+        std::all_of(plan_.path.begin(), plan_.path.end(), [&](const PathRow& row) { return fits(row.q); }) &&
+        std::all_of(plan_.tubes.begin(), plan_.tubes.end(), [&](const StatedTube& tube) { return fits(tube.q); });
     if (!fit) find("joint values are missing or not finite");
     return fit;
   }
@@ -71,16 +78,20 @@ class Checker {
         continue;
       }
       if (!seen.insert({tube.row, tube.column}).second) find(name + " is visited twice");
-      if (!((tube.hole_W - holeCentre(*hole)).norm() <= options_.stated_tolerance)) find(name + ": the stated hole is not where the sheet has it");
+      if (!((tube.hole_W - holeCentre(*hole)).norm() <= options_.stated_tolerance))
+        find(name + ": the stated hole is not where the sheet has it");
       if (tube.q.size() != static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size())) continue;
       const Vector3d tip = tipAt(tube.q);
       const double off = (tip - holeCentre(*hole)).norm();
       result_.worst_centring = std::max(result_.worst_centring, off);
-      if (!(off <= options_.centring_tolerance)) find(fmt::format("{}: the deflected tip is {:.3g} m off the hole's centre", name, off));
-      if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance)) find(name + ": the stated tip is not the model's");
+      if (!(off <= options_.centring_tolerance))
+        find(fmt::format("{}: the deflected tip is {:.3g} m off the hole's centre", name, off));
+      if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
+        find(name + ": the stated tip is not the model's");
     }
     for (const auto& [row, column] : plan_.unreachable) {
-      if (!cell_.sheet.find(row, column)) find(tubesheets::tubeName(row, column) + ", said to be unreachable, is not on this sheet");
+      if (!cell_.sheet.find(row, column))
+        find(tubesheets::tubeName(row, column) + ", said to be unreachable, is not on this sheet");
       if (seen.contains({row, column})) find(tubesheets::tubeName(row, column) + " is both visited and unreachable");
     }
   }
@@ -91,12 +102,14 @@ class Checker {
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
       const int step = row.segment - (k > 0 ? plan_.path[k - 1].segment : 0);
-      if (k > 0 && !(row.time > plan_.path[k - 1].time)) return find(fmt::format("path row {}: time does not rise", k + 1));
+      if (k > 0 && !(row.time > plan_.path[k - 1].time))
+        return find(fmt::format("path row {}: time does not rise", k + 1));
       if (step < 0 || step > (k > 0 ? 1 : 0)) return find(fmt::format("path row {}: segments out of order", k + 1));
       if (row.kind != kCycle[static_cast<std::size_t>(row.segment) % kCycle.size()])
         return find(fmt::format("path row {}: segment {} cannot be a {}", k + 1, row.segment + 1, nameOf(row.kind)));
     }
-    if (!plan_.path.empty() && plan_.path.back().kind != SegmentKind::kRetreat) find("the path does not end with a retreat");
+    if (!plan_.path.empty() && plan_.path.back().kind != SegmentKind::kRetreat)
+      find("the path does not end with a retreat");
   }
 
   void checkJoints() {
@@ -105,11 +118,13 @@ class Checker {
       for (int j = 0; j < plan_.path[k].q.size(); ++j) {
         const auto& joint = cell_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint;
         const double q = plan_.path[k].q[j];
-        if (q < joint.lower - 1e-12 || q > joint.upper + 1e-12) find(fmt::format("path row {}: {} is past its limit", k + 1, joint.name));
+        if (q < joint.lower - 1e-12 || q > joint.upper + 1e-12)
+          find(fmt::format("path row {}: {} is past its limit", k + 1, joint.name));
       }
   }
 
-  /// Mean speeds between rows, and their change over the time between the middles: within limits if the motion itself is.
+  /// Mean speeds between rows, and their change over the time between the middles: within limits if the motion itself
+  /// is.
   void checkSpeeds() {
     const JointSpeeds limits = jointSpeedsOf(cell_.arm);
     VectorXd before;
@@ -119,14 +134,16 @@ class Checker {
       const VectorXd speed = (plan_.path[k].q - plan_.path[k - 1].q) / step;
       const double share = (speed.cwiseAbs().array() / limits.max_speed.array()).maxCoeff();
       result_.worst_speed_share = std::max(result_.worst_speed_share, share);
-      if (!(share <= kLimitShare)) find(fmt::format("path row {}: a joint is faster than its limit ({:.4f} of it)", k + 1, share));
+      if (!(share <= kLimitShare))
+        find(fmt::format("path row {}: a joint is faster than its limit ({:.4f} of it)", k + 1, share));
       if (before.size()) {
         const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
         const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
         result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, pull);
         // Joint values are written to 1e-12 rad; over two short steps that is a share of the limit, too.
         const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
-        if (!(pull <= kLimitShare + rounding)) find(fmt::format("path row {}: a joint accelerates past its limit ({:.4f} of it)", k + 1, pull));
+        if (!(pull <= kLimitShare + rounding))
+          find(fmt::format("path row {}: a joint accelerates past its limit ({:.4f} of it)", k + 1, pull));
       }
       before = speed;
       step_before = step;
@@ -143,7 +160,8 @@ class Checker {
       if (tube >= plan_.tubes.size()) return find("the path has more approaches than the plan has tubes");
       const StatedTube& stated = plan_.tubes[tube++];
       if ((row.q - stated.q).cwiseAbs().maxCoeff() > options_.joint_tolerance)
-        find(fmt::format("path row {}: the approach does not end at {}", k + 1, tubesheets::tubeName(stated.row, stated.column)));
+        find(fmt::format("path row {}: the approach does not end at {}", k + 1,
+                         tubesheets::tubeName(stated.row, stated.column)));
     }
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
   }
@@ -156,10 +174,12 @@ class Checker {
       if (row.kind == SegmentKind::kTravel || tube >= plan_.tubes.size()) continue;
       double off = offAxis(row.q, plan_.tubes[tube]);
       if (k > 0) off = std::max(offAxis((plan_.path[k - 1].q + row.q) / 2, plan_.tubes[tube]), off);
-      if (k > 0 && plan_.path[k - 1].kind == SegmentKind::kTravel) off = std::max(offAxis(plan_.path[k - 1].q, plan_.tubes[tube]), off);
+      if (k > 0 && plan_.path[k - 1].kind == SegmentKind::kTravel)
+        off = std::max(offAxis(plan_.path[k - 1].q, plan_.tubes[tube]), off);
       result_.worst_approach = std::max(result_.worst_approach, off);
       if (options_.via_points && !(off <= options_.approach_tolerance))
-        find(fmt::format("path row {}: the tip leaves the axis of {}", k + 1, tubesheets::tubeName(plan_.tubes[tube].row, plan_.tubes[tube].column)));
+        find(fmt::format("path row {}: the tip leaves the axis of {}", k + 1,
+                         tubesheets::tubeName(plan_.tubes[tube].row, plan_.tubes[tube].column)));
     }
   }
 
@@ -188,14 +208,16 @@ class Checker {
       std::erase_if(obstacle.allow, [&](const std::string& name) { return tool.contains(name); });
     }
     for (auto& body : scene.bodies)
-      if (body.link == scene.links.back().name) std::erase_if(body.allow, [&](const std::string& name) { return obstacles.contains(name); });
+      if (body.link == scene.links.back().name)
+        std::erase_if(body.allow, [&](const std::string& name) { return obstacles.contains(name); });
     return scene;
   }
 
   /// No point of the arm moves further than this in a straight joint move; deflection's change is the tenth on top.
   double travel(const VectorXd& a, const VectorXd& b) const { return 1.1 * lever_.dot((b - a).cwiseAbs()); }
 
-  /// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide moves all by 1.
+  /// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide
+  /// moves all by 1.
   VectorXd leversOf() const {
     double thick = 0;
     for (const auto& body : cell_.scene.bodies) {
@@ -274,7 +296,8 @@ class Checker {
 
 }  // namespace
 
-PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks) {
+PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
+                    const PlanHooks& hooks) {
   return Checker(cell, plan, options, hooks).run();
 }
 

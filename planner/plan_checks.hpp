@@ -28,12 +28,13 @@ struct PlanCheckOptions {
   double centring_tolerance = 2.54e-8;  ///< m (1e-6 in)
   double stated_tolerance = 2.54e-8;    ///< m, between stated numbers and those found again
   double joint_tolerance = 1e-9;        ///< rad, between a tube's joints and the end of its approach
-  double approach_tolerance = 2.8e-5;   ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
-  bool via_points = true;               ///< the approach was compensated at every via point
-  double least_travel = 1e-4;           ///< m, finest step of the clearance proof
-  double distance_accuracy = 1e-5;      ///< m, of each posture's margin, or ...
-  double distance_share = 0.05;         ///< ... this share of the margin, where that is more
-  double report_accuracy = 2.54e-4;     ///< m, of the least margin that is reported (0.010 in)
+  double approach_tolerance =
+      2.8e-5;              ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
+  bool via_points = true;  ///< the approach was compensated at every via point
+  double least_travel = 1e-4;        ///< m, finest step of the clearance proof
+  double distance_accuracy = 1e-5;   ///< m, of each posture's margin, or ...
+  double distance_share = 0.05;      ///< ... this share of the margin, where that is more
+  double report_accuracy = 2.54e-4;  ///< m, of the least margin that is reported (0.010 in)
 };
 
 enum class PlanCheckStatus { kNotRun, kProved, kRefuted };
@@ -42,16 +43,16 @@ struct PlanCheck {
   PlanCheckStatus status = PlanCheckStatus::kNotRun;
   std::vector<std::string> findings;  ///< what is wrong, at most 100
   int tubes = 0, rows = 0;
-  double worst_centring = 0;          ///< m
-  double worst_approach = 0;          ///< m
-  double worst_speed_share = 0;       ///< of the limit
+  double worst_centring = 0;     ///< m
+  double worst_approach = 0;     ///< m
+  double worst_speed_share = 0;  ///< of the limit
   double worst_acceleration_share = 0;
   double least_margin = std::numeric_limits<double>::infinity();  ///< m, proved between rows
   std::string tightest;
 };
 
-/// Checks tubes, centring, order, joint limits, speeds, accelerations, approaches and retreats along the holes' axes, and clearance
-/// of the deflected arm at the path's rows and everywhere between them.
+/// Checks tubes, centring, order, joint limits, speeds, accelerations, approaches and retreats along the holes' axes,
+/// and clearance of the deflected arm at the path's rows and everywhere between them.
 [[nodiscard]] PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options = {},
                                   const PlanHooks& hooks = {});
 

@@ -2,7 +2,8 @@
 
 namespace tubeplan::planner {
 
-Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit, const Eigen::Vector3d& tip_error_W) {
+Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
+                    const Eigen::Vector3d& tip_error_W) {
   Centring score;
   const Eigen::Vector3d off = predictTip(truth, visit.q).p_WT + tip_error_W - hole_W;
   score.offset = off.head<2>();

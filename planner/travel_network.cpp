@@ -13,14 +13,15 @@ MotionPlan reversed(MotionPlan plan) {
 
 /// A seed of its own for each pair, so that the order of asking does not matter.
 std::uint64_t pairSeed(std::uint64_t seed, Stop a, Stop b) {
-  for (int part : {a.visit, a.branch, b.visit, b.branch}) seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;
+  for (int part : {a.visit, a.branch, b.visit, b.branch})
+    seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;
   return seed;
 }
 
 }  // namespace
 
-TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, const JointSpeeds& speeds,
-                             const VisitPlanOptions& options)
+TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach,
+                             const JointSpeeds& speeds, const VisitPlanOptions& options)
     : clearance_(clearance), reach_(reach), speeds_(speeds), options_(options) {
   const auto& arm = clearance.cell().arm;
   const auto active = deflection::activeRows(arm);
@@ -34,7 +35,9 @@ TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<Tu
     return clearance.withSpare(q, ContactRule::kTravel, spare);
   };
   problem_.travel = clearance.travel();
-  problem_.cost = [&speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return straightMoveDuration(a, b, speeds); };
+  problem_.cost = [&speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return straightMoveDuration(a, b, speeds);
+  };
 }
 
 const Eigen::VectorXd& TravelNetwork::standoff(Stop stop) const {

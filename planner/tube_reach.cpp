@@ -1,5 +1,7 @@
 #include "planner/tube_reach.hpp"
 
+#include <cassert>
+
 namespace tubeplan::planner {
 
 namespace {
@@ -21,10 +23,14 @@ std::string inTheWay(const Clearance& clearance) {
 BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, const TubeReachOptions& options) {
   if (branch.status != deflection::BranchStatus::kConverged) return {Hurdle::kKinematics, branch.reason, {}};
   const Clearance at_standoff = clearance.withSpare(branch.approach.front(), ContactRule::kTravel, options.spare);
-  if (!(at_standoff.margin >= 0)) return {Hurdle::kStandoff, "collision below the hole: " + inTheWay(at_standoff), at_standoff};
-  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.withSpare(q, ContactRule::kApproach, options.spare); };
+  if (!(at_standoff.margin >= 0))
+    return {Hurdle::kStandoff, "collision below the hole: " + inTheWay(at_standoff), at_standoff};
+  const auto margin = [&](const Eigen::VectorXd& q) {
+    return clearance.withSpare(q, ContactRule::kApproach, options.spare);
+  };
   for (std::size_t k = 0; k + 1 < branch.approach.size(); ++k) {
-    const auto check = checkMotion(branch.approach[k], branch.approach[k + 1], margin, clearance.travel(), options.check);
+    const auto check =
+        checkMotion(branch.approach[k], branch.approach[k + 1], margin, clearance.travel(), options.check);
     if (check.status != MotionCheckStatus::kFree)
       return {Hurdle::kApproach, "approach blocked: " + inTheWay(check.tightest), check.tightest};
   }
@@ -34,12 +40,14 @@ BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, con
 }  // namespace
 
 TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options) {
+  assert(options.compensation.with_approach);
   TubeReach reach;
   reach.tube = tube;
   reach.status = ReachStatus::kUnreachable;
   reach.reason = "the place is out of the arm's reach";
   Hurdle furthest = Hurdle::kNone;
-  for (auto& branch : compensate(clearance.cell(), holeCentre(clearance.cell().sheet.tubes.at(tube)), options.compensation)) {
+  for (auto& branch :
+       compensate(clearance.cell(), holeCentre(clearance.cell().sheet.tubes.at(tube)), options.compensation)) {
     const BranchVerdict verdict = judge(clearance, branch, options);
     if (verdict.failed == Hurdle::kNone) {
       reach.branches.push_back(std::move(branch));

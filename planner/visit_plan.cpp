@@ -22,8 +22,8 @@ void tell(const PlanHooks& hooks, std::string_view stage, std::size_t done, std:
 }
 
 /// Every tube on its own, so in parallel; results stand in the order of the list.
-std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector<int>& tubes, const TubeReachOptions& options,
-                                const PlanHooks& hooks) {
+std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector<int>& tubes,
+                                const TubeReachOptions& options, const PlanHooks& hooks) {
   std::vector<TubeReach> reach(tubes.size());
   std::atomic<std::size_t> done = 0;
   std::mutex telling;
@@ -55,8 +55,8 @@ std::vector<Stop> stopsOf(const VisitOrder& order) {
 }
 
 /// Plans the moves that an order chose and puts their extra time into the table; true when something new was learnt.
-bool priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const JointSpeeds& speeds, EdgePenalties& penalties,
-                const PlanHooks& hooks) {
+bool priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const JointSpeeds& speeds,
+                EdgePenalties& penalties, const PlanHooks& hooks) {
   bool learnt = false;
   for (std::size_t k = 0; k + 1 < stops.size() && !shouldStop(hooks); ++k) {
     tell(hooks, "travel", k + 1, stops.size() - 1);
@@ -71,8 +71,8 @@ bool priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const Jo
 }
 
 /// Order on the metric, plan the chosen moves, put in what they really cost, and order again until no move surprises.
-std::vector<Stop> orderWithRealMoves(Route& route, TravelNetwork& network, const VisitPlanOptions& options, const PlanHooks& hooks,
-                                     VisitPlan& plan) {
+std::vector<Stop> orderWithRealMoves(Route& route, TravelNetwork& network, const VisitPlanOptions& options,
+                                     const PlanHooks& hooks, VisitPlan& plan) {
   EdgePenalties penalties;
   std::vector<Stop> best;
   VisitOrderOptions ordering = options.order;
@@ -103,7 +103,8 @@ PathSegment segmentOf(SegmentKind kind, int visit, std::vector<Eigen::VectorXd> 
 }
 
 /// Lays the segments out; a visit that cannot be travelled to is left out and named.
-void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& reach, TravelNetwork& network, VisitPlan& plan) {
+void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& reach, TravelNetwork& network,
+                 VisitPlan& plan) {
   const Stop* last = nullptr;
   for (const Stop& stop : stops) {
     const auto& tube = reach[static_cast<std::size_t>(stop.visit)];
@@ -120,7 +121,8 @@ void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& r
     }
     plan.visits.push_back({tube.tube, branch});
     plan.segments.push_back(segmentOf(SegmentKind::kApproach, visit, branch.approach));
-    plan.segments.push_back(segmentOf(SegmentKind::kRetreat, visit, {branch.approach.rbegin(), branch.approach.rend()}));
+    plan.segments.push_back(
+        segmentOf(SegmentKind::kRetreat, visit, {branch.approach.rbegin(), branch.approach.rend()}));
     last = &stop;
   }
 }
@@ -133,8 +135,10 @@ void proveSegment(const ArmClearance& clearance, const VisitPlanOptions& options
   const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, rule); };
   segment.margin = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) {
-    const MotionCheckResult result = checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
-    const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -std::numeric_limits<double>::infinity();
+    const MotionCheckResult result =
+        checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
+    const double proved =
+        result.status == MotionCheckStatus::kFree ? result.proved_margin : -std::numeric_limits<double>::infinity();
     if (proved >= segment.margin) continue;
     segment.margin = proved;
     segment.tightest = result.tightest;
@@ -197,7 +201,8 @@ JointSpeeds jointSpeedsOf(const deflection::Arm& arm) {
   return speeds;
 }
 
-VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options, const PlanHooks& hooks) {
+VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
+                     const PlanHooks& hooks) {
   VisitPlan plan;
   const ArmClearance clearance(cell);
   const JointSpeeds speeds = jointSpeedsOf(cell.arm);

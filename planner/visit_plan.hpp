@@ -25,19 +25,21 @@ struct VisitPlanOptions {
   TubeReachOptions reach;
   VisitOrderOptions order;
   MotionPlannerOptions motion;
-  int reprice_rounds = 12;          ///< order, plan the chosen moves, put their true times in, order again
-  double report_accuracy = 2.54e-4; ///< m, of the least clearance that is reported (0.010 in)
+  int reprice_rounds = 12;           ///< order, plan the chosen moves, put their true times in, order again
+  double report_accuracy = 2.54e-4;  ///< m, of the least clearance that is reported (0.010 in)
 };
 
 enum class SegmentKind { kTravel, kApproach, kRetreat };
 std::string_view nameOf(SegmentKind kind);  ///< travel, approach, retreat
 
-/// One stretch of the path: the arm rests at every waypoint and moves straight in joint space between them, proved free.
+/// One stretch of the path: the arm rests at every waypoint and moves straight in joint space between them, proved
+/// free.
 struct PathSegment {
   SegmentKind kind = SegmentKind::kTravel;
-  int visit = -1;                          ///< the visit it belongs to (a travel: the visit it leads to)
+  int visit = -1;  ///< the visit it belongs to (a travel: the visit it leads to)
   std::vector<Eigen::VectorXd> waypoints;
-  double margin = std::numeric_limits<double>::quiet_NaN();  ///< m, proved, beyond the clearance that the scene asks for
+  double margin =
+      std::numeric_limits<double>::quiet_NaN();  ///< m, proved, beyond the clearance that the scene asks for
   Clearance tightest;
 };
 
@@ -57,22 +59,23 @@ enum class VisitPlanStatus { kNotRun, kPlanned, kNothingReachable, kStopped };
 struct VisitPlan {
   VisitPlanStatus status = VisitPlanStatus::kNotRun;
   std::string reason;
-  std::vector<PlannedVisit> visits;        ///< in visiting order
+  std::vector<PlannedVisit> visits;  ///< in visiting order
   std::vector<UnreachableTube> unreachable;
-  std::vector<PathSegment> segments;       ///< approach, retreat, travel, approach, ...
-  double travel_time = std::numeric_limits<double>::quiet_NaN();      ///< s, between the standoffs
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();      ///< s, proved, of the same
+  std::vector<PathSegment> segments;                              ///< approach, retreat, travel, approach, ...
+  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, between the standoffs
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved, of the same
   double gap = std::numeric_limits<double>::quiet_NaN();
   double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves row after row
   double total_time = std::numeric_limits<double>::quiet_NaN();       ///< s, approaches and retreats included
   double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< m, proved, over all segments
   Clearance tightest;
-  int detours = 0;                         ///< travels that are not a straight joint move
+  int detours = 0;  ///< travels that are not a straight joint move
 };
 
-/// Plans the visit of `tubes` (indices in the sheet). Same cell, list, options and seed: same plan, at any number of threads.
-[[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options = {},
-                                   const PlanHooks& hooks = {});
+/// Plans the visit of `tubes` (indices in the sheet). Same cell, list, options and seed: same plan, at any number of
+/// threads.
+[[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes,
+                                   const VisitPlanOptions& options = {}, const PlanHooks& hooks = {});
 
 /// Speed and acceleration limits of the arm's joints.
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm);

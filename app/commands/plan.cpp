@@ -37,7 +37,8 @@ int run(const PlanOptions& options) {
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks());
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return explain(outcome);
   writePlan(options.request, outcome, folder);
-  fmt::print("{}wrote {}\n", planText(outcome), (folder.path() / "{plan.json,path.csv,cell.yaml,report.html}").string());
+  fmt::print("{}wrote {}\n", planText(outcome),
+             (folder.path() / "{plan.json,path.csv,cell.yaml,report.html}").string());
   return kDone;
 }
 
@@ -47,8 +48,11 @@ Run configurePlan(CLI::App& cli) {
   const auto options = std::make_shared<PlanOptions>();
   auto& request = options->request;
   cli.add_option("CELL", request.cell, "the cell file")->required();
-  cli.add_option("--tubes", request.tubes, "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, -plugged, or a CSV work list")->capture_default_str();
-  cli.add_option("--touches", request.touches, "touched holes (CSV) that place the base, or auto: the true arm touches three");
+  cli.add_option("--tubes", request.tubes,
+                 "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, -plugged, or a CSV work list")
+      ->capture_default_str();
+  cli.add_option("--touches", request.touches,
+                 "touched holes (CSV) that place the base, or auto: the true arm touches three");
   cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
@@ -31,11 +31,13 @@ struct PoseFigures {
 PoseFigures figuresOf(const deflection::PoseOf<double>& X) { return {X.p, deflection::fixedAnglesOf(X.R)}; }
 
 nlohmann::json figuresJson(const PoseFigures& figures, const Units& units) {
-  return {{"position", vectorJson(figures.position, units, dimension::kLength)}, {"fixed_angles", vectorJson(figures.angles, units, dimension::kAngle)}};
+  return {{"position", vectorJson(figures.position, units, dimension::kLength)},
+          {"fixed_angles", vectorJson(figures.angles, units, dimension::kAngle)}};
 }
 
 /// What Appendix A keeps of every link: frames, loads and each component's deflection.
-nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape, const Units& units) {
+nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
+                                 const Units& units) {
   nlohmann::json rows = nlohmann::json::array(), components = nlohmann::json::array();
   const Dimension moment{1, 0, 1};
   for (std::size_t k = 0; k < shape.rows.size(); ++k) {
@@ -59,13 +61,15 @@ nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::F
 
 void print(const char* name, const PoseFigures& f, const Units& units) {
   const double in = units.factor(dimension::kLength), deg = units.factor(dimension::kAngle);
-  fmt::print("{:<9}{:10.4f} {:10.4f} {:10.4f} {}   {:9.4f} {:9.4f} {:9.4f} {}\n", name, f.position.x() / in, f.position.y() / in,
-             f.position.z() / in, units.length().name, f.angles.x() / deg, f.angles.y() / deg, f.angles.z() / deg, units.angle().name);
+  fmt::print("{:<9}{:10.4f} {:10.4f} {:10.4f} {}   {:9.4f} {:9.4f} {:9.4f} {}\n", name, f.position.x() / in,
+             f.position.y() / in, f.position.z() / in, units.length().name, f.angles.x() / deg, f.angles.y() / deg,
+             f.angles.z() / deg, units.angle().name);
 }
 
 int run(const PoseOptions& options) {
   const Cell cell = readCell(options.cell);
-  const deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units), parseLoad(options.load, cell.units),
+  const deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units),
+                                    parseLoad(options.load, cell.units),
                                     deflection::gravityInBase(cell.arm, cell.X_WB)};
   checkJsonTarget(options.json);
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
@@ -76,9 +80,12 @@ int run(const PoseOptions& options) {
   const PoseFigures rigid = figuresOf(shape.X_BT), flexible = figuresOf(shape.X_BD);
   PoseFigures change{flexible.position - rigid.position, flexible.angles - rigid.angles};
   for (int k = 0; k < 3; ++k) change.angles[k] = std::remainder(change.angles[k], 2 * std::numbers::pi);
-  nlohmann::json json = {{"rigid", figuresJson(rigid, cell.units)},       {"flexible", figuresJson(flexible, cell.units)},
-                         {"change", figuresJson(change, cell.units)},     {"iterations", shape.iterations},
-                         {"load", cell.units.toFile(posture.load, dimension::kForce)}, {"units", unitsJson(cell.units)}};
+  nlohmann::json json = {{"rigid", figuresJson(rigid, cell.units)},
+                         {"flexible", figuresJson(flexible, cell.units)},
+                         {"change", figuresJson(change, cell.units)},
+                         {"iterations", shape.iterations},
+                         {"load", cell.units.toFile(posture.load, dimension::kForce)},
+                         {"units", unitsJson(cell.units)}};
   if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
   writeJson(options.json, json);
   if (!printsText(options.json)) return kDone;

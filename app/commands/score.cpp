@@ -1,4 +1,5 @@
-// tubeplan score: centring and steps inserted by the true arm, without compensation, with goal-point and with via-point compensation.
+// tubeplan score: centring and steps inserted by the true arm, without compensation, with goal-point and with via-point
+// compensation.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -44,18 +45,21 @@ struct Scored {
   std::vector<ScoredTube> tubes;
 };
 
-std::vector<calibration::Touch> touchBy(const planner::Workcell& truth, const planner::Workcell& model, std::uint64_t seed) {
+std::vector<calibration::Touch> touchBy(const planner::Workcell& truth, const planner::Workcell& model,
+                                        std::uint64_t seed) {
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(model.tool);
   options.seed = seed;
-  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, bestTouches(model, touchCandidates(model, 24), 3), options);
+  auto simulation =
+      calibration::simulateTouches(truth.arm, truth.X_WB, bestTouches(model, touchCandidates(model, 24), 3), options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
     throw InputError("--truth", simulation.reason, "a true arm that can touch the holes");
   addNeighbours(model.sheet, simulation.touches);
   return simulation.touches;
 }
 
-Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes, std::uint64_t seed) {
+Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
+                std::uint64_t seed) {
   Scored result;
   result.calibration = calibrateBoth(nominal, touchBy(truth, nominal, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
@@ -67,7 +71,8 @@ Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
     const auto reach = planner::reachTube(clearance, tubes[k]);
     result.tubes[k] = {tubes[k], reach.reason, {}};
-    if (reach.status == planner::ReachStatus::kReachable) result.tubes[k].scores = scoreModes(models, {tubes[k], reach.branches.front().q});
+    if (reach.status == planner::ReachStatus::kReachable)
+      result.tubes[k].scores = scoreModes(models, {tubes[k], reach.branches.front().q});
   });
   return result;
 }
@@ -98,8 +103,10 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
   for (const auto& scored_tube : scored.tubes) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(scored_tube.tube)];
     nlohmann::json entry = {{"row", tube.row}, {"column", tube.column}};
-    if (scored_tube.reason.empty()) entry.update(scoresJson(scored_tube.scores, units));
-    else entry["unreachable"] = scored_tube.reason;
+    if (scored_tube.reason.empty())
+      entry.update(scoresJson(scored_tube.scores, units));
+    else
+      entry["unreachable"] = scored_tube.reason;
     tubes.push_back(entry);
   }
   const auto counts = countByMode(modeScores(scored), static_cast<int>(cell.tool.steps.size()));
@@ -114,7 +121,8 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Unit
   const auto scores = modeScores(scored);
   fmt::print("{} tubes scored, {} unreachable\n", scores.size(), scored.tubes.size() - scores.size());
   const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
-  fmt::print("compensation   steps 0    1    2    3   mean error  worst, {0}   worst on approach, {0}\n", units.length().name);
+  fmt::print("compensation   steps 0    1    2    3   mean error  worst, {0}   worst on approach, {0}\n",
+             units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     double sum = 0, worst = 0, approach = 0;
     for (const auto& score : scores)
@@ -126,7 +134,9 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Unit
     fmt::print("{:<14}", planner::nameOf(kCompensations[mode]));
     for (int count : counts[mode]) fmt::print("{:7}", count);
     const double unit = units.factor(dimension::kLength);
-    fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n", sum / unit / static_cast<double>(std::max<std::size_t>(1, scores.size())), worst / unit, approach / unit);
+    fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n",
+               sum / unit / static_cast<double>(std::max<std::size_t>(1, scores.size())), worst / unit,
+               approach / unit);
   }
 }
 
@@ -145,9 +155,10 @@ nlohmann::json experimentJson(const StepExperiment& experiment, const Units& uni
 
 void printExperiment(const StepExperiment& experiment, const Units& units) {
   const double unit = units.factor(dimension::kLength);
-  fmt::print("{} runs of three calibration holes and ten test holes ({} refused{})\n", experiment.runs, experiment.refused.size(),
-             experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
-  fmt::print("mean error that a fit leaves at 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit, units.length().name);
+  fmt::print("{} runs of three calibration holes and ten test holes ({} refused{})\n", experiment.runs,
+             experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
+  fmt::print("mean error that a fit leaves at 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit,
+             units.length().name);
   fmt::print("of ten holes, steps inserted       0     1     2     3   mean error, {}\n", units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     fmt::print("{:<29}", planner::nameOf(kCompensations[mode]));
@@ -155,11 +166,12 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
     fmt::print("   {:.4f}\n", experiment.mean_error[mode] / unit);
   }
   for (int row = 0; row < 2; ++row)
-    fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0], kThesisCounts[row][1],
-               kThesisCounts[row][2], kThesisCounts[row][3]);
+    fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0],
+               kThesisCounts[row][1], kThesisCounts[row][2], kThesisCounts[row][3]);
 }
 
-int runExperiment(const ScoreOptions& options, const planner::Workcell& model, const planner::Workcell& truth, const Units& units) {
+int runExperiment(const ScoreOptions& options, const planner::Workcell& model, const planner::Workcell& truth,
+                  const Units& units) {
   StepExperimentOptions settings;
   settings.runs = options.runs;
   settings.seed = options.seed;
@@ -200,9 +212,14 @@ Run configureScore(CLI::App& cli) {
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("--truth", options->truth, "the cell of the true arm")->required();
   cli.add_option("--tubes", options->tubes, "which tubes, as for plan")->capture_default_str();
-  cli.add_option("--runs", options->runs, "repeat the thesis's experiment so often, with a true arm drawn about the given one")->check(CLI::Range(0, 1000000));
-  cli.add_option("--unmodelled", options->unmodelled, "with --runs: sigma of what the true arm does beyond its model, per coordinate")->check(CLI::NonNegativeNumber);
-  cli.add_option("--stiffness", options->stiffness, "with --runs: relative sigma of the true arm's stiffnesses")->check(CLI::NonNegativeNumber);
+  cli.add_option("--runs", options->runs,
+                 "repeat the thesis's experiment so often, with a true arm drawn about the given one")
+      ->check(CLI::Range(0, 1000000));
+  cli.add_option("--unmodelled", options->unmodelled,
+                 "with --runs: sigma of what the true arm does beyond its model, per coordinate")
+      ->check(CLI::NonNegativeNumber);
+  cli.add_option("--stiffness", options->stiffness, "with --runs: relative sigma of the true arm's stiffnesses")
+      ->check(CLI::NonNegativeNumber);
   cli.add_option("--seed", options->seed, "of everything random")->capture_default_str();
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

@@ -24,7 +24,8 @@ struct VerifyOptions {
 /// Differences between the arm of the cell and the arm that the plan was made with.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
-  if (now.size() != then.size()) return {"the cell's arm is another one than the plan's: other rows or other flexible axes"};
+  if (now.size() != then.size())
+    return {"the cell's arm is another one than the plan's: other rows or other flexible axes"};
   std::vector<std::string> differences;
   for (std::size_t k = 0; k < now.size(); ++k)
     if (now[k].name != then[k].name || now[k].value != then[k].value)
@@ -57,10 +58,10 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units) {
 void print(const planner::PlanCheck& check, const Units& units) {
   const double length = units.factor(dimension::kLength);
   fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
-  fmt::print("tip off a hole's centre by at most {:.1e} {}, off its axis on an approach by {:.5f} {}\n", check.worst_centring / length,
-             units.length().name, check.worst_approach / length, units.length().name);
-  fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n", check.worst_speed_share,
-             check.worst_acceleration_share, check.least_margin / length, units.length().name);
+  fmt::print("tip off a hole's centre by at most {:.1e} {}, off its axis on an approach by {:.5f} {}\n",
+             check.worst_centring / length, units.length().name, check.worst_approach / length, units.length().name);
+  fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n",
+             check.worst_speed_share, check.worst_acceleration_share, check.least_margin / length, units.length().name);
   for (const auto& finding : check.findings) fmt::print("  {}\n", finding);
 }
 
@@ -76,7 +77,8 @@ int run(const VerifyOptions& options) {
   if (files.compensation == "none") checks.centring_tolerance = 1;
   planner::PlanCheck check = planner::checkPlan(work, files.plan, checks, terminalHooks());
   for (const auto& difference : armDifferences(cell.arm, planned.arm)) check.findings.push_back(difference);
-  if (files.fingerprint != work.sheet.fingerprint()) check.findings.push_back("the plan was made for another sheet (fingerprint " + files.fingerprint + ")");
+  if (files.fingerprint != work.sheet.fingerprint())
+    check.findings.push_back("the plan was made for another sheet (fingerprint " + files.fingerprint + ")");
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;
   writeJson(options.json, checkJson(check, cell.units));
   if (printsText(options.json)) print(check, cell.units);

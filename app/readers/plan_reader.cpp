@@ -25,11 +25,13 @@ json parseJson(const std::string& path) {
 }
 
 const json& at(const json& object, const char* key, const std::string& where) {
-  if (!object.is_object() || !object.contains(key)) throw InputError(where, std::string("no key ") + key, "it", "plan again");
+  if (!object.is_object() || !object.contains(key))
+    throw InputError(where, std::string("no key ") + key, "it", "plan again");
   return object[key];
 }
 
-template <class T> T valueAt(const json& object, const char* key, const std::string& where) {
+template <class T>
+T valueAt(const json& object, const char* key, const std::string& where) {
   try {
     return at(object, key, where).get<T>();
   } catch (const json::exception&) {
@@ -51,8 +53,9 @@ Eigen::Vector3d pointAt(const json& object, const char* key, const std::string& 
 void readTubesOf(const json& document, const std::string& path, const Units& units, PlanFiles& files) {
   const double length = units.factor(dimension::kLength), angle = units.factor(dimension::kAngle);
   for (const auto& tube : at(document, "tubes", path))
-    files.plan.tubes.push_back({valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path), pointAt(tube, "hole", path, length),
-                                vectorAt(tube, "joints", path, angle), pointAt(tube, "predicted_tip", path, length)});
+    files.plan.tubes.push_back({valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path),
+                                pointAt(tube, "hole", path, length), vectorAt(tube, "joints", path, angle),
+                                pointAt(tube, "predicted_tip", path, length)});
   for (const auto& tube : at(document, "unreachable", path))
     files.plan.unreachable.emplace_back(valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path));
 }
@@ -66,7 +69,8 @@ SegmentKind kindOf(const std::string& name, const std::string& where) {
 double numberOf(const std::string& text, const std::string& where) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) throw InputError(where, inQuotes(text), "a finite number");
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw InputError(where, inQuotes(text), "a finite number");
   return value;
 }
 
@@ -81,17 +85,22 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
   std::stringstream text(readTextFile(path));
   std::string header = "time_s,segment,kind", line;
   const auto active = deflection::activeRows(cell.arm);
-  for (int row : active) header += "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + std::string(cell.units.angle().name);
+  for (int row : active)
+    header +=
+        "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + std::string(cell.units.angle().name);
   std::getline(text, line);
   if (line != header) throw InputError(path + ":1", inQuotes(line), header, "plan again");
   const double angle = cell.units.factor(dimension::kAngle);
   for (int number = 2; std::getline(text, line); ++number) {
     const std::string where = path + ":" + std::to_string(number);
     const auto cells = cellsOf(line);
-    if (cells.size() != 3 + active.size()) throw InputError(where, std::to_string(cells.size()) + " columns", std::to_string(3 + active.size()));
-    planner::PathRow row{numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
+    if (cells.size() != 3 + active.size())
+      throw InputError(where, std::to_string(cells.size()) + " columns", std::to_string(3 + active.size()));
+    planner::PathRow row{
+        numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
     row.q.resize(static_cast<Eigen::Index>(active.size()));
-    for (std::size_t k = 0; k < active.size(); ++k) row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * angle;
+    for (std::size_t k = 0; k < active.size(); ++k)
+      row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * angle;
     files.plan.path.push_back(std::move(row));
   }
 }
@@ -102,7 +111,8 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   const std::string path = (folder / "plan.json").string();
   const json document = parseJson(path);
   if (at(document, "units", path) != unitsJson(cell.units))
-    throw InputError(path + " units", document["units"].dump(), unitsJson(cell.units).dump(), "verify it with the cell that it was planned for");
+    throw InputError(path + " units", document["units"].dump(), unitsJson(cell.units).dump(),
+                     "verify it with the cell that it was planned for");
   PlanFiles files;
   readTubesOf(document, path, cell.units, files);
   files.compensation = valueAt<std::string>(document, "compensation", path);

@@ -10,13 +10,13 @@ namespace tubeplan::app {
 
 struct PlanFiles {
   planner::StatedPlan plan;
-  std::string compensation;   ///< none, goal-point, via-point
-  std::string fingerprint;    ///< of the sheet it was made for
-  double load = 0;            ///< N
+  std::string compensation;  ///< none, goal-point, via-point
+  std::string fingerprint;   ///< of the sheet it was made for
+  double load = 0;           ///< N
 };
 
-/// Reads both files of the folder, numbers in the cell's units. Throws InputError for a missing file, key or column, for a number that
-/// is none, and for a plan in other units than the cell's.
+/// Reads both files of the folder, numbers in the cell's units. Throws InputError for a missing file, key or column,
+/// for a number that is none, and for a plan in other units than the cell's.
 [[nodiscard]] PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell);
 
 }  // namespace tubeplan::app

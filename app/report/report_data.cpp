@@ -29,16 +29,26 @@ json sheetData(const PlanOutcome& outcome) {
   const Units& units = outcome.cell.units;
   json holes = json::array();
   for (const auto& tube : sheet.tubes)
-    holes.push_back({tube.row, tube.column, lengthOf(tube.x, units), lengthOf(tube.y, units), tubesheets::tubeStateName(tube.state)});
-  return {{"name", outcome.cell.name}, {"leg", tubesheets::legName(sheet.leg)}, {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
-          {"hole_diameter", lengthOf(sheet.hole_diameter, units)}, {"pitch", lengthOf(sheet.pitch, units)}, {"rows", sheet.rows},
-          {"columns", sheet.columns}, {"holes", holes}, {"fingerprint", sheet.fingerprint()}};
+    holes.push_back({tube.row, tube.column, lengthOf(tube.x, units), lengthOf(tube.y, units),
+                     tubesheets::tubeStateName(tube.state)});
+  return {{"name", outcome.cell.name},
+          {"leg", tubesheets::legName(sheet.leg)},
+          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"hole_diameter", lengthOf(sheet.hole_diameter, units)},
+          {"pitch", lengthOf(sheet.pitch, units)},
+          {"rows", sheet.rows},
+          {"columns", sheet.columns},
+          {"holes", holes},
+          {"fingerprint", sheet.fingerprint()}};
 }
 
 json centringData(const std::optional<planner::Centring>& score, const Units& units) {
   if (!score) return nullptr;
-  return {{"error", lengthOf(score->error, units)}, {"dx", lengthOf(score->offset.x(), units)}, {"dy", lengthOf(score->offset.y(), units)},
-          {"steps", score->steps}, {"approach_deviation", lengthOf(score->approach_deviation, units)}};
+  return {{"error", lengthOf(score->error, units)},
+          {"dx", lengthOf(score->offset.x(), units)},
+          {"dy", lengthOf(score->offset.y(), units)},
+          {"steps", score->steps},
+          {"approach_deviation", lengthOf(score->approach_deviation, units)}};
 }
 
 json tubesData(const PlanOutcome& outcome) {
@@ -47,12 +57,19 @@ json tubesData(const PlanOutcome& outcome) {
   for (std::size_t k = 0; k < outcome.plan.visits.size(); ++k) {
     const auto& visit = outcome.plan.visits[k];
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)];
-    json entry = {{"order", k + 1}, {"row", tube.row}, {"column", tube.column}, {"x", lengthOf(tube.x, units)}, {"y", lengthOf(tube.y, units)},
-                  {"tilt", angleOf(visit.branch.tilt, units)}, {"predicted_error", lengthOf(outcome.predicted[k].error, units)},
+    json entry = {{"order", k + 1},
+                  {"row", tube.row},
+                  {"column", tube.column},
+                  {"x", lengthOf(tube.x, units)},
+                  {"y", lengthOf(tube.y, units)},
+                  {"tilt", angleOf(visit.branch.tilt, units)},
+                  {"predicted_error", lengthOf(outcome.predicted[k].error, units)},
                   {"probability_by_steps", outcome.probability_by_steps[k]}};
     const char* names[] = {"none", "goal_point", "via_point"};
     for (int mode = 0; mode < 3; ++mode)
-      entry[names[mode]] = outcome.scores.empty() ? json(nullptr) : centringData(outcome.scores[k][static_cast<std::size_t>(mode)], units);
+      entry[names[mode]] = outcome.scores.empty()
+                               ? json(nullptr)
+                               : centringData(outcome.scores[k][static_cast<std::size_t>(mode)], units);
     tubes.push_back(entry);
   }
   return tubes;
@@ -62,8 +79,11 @@ json unreachableData(const PlanOutcome& outcome) {
   json list = json::array();
   for (const auto& missed : outcome.plan.unreachable) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
-    list.push_back({{"row", tube.row}, {"column", tube.column}, {"x", lengthOf(tube.x, outcome.cell.units)},
-                    {"y", lengthOf(tube.y, outcome.cell.units)}, {"reason", missed.reason}});
+    list.push_back({{"row", tube.row},
+                    {"column", tube.column},
+                    {"x", lengthOf(tube.x, outcome.cell.units)},
+                    {"y", lengthOf(tube.y, outcome.cell.units)},
+                    {"reason", missed.reason}});
   }
   return list;
 }
@@ -85,8 +105,12 @@ json touchesData(const PlanOutcome& outcome) {
     const auto& touch = outcome.touches[k];
     const auto& residual = outcome.calibration->flexible.residuals[k];
     const auto name = parseHoleName(touch.hole);
-    list.push_back({{"id", touch.id}, {"hole", touch.hole}, {"row", name ? name->row : 0}, {"column", name ? name->column : 0},
-                    {"x", lengthOf(touch.p_WH.x(), units)}, {"y", lengthOf(touch.p_WH.y(), units)},
+    list.push_back({{"id", touch.id},
+                    {"hole", touch.hole},
+                    {"row", name ? name->row : 0},
+                    {"column", name ? name->column : 0},
+                    {"x", lengthOf(touch.p_WH.x(), units)},
+                    {"y", lengthOf(touch.p_WH.y(), units)},
                     {"residual", vectorJson(residual.residual_W, units, dimension::kLength)},
                     {"sigma", vectorJson(residual.sigma_W, units, dimension::kLength)}});
   }
@@ -96,12 +120,17 @@ json touchesData(const PlanOutcome& outcome) {
 /// The vertical plane that holds a posture: through the first joint's axis, towards the tip.
 struct SidePlane {
   Vector3d origin, outwards;
-  json at(const Vector3d& p_W, const Units& units) const { return {lengthOf((p_W - origin).dot(outwards), units), lengthOf(p_W.z(), units)}; }
+  json at(const Vector3d& p_W, const Units& units) const {
+    return {lengthOf((p_W - origin).dot(outwards), units), lengthOf(p_W.z(), units)};
+  }
 };
 
-json chainData(const PlanOutcome& outcome, const deflection::FlexibleKinematics& shape, bool rigid, const SidePlane& plane) {
+json chainData(const PlanOutcome& outcome, const deflection::FlexibleKinematics& shape, bool rigid,
+               const SidePlane& plane) {
   json chain = json::array();
-  const auto add = [&](const Vector3d& p_B) { chain.push_back(plane.at(outcome.model.X_WB * p_B, outcome.cell.units)); };
+  const auto add = [&](const Vector3d& p_B) {
+    chain.push_back(plane.at(outcome.model.X_WB * p_B, outcome.cell.units));
+  };
   for (const auto& row : shape.rows) add(rigid ? row.X_BL_rigid.p : row.X_BL.p);
   add(rigid ? shape.X_BT.p : shape.X_BD.p);
   return chain;
@@ -111,7 +140,8 @@ json sideView(const PlanOutcome& outcome, std::size_t k) {
   const auto& visit = outcome.plan.visits[k];
   const auto& cell = outcome.model;
   const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(visit.tube)];
-  const auto shape = deflection::solveFlexibleKinematics(cell.arm, {visit.branch.q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)});
+  const auto shape = deflection::solveFlexibleKinematics(
+      cell.arm, {visit.branch.q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)});
   const auto first = static_cast<std::size_t>(deflection::activeRows(cell.arm).front());
   SidePlane plane;
   plane.origin = cell.X_WB * shape.rows[first].X_BL.p;
@@ -123,10 +153,12 @@ json sideView(const PlanOutcome& outcome, std::size_t k) {
   for (const auto& body : cell.scene.bodies) {
     const auto& capsule = static_cast<const planner::Solid&>(*body.shape).around();
     const auto& X_WL = frames[static_cast<std::size_t>(body.frame_index)];
-    shapes.push_back({{"from", plane.at(X_WL * capsule.from, outcome.cell.units)}, {"to", plane.at(X_WL * capsule.to, outcome.cell.units)},
+    shapes.push_back({{"from", plane.at(X_WL * capsule.from, outcome.cell.units)},
+                      {"to", plane.at(X_WL * capsule.to, outcome.cell.units)},
                       {"radius", lengthOf(capsule.radius, outcome.cell.units)}});
   }
-  // Where the bowl's sphere stands in this plane depends on the plane: the page draws it from its centre and radius there.
+  // Where the bowl's sphere stands in this plane depends on the plane: the page draws it from its centre and radius
+  // there.
   return {{"label", "R" + std::to_string(tube.row) + " C" + std::to_string(tube.column)},
           {"rigid", chainData(outcome, shape, true, plane)},
           {"flexible", chainData(outcome, shape, false, plane)},
@@ -149,7 +181,8 @@ json clearanceData(const PlanOutcome& outcome, const std::vector<planner::PathRo
   const planner::ArmClearance clearance(outcome.model);
   json curve = json::array();
   for (const auto& row : path) {
-    const auto rule = row.kind == planner::SegmentKind::kTravel ? planner::ContactRule::kTravel : planner::ContactRule::kApproach;
+    const auto rule =
+        row.kind == planner::SegmentKind::kTravel ? planner::ContactRule::kTravel : planner::ContactRule::kApproach;
     curve.push_back({rounded(row.time), lengthOf(clearance.at(row.q, rule).distance, outcome.cell.units)});
   }
   return curve;
@@ -185,20 +218,23 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
     }
   if (!count) return "not scored";
   const double unit = outcome.cell.units.factor(dimension::kLength);
-  return fmt::format("{:.3f} {} mean, {:.3f} worst", sum / count / unit, outcome.cell.units.length().name, worst / unit);
+  return fmt::format("{:.3f} {} mean, {:.3f} worst", sum / count / unit, outcome.cell.units.length().name,
+                     worst / unit);
 }
 
 json summaryData(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const double unit = outcome.cell.units.factor(dimension::kLength);
   json rows = json::array();
-  rows.push_back({"tubes planned", fmt::format("{} of {}", plan.visits.size(), plan.visits.size() + plan.unreachable.size())});
+  rows.push_back(
+      {"tubes planned", fmt::format("{} of {}", plan.visits.size(), plan.visits.size() + plan.unreachable.size())});
   rows.push_back({"compensation", planner::nameOf(outcome.compensation)});
   rows.push_back({"error without compensation", errorText(outcome, 0)});
   rows.push_back({"error with compensation", errorText(outcome, 2)});
-  rows.push_back({"base", outcome.calibration ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
-                                                             outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
-                                              : std::string("as the cell has it")});
+  rows.push_back({"base", outcome.calibration
+                              ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
+                                            outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
+                              : std::string("as the cell has it")});
   rows.push_back({"whole path", fmt::format("{:.0f} s, {} detours", plan.total_time, plan.detours)});
   return rows;
 }
@@ -213,15 +249,32 @@ json reportJson(const PlanRequest& request, const PlanOutcome& outcome) {
     steps.push_back({{"diameter", lengthOf(step.diameter, units)}, {"tolerance", lengthOf(step.tolerance, units)}});
   const json plan = planJson(request, outcome);
   const json calibration = calibrationData(outcome);
-  return {{"title", outcome.cell.name + ": plan of tube visits"}, {"cell", outcome.cell.name}, {"version", kVersion}, {"seed", request.seed}, {"units", unitsJson(units)},
-          {"sheet", sheetData(outcome)}, {"bowl_radius", bowlRadius(outcome)}, {"steps", steps}, {"tubes", tubesData(outcome)},
-          {"unreachable", unreachableData(outcome)}, {"tour", tourData(outcome, path)}, {"touches", touchesData(outcome)},
-          {"distances", calibration.is_null() ? json(nullptr) : calibration["distances"]}, {"calibration", calibration},
-          {"side_views", sideViews(outcome)}, {"counts", plan["counts"]},
-          {"times", {{"travel_time_s", plan["travel_time_s"]}, {"lower_bound_s", plan["lower_bound_s"]}, {"gap", plan["gap"]},
-                     {"row_by_row_time_s", plan["row_by_row_time_s"]}}},
-          {"min_clearance", plan["min_clearance"]}, {"clearance_required", plan["clearance_required"]}, {"tightest", plan["tightest"]},
-          {"clearance_along", clearanceData(outcome, path)}, {"summary", summaryData(outcome)}};
+  return {{"title", outcome.cell.name + ": plan of tube visits"},
+          {"cell", outcome.cell.name},
+          {"version", kVersion},
+          {"seed", request.seed},
+          {"units", unitsJson(units)},
+          {"sheet", sheetData(outcome)},
+          {"bowl_radius", bowlRadius(outcome)},
+          {"steps", steps},
+          {"tubes", tubesData(outcome)},
+          {"unreachable", unreachableData(outcome)},
+          {"tour", tourData(outcome, path)},
+          {"touches", touchesData(outcome)},
+          {"distances", calibration.is_null() ? json(nullptr) : calibration["distances"]},
+          {"calibration", calibration},
+          {"side_views", sideViews(outcome)},
+          {"counts", plan["counts"]},
+          {"times",
+           {{"travel_time_s", plan["travel_time_s"]},
+            {"lower_bound_s", plan["lower_bound_s"]},
+            {"gap", plan["gap"]},
+            {"row_by_row_time_s", plan["row_by_row_time_s"]}}},
+          {"min_clearance", plan["min_clearance"]},
+          {"clearance_required", plan["clearance_required"]},
+          {"tightest", plan["tightest"]},
+          {"clearance_along", clearanceData(outcome, path)},
+          {"summary", summaryData(outcome)}};
 }
 
 }  // namespace tubeplan::app

@@ -5,11 +5,14 @@
 //      rotation     phi   = L C (M + r x F / 2 + r x W / 6),
 //      displacement delta = L C (M/2 + r x F / 3 + r x W / 8) x v  +  foreshortening,
 //      which are equations 2.9 to 2.16 of Calkins 1994 with 3 for 2 in equation 2.8.
-// Symbols: F, M force [N] and moment [N m] on the far end, W weight along the member [N], v the member [m], L its length, e = v/L,
+// Symbols: F, M force [N] and moment [N m] on the far end, W weight along the member [N], v the member [m], L its
+// length, e = v/L,
 //      r the deflected chord (so that moments are taken on the bent shape), n_k the row's axis k made square to e.
-// Foreshortening: a bent member ends nearer, by half the mean square of its slope, 1/2 mean(theta(s) x (theta(s) x v)); 0.003 in on
+// Foreshortening: a bent member ends nearer, by half the mean square of its slope, 1/2 mean(theta(s) x (theta(s) x v));
+// 0.003 in on
 //      the Cobra arm, which is more than the tolerance against exact rods.
-// Validity: slender, linear elastic, rotation along one element below about 0.1 rad (split it with `segments` beyond). No shear.
+// Validity: slender, linear elastic, rotation along one element below about 0.1 rad (split it with `segments` beyond).
+// No shear.
 #pragma once
 
 #include <cassert>
@@ -29,7 +32,8 @@ inline bool isFlexible(const Row<double>& row) {
 inline int segments(const Row<double>& row) { return row.beam->segments; }
 
 /// Curvature per moment [1/(N m^2)], for a member along the unit vector e.
-template <class S> Matrix3<S> curvatureCompliance(const Beam<S>& b, const Vector3<S>& e) {
+template <class S>
+Matrix3<S> curvatureCompliance(const Beam<S>& b, const Vector3<S>& e) {
   Matrix3<S> C = Matrix3<S>::Zero();
   for (int k = 0; k < 3; ++k) {
     if (!std::isfinite(valueOf(b.E)) || !std::isfinite(valueOf(b.I[k]))) continue;
@@ -52,7 +56,8 @@ Vector3<S> foreshortening(const Vector3<S>& m, const Vector3<S>& f, const Vector
   return sum / 2.;
 }
 
-template <class S> Deflection<S> deflect(const Row<S>& row, const Loading<S>& loading) {
+template <class S>
+Deflection<S> deflect(const Row<S>& row, const Loading<S>& loading) {
   using std::sqrt;
   assert(row.beam);
   const Vector3<S>& v = loading.member;

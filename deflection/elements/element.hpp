@@ -8,7 +8,8 @@
 namespace tubeplan::deflection {
 
 /// What acts on an element, in the row's own (deflected) axes. N, N m, m.
-template <class S> struct Loading {
+template <class S>
+struct Loading {
   Vector3<S> force;   ///< on the far end, from everything beyond
   Vector3<S> moment;  ///< about the far end, from everything beyond
   Vector3<S> weight;  ///< total of the weight distributed along the element
@@ -17,7 +18,8 @@ template <class S> struct Loading {
 };
 
 /// Motion of the far end against the near end: displacement of its origin [m], then rotation about that origin [rad].
-template <class S> struct Deflection {
+template <class S>
+struct Deflection {
   Vector3<S> displacement = Vector3<S>::Zero();
   Vector3<S> rotation = Vector3<S>::Zero();
 };

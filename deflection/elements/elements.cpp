@@ -12,8 +12,8 @@ std::span<const ElementKind> elementKinds() {
       ElementKind{"joint_stiffness", "rotation = moment / stiffness, about each axis (2.17)", ElementPlace::kOrigin,
                   joint_stiffness::isFlexible, joint_stiffness::segments, joint_stiffness::deflect<double>,
                   joint_stiffness::deflect<Dual>},
-      ElementKind{"beam", "cantilever under end force, end moment and its own weight (2.8 to 2.16)", ElementPlace::kMember,
-                  beam::isFlexible, beam::segments, beam::deflect<double>, beam::deflect<Dual>},
+      ElementKind{"beam", "cantilever under end force, end moment and its own weight (2.8 to 2.16)",
+                  ElementPlace::kMember, beam::isFlexible, beam::segments, beam::deflect<double>, beam::deflect<Dual>},
   };
   return kKinds;
 }

@@ -15,7 +15,8 @@ inline bool isFlexible(const Row<double>& row) { return row.joint_stiffness.arra
 
 inline int segments(const Row<double>&) { return 1; }
 
-template <class S> Deflection<S> deflect(const Row<S>& row, const Loading<S>& loading) {
+template <class S>
+Deflection<S> deflect(const Row<S>& row, const Loading<S>& loading) {
   Deflection<S> result;
   for (int k = 0; k < 3; ++k)
     if (std::isfinite(valueOf(row.joint_stiffness[k]))) result.rotation[k] = loading.moment[k] / row.joint_stiffness[k];

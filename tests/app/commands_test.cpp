@@ -1,8 +1,7 @@
 // The commands from outside: what they answer when asked properly.
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
 
@@ -21,24 +20,32 @@ class Commands : public ProgramTest {
 
   /// A plan of a few tubes with rehearsed touches, in folder `name`.
   [[nodiscard]] Outcome plan(const std::string& name, const std::string& more = "--tubes spread:6") const {
-    return run("plan " + shipped("mockup.yaml") + " --touches auto --truth " + shipped("mockup-true.yaml") + " --seed 3 --out " + name + " " + more);
+    return run("plan " + shipped("mockup.yaml") + " --touches auto --truth " + shipped("mockup-true.yaml") +
+               " --seed 3 --out " + name + " " + more);
   }
 
-  [[nodiscard]] json planJson(const std::string& name) const { return json::parse(contentOf(folder / name / "plan.json")); }
+  [[nodiscard]] json planJson(const std::string& name) const {
+    return json::parse(contentOf(folder / name / "plan.json"));
+  }
   void writePlanJson(const std::string& name, const json& plan) const { (void)write(name + "/plan.json", plan.dump()); }
 };
 
 TEST_F(Commands, poseGivesRigidFlexibleAndChange) {
-  const json pose = jsonOf("pose " + shipped("bench.yaml") + " --joints=-36.688,46.138,-35.856,-11.127 --load 30 --all");
+  const json pose =
+      jsonOf("pose " + shipped("bench.yaml") + " --joints=-36.688,46.138,-35.856,-11.127 --load 30 --all");
   EXPECT_NEAR(pose["rigid"]["position"][0], 68.688, 0.0015);
   EXPECT_NEAR(pose["change"]["position"][2], -2.315, 0.0015);
-  EXPECT_NEAR(pose["flexible"]["fixed_angles"][1].get<double>() - pose["rigid"]["fixed_angles"][1].get<double>(), 2.275, 0.0015);
+  EXPECT_NEAR(pose["flexible"]["fixed_angles"][1].get<double>() - pose["rigid"]["fixed_angles"][1].get<double>(), 2.275,
+              0.0015);
   EXPECT_EQ(pose["units"]["length"], "in");
   EXPECT_GT(pose["iterations"], 2);
   EXPECT_EQ(pose["intermediates"]["rows"].size(), 6u);
   EXPECT_EQ(pose["intermediates"]["components"].size(), 6u);
   // Weight of the arm and 30 lbf stand on the first row.
-  EXPECT_NEAR(pose["intermediates"]["rows"][0]["force_base"][2], -(26.7 + 20 + 10.4 + 0.152 * 13.202 + 0.403 * 26.406 + 0.126 * 19.4 + 1.2062 * std::hypot(16.2493, 7.8471) + 30), 1e-6);
+  EXPECT_NEAR(
+      pose["intermediates"]["rows"][0]["force_base"][2],
+      -(26.7 + 20 + 10.4 + 0.152 * 13.202 + 0.403 * 26.406 + 0.126 * 19.4 + 1.2062 * std::hypot(16.2493, 7.8471) + 30),
+      1e-6);
 }
 
 TEST_F(Commands, calibrateFindsTheBaseThatAPlanTouchedWith) {
@@ -112,7 +119,8 @@ TEST_F(Commands, verifyRefutesAPlanThatWasChanged) {
 TEST_F(Commands, verifyRefutesAnotherSheetOrArm) {
   ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
   for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
-  (void)write("cold.yaml", changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"), "normal: [0, 1, 0]", "normal: [0, -1, 0]"));
+  (void)write("cold.yaml", changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"),
+                                   "normal: [0, 1, 0]", "normal: [0, -1, 0]"));
   const Outcome sheet = run("verify cold.yaml made");
   EXPECT_EQ(sheet.exit_code, 1);
   expectSays(sheet.out, "another sheet");
@@ -124,7 +132,8 @@ TEST_F(Commands, verifyRefutesAnotherSheetOrArm) {
 
 TEST_F(Commands, planSaysWhatIsInTheWay) {
   for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
-  (void)write("blocked.yaml", changed(contentOf(folder / "mockup.yaml"), "scene:\n", "scene:\n  - {name: wall, box: {center: [0, 20, -20], size: [120, 1, 30]}}\n"));
+  (void)write("blocked.yaml", changed(contentOf(folder / "mockup.yaml"), "scene:\n",
+                                      "scene:\n  - {name: wall, box: {center: [0, 20, -20], size: [120, 1, 30]}}\n"));
   const Outcome outcome = run("plan blocked.yaml --tubes R2C57 --out made");
   EXPECT_EQ(outcome.exit_code, 1);
   expectSays(outcome.err, "wall");
@@ -132,7 +141,8 @@ TEST_F(Commands, planSaysWhatIsInTheWay) {
 }
 
 TEST_F(Commands, scoreCountsStepsOfEachMode) {
-  const json score = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup-true.yaml") + " --tubes spread:8 --seed 2");
+  const json score = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup-true.yaml") +
+                            " --tubes spread:8 --seed 2");
   int scored = 0;
   for (const auto& tube : score["tubes"]) {
     if (tube.contains("unreachable")) continue;
@@ -148,7 +158,8 @@ TEST_F(Commands, scoreCountsStepsOfEachMode) {
 }
 
 TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
-  const json runs = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
+  const json runs =
+      jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
   EXPECT_EQ(runs["runs"].get<std::size_t>() + runs["refused"].size(), 6u);
   EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
   EXPECT_GT(runs["none"]["mean_counts"][0], 6);
@@ -156,7 +167,8 @@ TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
 }
 
 TEST_F(Commands, aScoreWithoutErrorsTakesAllThreeSteps) {
-  const json runs = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 3 --seed 5 --unmodelled 0 --stiffness 0");
+  const json runs = jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") +
+                           " --runs 3 --seed 5 --unmodelled 0 --stiffness 0");
   EXPECT_LT(runs["via_point"]["mean_centring_error"], 0.01);
 }
 

@@ -18,15 +18,19 @@ struct Outcome {
 class ProgramTest : public FolderTest {
  protected:
   [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const std::string command =
+        "cd '" + folder.string() + "' && '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
     const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"), contentOf(folder / "err.txt")};
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"),
+                    contentOf(folder / "err.txt")};
     std::filesystem::remove(folder / "out.txt");
     std::filesystem::remove(folder / "err.txt");
     return outcome;
   }
 
-  [[nodiscard]] static std::string shipped(const std::string& name) { return "'" + (shippedCells() / name).string() + "'"; }
+  [[nodiscard]] static std::string shipped(const std::string& name) {
+    return "'" + (shippedCells() / name).string() + "'";
+  }
 };
 
 }  // namespace tubeplan::app

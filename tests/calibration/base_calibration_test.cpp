@@ -18,7 +18,8 @@ BaseStep stepBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to)
 TEST(BaseCalibration, RecoversTheBaseExactlyFromAnyStart) {
   const auto cell = touchedCell();
   const auto touches = touchesOf(cell, 0, 1);
-  const Eigen::Isometry3d starts[] = {cell.X_WB_nominal, Eigen::Isometry3d::Identity(), pose(90, -30, 10, 170, 40, 12), cell.X_WB_true};
+  const Eigen::Isometry3d starts[] = {cell.X_WB_nominal, Eigen::Isometry3d::Identity(), pose(90, -30, 10, 170, 40, 12),
+                                      cell.X_WB_true};
   for (const auto& start : starts) {
     const auto found = calibrateBase(cell.arm, touches, start);
     ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
@@ -33,8 +34,10 @@ TEST(BaseCalibration, RecoversAHangingBase) {
   auto cell = touchedCell();
   const Eigen::Isometry3d X_WB = pose(5, 30, 20, 180, 0, 30);
   std::vector<Touch> touches;
-  for (const Eigen::Vector4d& q : {Eigen::Vector4d(20, 60, -50, -40), Eigen::Vector4d(-30, 90, -60, 20), Eigen::Vector4d(70, 40, 30, -60), Eigen::Vector4d(0, 100, -90, 0)}) {
-    const auto shape = deflection::solveFlexibleKinematics(cell.arm, {q * kDegree, 0, deflection::gravityInBase(cell.arm, X_WB)}, {1e-14, 100});
+  for (const Eigen::Vector4d& q : {Eigen::Vector4d(20, 60, -50, -40), Eigen::Vector4d(-30, 90, -60, 20),
+                                   Eigen::Vector4d(70, 40, 30, -60), Eigen::Vector4d(0, 100, -90, 0)}) {
+    const auto shape = deflection::solveFlexibleKinematics(
+        cell.arm, {q * kDegree, 0, deflection::gravityInBase(cell.arm, X_WB)}, {1e-14, 100});
     const std::string name = "H" + std::to_string(touches.size());
     touches.push_back({name, name, X_WB * shape.X_BD.p, q * kDegree, 0, 0.005 * kInch, {}});
   }
@@ -49,7 +52,8 @@ TEST(BaseCalibration, NinetyFivePercentRegionsCoverTheTruth) {
   int covered = 0, accepted = 0;
   double chi2 = 0;
   for (int run = 0; run < kRuns; ++run) {
-    const auto found = calibrateBase(cell.arm, touchesOf(cell, 0.005, static_cast<std::uint64_t>(run) + 1), cell.X_WB_nominal);
+    const auto found =
+        calibrateBase(cell.arm, touchesOf(cell, 0.005, static_cast<std::uint64_t>(run) + 1), cell.X_WB_nominal);
     ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
     const BaseStep off = stepBetween(found.X_WB, cell.X_WB_true);
     covered += off.dot(found.covariance.ldlt().solve(off)) < 12.591587;  // 95 % of chi-square with 6 degrees of freedom
@@ -137,14 +141,16 @@ TEST(BaseCalibration, NamesTheMistakenHole) {
     for (int way = 0; way < 4; ++way) {
       auto touches = touchesOf(cell, 0.005, 7 + static_cast<std::uint64_t>(way));
       for (auto& touch : touches)
-        for (int k = 0; k < 4; ++k) touch.neighbours.push_back({touch.hole + "+" + std::to_string(k), touch.p_WH + aside[k]});
+        for (int k = 0; k < 4; ++k)
+          touch.neighbours.push_back({touch.hole + "+" + std::to_string(k), touch.p_WH + aside[k]});
       // The operator was one hole off: what is written down is the neighbour's name.
       for (auto& neighbour : touches[wrong].neighbours) neighbour.p_WH -= aside[way];
       touches[wrong].p_WH -= aside[way];
       const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
       ASSERT_EQ(found.status, CalibrationStatus::kRefused) << wrong << " " << way;
       ++cases;
-      const std::string right = "touch " + touches[wrong].id + " named " + touches[wrong].hole + " fits hole " + touches[wrong].hole + "+" + std::to_string(way);
+      const std::string right = "touch " + touches[wrong].id + " named " + touches[wrong].hole + " fits hole " +
+                                touches[wrong].hole + "+" + std::to_string(way);
       named += std::find(found.suspects.begin(), found.suspects.end(), right) != found.suspects.end();
     }
   EXPECT_EQ(named, cases);

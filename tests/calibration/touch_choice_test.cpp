@@ -10,7 +10,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-const std::vector<std::pair<double, double>> kHoles{{-40, 10}, {38, 12}, {10, 45}, {-2, 12}, {3, 14}, {0, 10}, {-25, 30}, {28, 32}};
+const std::vector<std::pair<double, double>> kHoles{{-40, 10}, {38, 12}, {10, 45},  {-2, 12},
+                                                    {3, 14},   {0, 10},  {-25, 30}, {28, 32}};
 
 std::vector<Eigen::VectorXd> workOf(const TouchedCell& cell) {
   std::vector<Eigen::VectorXd> work;
@@ -26,8 +27,11 @@ TEST(TouchChoice, TheBestTripleBeatsEveryOther) {
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j)
       for (int k = j + 1; k < n; ++k) {
-        const std::vector<TouchPlan> triple{cell.plans[static_cast<std::size_t>(i)], cell.plans[static_cast<std::size_t>(j)], cell.plans[static_cast<std::size_t>(k)]};
-        EXPECT_GE(chooseTouches(cell.arm, cell.X_WB_nominal, triple, workOf(cell)).mean_sigma, best.mean_sigma * (1 - 1e-12));
+        const std::vector<TouchPlan> triple{cell.plans[static_cast<std::size_t>(i)],
+                                            cell.plans[static_cast<std::size_t>(j)],
+                                            cell.plans[static_cast<std::size_t>(k)]};
+        EXPECT_GE(chooseTouches(cell.arm, cell.X_WB_nominal, triple, workOf(cell)).mean_sigma,
+                  best.mean_sigma * (1 - 1e-12));
       }
 }
 
@@ -42,7 +46,8 @@ TEST(TouchChoice, PredictsTheSpreadOfManyCalibrations) {
   double sum = 0;
   constexpr int kRuns = 200;
   for (int run = 0; run < kRuns; ++run) {
-    const auto found = calibrateBase(cell.arm, touchesOf(touched, 0.005, 50 + static_cast<std::uint64_t>(run)), cell.X_WB_nominal);
+    const auto found =
+        calibrateBase(cell.arm, touchesOf(touched, 0.005, 50 + static_cast<std::uint64_t>(run)), cell.X_WB_nominal);
     for (const auto& q : work) {
       const auto off = tipInWorld(cell.arm, found.X_WB, q, 0).p_WT - tipInWorld(cell.arm, cell.X_WB_true, q, 0).p_WT;
       sum += off.squaredNorm() / (3. * kRuns * static_cast<double>(work.size()));
@@ -57,7 +62,8 @@ TEST(TouchChoice, MoreTouchesAreBetterAndTooFewCandidatesAreTold) {
   const auto five = chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, workOf(cell), {5, 1.27e-4});
   EXPECT_EQ(five.chosen.size(), 5u);
   EXPECT_LT(five.mean_sigma, three.mean_sigma);
-  EXPECT_EQ(chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, workOf(cell), {20, 1.27e-4}).status, TouchChoiceStatus::kTooFewCandidates);
+  EXPECT_EQ(chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, workOf(cell), {20, 1.27e-4}).status,
+            TouchChoiceStatus::kTooFewCandidates);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace {
 constexpr double kLength = 0.8, kEI = 5e4, kGJ = 2e4;
 
 /// A turntable that carries a beam along x; gravity may point anywhere.
-Arm cantilever(double distributed = 0, double lump = 0, const Eigen::Vector3d& lump_beyond_tip = Eigen::Vector3d::Zero()) {
+Arm cantilever(double distributed = 0, double lump = 0,
+               const Eigen::Vector3d& lump_beyond_tip = Eigen::Vector3d::Zero()) {
   Arm arm;
   arm.name = "cantilever";
   Row<double> row;
@@ -57,7 +58,8 @@ TEST(ClosedForms, DistributedWeight) {
 TEST(ClosedForms, EndMomentFromALumpBeyondTheTip) {
   const double W = 0.4, beyond = 0.3, M = W * beyond;
   const auto shape = solve(cantilever(0, W, {beyond, 0, 0}), 0);
-  EXPECT_NEAR(shape.X_BD.p.y(), -W * std::pow(kLength, 3) / (3 * kEI) - M * kLength * kLength / (2 * kEI), 1e-6 * W / kEI);
+  EXPECT_NEAR(shape.X_BD.p.y(), -W * std::pow(kLength, 3) / (3 * kEI) - M * kLength * kLength / (2 * kEI),
+              1e-6 * W / kEI);
   EXPECT_NEAR(slopeAboutZ(shape), -W * kLength * kLength / (2 * kEI) - M * kLength / kEI, 1e-6 * W / kEI);
 }
 
@@ -108,7 +110,8 @@ TEST(ClosedForms, APrismaticRowBendsAsFarAsItIsDrawnOut) {
   arm.rows = {slide};
   for (double drawn : {0.0, 0.2, 0.5, 1.1}) {
     const double F = 0.5;
-    const auto shape = solveFlexibleKinematics(arm, {Eigen::VectorXd::Constant(1, drawn), F, -Eigen::Vector3d::UnitZ()}, {1e-14, 100});
+    const auto shape =
+        solveFlexibleKinematics(arm, {Eigen::VectorXd::Constant(1, drawn), F, -Eigen::Vector3d::UnitZ()}, {1e-14, 100});
     ASSERT_EQ(shape.status, KinematicsStatus::kConverged);
     EXPECT_NEAR(shape.X_BD.p.z(), -F * std::pow(drawn, 3) / (3 * kEI), 1e-6 * F / kEI) << drawn;
   }

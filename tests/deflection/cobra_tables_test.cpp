@@ -19,7 +19,9 @@ Vector6 figures(const PoseOf<double>& X) {
   return v;
 }
 
-Vector6 list(double a, double b, double c, double d, double e, double f) { return (Vector6() << a, b, c, d, e, f).finished(); }
+Vector6 list(double a, double b, double c, double d, double e, double f) {
+  return (Vector6() << a, b, c, d, e, f).finished();
+}
 
 struct Example {
   Eigen::Vector4d joints;
@@ -29,7 +31,8 @@ struct Example {
 };
 
 TEST(CobraTables, AllThirtySixFigures) {
-  const Vector6 first = list(68.688, -39.055, 39.994, 88.901, .027, -36.696), second = list(23.829, 30.582, 46.937, 89.606, 2.158, 73.302);
+  const Vector6 first = list(68.688, -39.055, 39.994, 88.901, .027, -36.696),
+                second = list(23.829, 30.582, 46.937, 89.606, 2.158, 73.302);
   const Eigen::Vector4d q1(-36.688, 46.138, -35.856, -11.127), q2(73.312, 126.138, -95.856, -31.127);
   // The last alpha of the second row is printed -0.030, which no parameters reproduce.
   const Example examples[] = {{q1, first, 0, list(.612, -.322, -1.333, -.172, 1.248, -.015)},
@@ -66,7 +69,8 @@ std::pair<double, double> worstAgainstRods(int segments) {
     const auto shape = solveFlexibleKinematics(arm, {q * kDegree, row[4] * kPound});
     worst_tip = std::max(worst_tip, (shape.X_BD.p / kInch - Eigen::Vector3d(row[8], row[9], row[10])).norm());
     const Eigen::Matrix3d R = rotationFromFixedAngles<double>(Eigen::Vector3d(row[11], row[12], row[13]) * kDegree);
-    worst_turn = std::max(worst_turn, Eigen::AngleAxisd(Eigen::Matrix3d(R.transpose() * shape.X_BD.R)).angle() / kDegree);
+    worst_turn =
+        std::max(worst_turn, Eigen::AngleAxisd(Eigen::Matrix3d(R.transpose() * shape.X_BD.R)).angle() / kDegree);
   }
   return {worst_tip, worst_turn};
 }
@@ -85,7 +89,8 @@ TEST(CobraTables, SecondOrderInTheNumberOfSegments) {
   const FlexibleKinematicsOptions tight{1e-14, 100};
   const Eigen::Vector3d exact = solveFlexibleKinematics(cobraArm(128), posture, tight).X_BD.p;
   std::vector<double> errors;
-  for (int segments : {1, 2, 4, 8}) errors.push_back((solveFlexibleKinematics(cobraArm(segments), posture, tight).X_BD.p - exact).norm());
+  for (int segments : {1, 2, 4, 8})
+    errors.push_back((solveFlexibleKinematics(cobraArm(segments), posture, tight).X_BD.p - exact).norm());
   for (std::size_t k = 1; k < errors.size(); ++k) {
     const double order = std::log2(errors[k - 1] / errors[k]);
     EXPECT_GT(order, 1.8) << errors[k - 1] << " to " << errors[k];

@@ -1,14 +1,15 @@
 // Flexible inverse kinematics: every branch, its status, and the way up and down.
+#include "deflection/inverse_kinematics.hpp"
+
 #include <gtest/gtest.h>
 
-#include "deflection/inverse_kinematics.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::deflection {
 namespace {
 
-/// The goal that a posture meets on the flexible model: its tip, and the nearest direction to the tool's axis that the arm's plane
-/// leaves free, here the tool's axis itself.
+/// The goal that a posture meets on the flexible model: its tip, and the nearest direction to the tool's axis that the
+/// arm's plane leaves free, here the tool's axis itself.
 ToolGoal goalOf(const Arm& arm, const Eigen::VectorXd& q, double load, const Eigen::Vector3d& gravity_B) {
   const auto shape = solveFlexibleKinematics(arm, {q, load, gravity_B}, {1e-14, 100});
   return {shape.X_BD.p, shape.X_BD.R * arm.tool_axis_L};
@@ -48,7 +49,8 @@ TEST(InverseKinematics, EveryPostureIsFoundAgain) { everyPostureIsFoundAgain(-Ei
 TEST(InverseKinematics, EveryPostureIsFoundAgainUpsideDown) { everyPostureIsFoundAgain(Eigen::Vector3d::UnitZ()); }
 
 TEST(InverseKinematics, TellsWhatIsOutOfReach) {
-  const auto found = solveInverseKinematics(cobraArm(), {{3, 0, 0}, Eigen::Vector3d::UnitZ()}, 0, -Eigen::Vector3d::UnitZ());
+  const auto found =
+      solveInverseKinematics(cobraArm(), {{3, 0, 0}, Eigen::Vector3d::UnitZ()}, 0, -Eigen::Vector3d::UnitZ());
   EXPECT_EQ(found.status, BranchStatus::kOutOfReach);
   EXPECT_FALSE(found.reason.empty());
 }
@@ -75,7 +77,8 @@ TEST(InverseKinematics, TellsASingularPosture) {
 TEST(InverseKinematics, ReportsTheTiltThatFourJointsCannotCorrect) {
   const Arm arm = cobraArm();
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
-  const auto found = solveInverseKinematics(arm, {Eigen::Vector3d(40, -30, 44) * kInch, Eigen::Vector3d::UnitZ()}, 0, down);
+  const auto found =
+      solveInverseKinematics(arm, {Eigen::Vector3d(40, -30, 44) * kInch, Eigen::Vector3d::UnitZ()}, 0, down);
   ASSERT_EQ(found.status, BranchStatus::kConverged);
   // The platform leans 1.37 deg against the beam; what is left of it at this azimuth, and the sag aside, stays.
   EXPECT_GT(found.branches.front().tilt, 0.1 * kDegree);

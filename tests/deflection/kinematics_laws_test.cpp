@@ -46,7 +46,9 @@ TEST(KinematicsLaws, TheBaseCarriesTheWholeWeight) {
   const Arm arm = cobraArm();
   double weight = 40;
   for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i) {
-    const double length = i + 1 < static_cast<int>(arm.rows.size()) ? std::get<DenavitHartenberg<double>>(arm.rows[i + 1].placement).a : arm.p_LT.norm();
+    const double length = i + 1 < static_cast<int>(arm.rows.size())
+                              ? std::get<DenavitHartenberg<double>>(arm.rows[i + 1].placement).a
+                              : arm.p_LT.norm();
     weight += arm.rows[i].weight.distributed * length + arm.rows[i].weight.end;
   }
   std::mt19937_64 random(4);

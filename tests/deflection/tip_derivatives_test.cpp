@@ -1,7 +1,8 @@
 // Exact derivatives of the tip against central differences, by joints, load, gravity and every number of the arm.
+#include "deflection/tip_derivatives.hpp"
+
 #include <gtest/gtest.h>
 
-#include "deflection/tip_derivatives.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::deflection {
@@ -12,12 +13,18 @@ const FlexibleKinematicsOptions kTight{1e-15, 200};
 /// The arm and posture with one variable moved by h.
 void step(Arm& arm, Posture& posture, const Variable& variable, double h) {
   switch (variable.type) {
-    case Variable::Type::kJoint: posture.q[variable.index] += h; break;
-    case Variable::Type::kLoad: posture.load += h; break;
+    case Variable::Type::kJoint:
+      posture.q[variable.index] += h;
+      break;
+    case Variable::Type::kLoad:
+      posture.load += h;
+      break;
     case Variable::Type::kGravityTurn:
       posture.gravity_B = rotationFromVector<double>(h * Eigen::Vector3d::Unit(variable.index)) * posture.gravity_B;
       break;
-    case Variable::Type::kParameter: locate(arm, variable.parameter) += h; break;
+    case Variable::Type::kParameter:
+      locate(arm, variable.parameter) += h;
+      break;
   }
 }
 
@@ -36,7 +43,8 @@ Difference centralDifference(const Arm& arm, const Posture& posture, const Varia
     const auto plus = tipAt(arm, posture, variable, step_size), minus = tipAt(arm, posture, variable, -step_size);
     const Eigen::Matrix3d turn = (plus.R - minus.R) * (plus.R + minus.R).inverse();
     Difference d{(plus.p - minus.p) / (2 * step_size), {}};
-    d.rotation = Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / (2 * step_size);
+    d.rotation =
+        Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / (2 * step_size);
     return d;
   };
   const Difference one = slope(h), two = slope(2 * h);
@@ -54,7 +62,8 @@ std::vector<Case> casesOf(const Arm& arm) {
   for (int k = 0; k < 4; ++k) cases.push_back({"joint " + std::to_string(k), Variable::joint(k), 1e-3});
   for (int k = 0; k < 3; ++k) cases.push_back({"gravity " + std::to_string(k), Variable::gravityTurn(k), 1e-3});
   for (const auto& p : parametersOf(arm)) {
-    const bool big = p.quantity == Quantity::kTorquePerAngle || p.quantity == Quantity::kPressure || p.quantity == Quantity::kLengthToTheFourth;
+    const bool big = p.quantity == Quantity::kTorquePerAngle || p.quantity == Quantity::kPressure ||
+                     p.quantity == Quantity::kLengthToTheFourth;
     const bool weight = p.quantity == Quantity::kForce || p.quantity == Quantity::kForcePerLength;
     cases.push_back({p.name, Variable::number(p.path), big ? 1e-3 * p.value : weight ? 5. : 1e-3});
   }
@@ -78,7 +87,8 @@ TEST(TipDerivatives, AgreeWithCentralDifferencesOverAThousandPostures) {
       const auto column = static_cast<Eigen::Index>(k);
       const Difference d = centralDifference(arm, posture, cases[k].variable, cases[k].h);
       const double size = d.position.norm() + reach * d.rotation.norm();
-      const double off = (d.position - exact.position_B.col(column)).norm() + reach * (d.rotation - exact.rotation_B.col(column)).norm();
+      const double off = (d.position - exact.position_B.col(column)).norm() +
+                         reach * (d.rotation - exact.rotation_B.col(column)).norm();
       const double rounding = 1e-13 * reach / cases[k].h;
       ASSERT_LE(off, 1e-6 * size + rounding) << cases[k].name << " in posture " << n;
     }

@@ -64,7 +64,8 @@ TEST(BodyFrames, ARigidArmHasItsKinematicFramesAndNoBow) {
     const VectorXd q = randomPosture(cell.arm, generator);
     double bow = 1;
     const auto frames = bodyFrames(cell, q, &bow);
-    const auto shape = deflection::solveFlexibleKinematics(cell.arm, {q, 0, deflection::gravityInBase(cell.arm, cell.X_WB)});
+    const auto shape =
+        deflection::solveFlexibleKinematics(cell.arm, {q, 0, deflection::gravityInBase(cell.arm, cell.X_WB)});
     const auto expected = deflection::rowFramesInWorld(shape, cell.X_WB);
     ASSERT_EQ(frames.size(), expected.size());
     for (std::size_t k = 0; k < frames.size(); ++k) EXPECT_LT((frames[k].matrix() - expected[k].matrix()).norm(), 1e-9);
@@ -117,7 +118,8 @@ TEST(ArmClearance, ItIsTheDeflectedShapeThatIsChecked) {
   ASSERT_GT(sag, 0.5 * kInch);
   const double clearance = bent.scene.clearance;
   const auto marginUnder = [&](const Workcell& cell, double height, double normal) {
-    const Workcell among = testing::withObstacle(cell, {"level", testing::shape("keep_side", {0, 0, height, 0, 0, normal}), {"base-link"}});
+    const Workcell among = testing::withObstacle(
+        cell, {"level", testing::shape("keep_side", {0, 0, height, 0, 0, normal}), {"base-link"}});
     return ArmClearance(among).at(q, ContactRule::kTravel);
   };
   const double shelf = rigid_span.lowest - clearance - sag / 2;
@@ -154,7 +156,8 @@ class UnderAHole : public ::testing::Test {
   VectorXd inTheHole() const {
     CompensationOptions options;
     options.with_approach = false;
-    const Vector3d inside = testing::holeOf(cell, testing::tubesOf(cell, "R10C40").front()) + Vector3d(0, 0, 0.5 * kInch);
+    const Vector3d inside =
+        testing::holeOf(cell, testing::tubesOf(cell, "R10C40").front()) + Vector3d(0, 0, 0.5 * kInch);
     return compensate(cell, inside, options).front().q;
   }
 };
@@ -176,7 +179,8 @@ TEST_F(UnderAHole, ALeaveThatTheToolsOwnBodyStatesEndsOnTravelToo) {
     if (body.name == "tool-tip") body.allow = {"tubesheet"};
   const ArmClearance here(turned), there(cell);
   const VectorXd q = inTheHole();
-  for (const auto rule : {ContactRule::kTravel, ContactRule::kApproach}) EXPECT_EQ(here.at(q, rule).margin, there.at(q, rule).margin);
+  for (const auto rule : {ContactRule::kTravel, ContactRule::kApproach})
+    EXPECT_EQ(here.at(q, rule).margin, there.at(q, rule).margin);
 }
 
 TEST_F(UnderAHole, WhatTheRestOfTheArmMayTouchItMayAlwaysTouch) {
@@ -184,7 +188,8 @@ TEST_F(UnderAHole, WhatTheRestOfTheArmMayTouchItMayAlwaysTouch) {
   std::mt19937_64 generator(4);
   for (int round = 0; round < 200; ++round) {
     const VectorXd q = randomPosture(cell.arm, generator);
-    const Clearance travelling = clearance.at(q, ContactRule::kTravel), approaching = clearance.at(q, ContactRule::kApproach);
+    const Clearance travelling = clearance.at(q, ContactRule::kTravel),
+                    approaching = clearance.at(q, ContactRule::kApproach);
     EXPECT_LE(travelling.margin, approaching.margin);
     if (travelling.body != "tool-tip") {
       EXPECT_EQ(travelling.margin, approaching.margin);
@@ -230,9 +235,11 @@ TEST_P(TravelOfSeed, NoBodyPointMovesFurtherThanTheBound) {
     for (const auto& body : cell.scene.bodies) {
       const auto& capsule = static_cast<const Solid&>(*body.shape).around();
       const auto frame = static_cast<std::size_t>(body.frame_index);
-      for (const Vector3d& end : {capsule.from, capsule.to}) most = std::max(most, (to[frame] * end - from[frame] * end).norm() / bound);
+      for (const Vector3d& end : {capsule.from, capsule.to})
+        most = std::max(most, (to[frame] * end - from[frame] * end).norm() / bound);
     }
-    const double before = clearance.at(q0, ContactRule::kTravel).distance, after = clearance.at(q1, ContactRule::kTravel).distance;
+    const double before = clearance.at(q0, ContactRule::kTravel).distance,
+                 after = clearance.at(q1, ContactRule::kTravel).distance;
     if (before > 0 && after > 0) {
       EXPECT_LE(std::abs(before - after), bound + 1e-8);
     }

@@ -28,12 +28,15 @@ double sampledDeviation(const Workcell& cell, const Vector3d& hole, const std::v
   double worst = 0;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
     for (int s = 0; s <= 100; ++s)
-      worst = std::max(worst, sideways(deflectedTip(cell, postures[k] + s / 100. * (postures[k + 1] - postures[k])), hole));
+      worst =
+          std::max(worst, sideways(deflectedTip(cell, postures[k] + s / 100. * (postures[k + 1] - postures[k])), hole));
   return worst;
 }
 
 /// Deflection of the tip at joint readings q.
-Vector3d deflectionAt(const Workcell& cell, const VectorXd& q) { return deflectedTip(cell, q) - deflectedTip(testing::rigid(cell), q); }
+Vector3d deflectionAt(const Workcell& cell, const VectorXd& q) {
+  return deflectedTip(cell, q) - deflectedTip(testing::rigid(cell), q);
+}
 
 class EachTube : public ::testing::Test {
  protected:
@@ -42,7 +45,8 @@ class EachTube : public ::testing::Test {
 };
 
 TEST(CompensationNames, GoForthAndBack) {
-  for (const auto mode : {Compensation::kNone, Compensation::kGoalPoint, Compensation::kViaPoint}) EXPECT_EQ(findCompensation(nameOf(mode)), mode);
+  for (const auto mode : {Compensation::kNone, Compensation::kGoalPoint, Compensation::kViaPoint})
+    EXPECT_EQ(findCompensation(nameOf(mode)), mode);
   EXPECT_FALSE(findCompensation("via"));
   EXPECT_EQ(nameOf(Compensation::kGoalPoint), "goal-point");
 }
@@ -70,7 +74,8 @@ TEST_F(EachTube, ViaPointsBringTheDeflectedTipToTheCentreAlongTheAxis) {
 
 TEST_F(EachTube, GoalPointHasTheSameJointsAtTheGoal) {
   for (int tube : tubes) {
-    const auto via = convergedFor(cell, tube, Compensation::kViaPoint), goal = convergedFor(cell, tube, Compensation::kGoalPoint);
+    const auto via = convergedFor(cell, tube, Compensation::kViaPoint),
+               goal = convergedFor(cell, tube, Compensation::kGoalPoint);
     ASSERT_EQ(via.size(), goal.size());
     for (std::size_t k = 0; k < via.size(); ++k) {
       EXPECT_EQ(via[k].q, goal[k].q);
@@ -129,7 +134,8 @@ TEST_F(EachTube, AStartNearABranchFindsThatBranch) {
 TEST_F(EachTube, TiltIsTheAngleOfTheDeflectedToolAgainstTheHole) {
   for (int tube : tubes)
     for (const auto& branch : convergedFor(cell, tube, Compensation::kViaPoint)) {
-      const auto shape = deflection::solveFlexibleKinematics(cell.arm, {branch.q, 0, deflection::gravityInBase(cell.arm, cell.X_WB)});
+      const auto shape =
+          deflection::solveFlexibleKinematics(cell.arm, {branch.q, 0, deflection::gravityInBase(cell.arm, cell.X_WB)});
       const Vector3d axis = cell.X_WB.linear() * shape.X_BD.R * cell.arm.tool_axis_L;
       EXPECT_NEAR(std::cos(branch.tilt), axis.z(), 1e-9);
       EXPECT_LT(branch.tilt, 2 * testing::kDegree);

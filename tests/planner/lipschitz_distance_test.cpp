@@ -54,14 +54,17 @@ TEST(LipschitzDistance, ACapsuleThatIsNowhereIsClearOfNothing) {
 
 TEST(LipschitzDistance, NeverAboveWhatDenseSamplingOfTheAxisFinds) {
   std::mt19937_64 generator(3);
-  const ShapePointer others[] = {shape("box", {0, 0, 0, 0.6, 0.3, 0.2, 0.3, 0.2, 0.1}), shape("cylinder", {-0.2, 0, 0.1, 0.3, 0.2, 0, 0.15}),
-                                 shape("capsule", {0, -0.3, 0, 0, 0.3, 0.1, 0.05}), shape("inside_of.sphere", {0, 0, 0, 1.5})};
+  const ShapePointer others[] = {
+      shape("box", {0, 0, 0, 0.6, 0.3, 0.2, 0.3, 0.2, 0.1}), shape("cylinder", {-0.2, 0, 0.1, 0.3, 0.2, 0, 0.15}),
+      shape("capsule", {0, -0.3, 0, 0, 0.3, 0.1, 0.05}), shape("inside_of.sphere", {0, 0, 0, 1.5})};
   for (int round = 0; round < 500; ++round)
     for (const auto& other : others) {
-      const Capsule capsule{uniformVector(generator, -1, 1), uniformVector(generator, -1, 1), uniform(generator, 0.01, 0.1)};
+      const Capsule capsule{uniformVector(generator, -1, 1), uniformVector(generator, -1, 1),
+                            uniform(generator, 0.01, 0.1)};
       double sampled = std::numeric_limits<double>::infinity();
       for (int k = 0; k <= 200; ++k)
-        sampled = std::min(sampled, other->pointDistance(capsule.from + k / 200. * (capsule.to - capsule.from)) - capsule.radius);
+        sampled = std::min(
+            sampled, other->pointDistance(capsule.from + k / 200. * (capsule.to - capsule.from)) - capsule.radius);
       const double found = lipschitzDistance(capsule, *other, {.accuracy = 1e-5});
       EXPECT_LE(found, sampled + 1e-12);
       // No point of the axis is further than a 400th of its length from a sampled one.
@@ -112,7 +115,8 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
         if (mayTouch(obstacle, body) || body.link == "base-link") continue;
         const auto& capsule = static_cast<const Solid&>(*body.shape).around();
         const auto& X_WL = frames[static_cast<std::size_t>(body.frame_index)];
-        const double found = lipschitzDistance({X_WL * capsule.from, X_WL * capsule.to, capsule.radius}, *obstacle.shape, {.accuracy = kAccuracy});
+        const double found = lipschitzDistance({X_WL * capsule.from, X_WL * capsule.to, capsule.radius},
+                                               *obstacle.shape, {.accuracy = kAccuracy});
         const double known = distances.at(bodyLabel(body) + ", " + obstacle.name);
         ++compared;
         if (known > 0) {

@@ -70,7 +70,8 @@ TEST(ScoreVisit, ATubePlannedRigidlyMissesByItsDeflection) {
   const Workcell cell = mockup();
   const int tube = testing::tubesOf(cell, "R10C40").front();
   const TubeBranch visit = visitOf(cell, tube, Compensation::kNone);
-  const Vector3d deflection = testing::deflectedTip(cell, visit.q) - testing::deflectedTip(testing::rigid(cell), visit.q);
+  const Vector3d deflection =
+      testing::deflectedTip(cell, visit.q) - testing::deflectedTip(testing::rigid(cell), visit.q);
   const Centring score = scoreVisit(cell, holeOf(cell, tube), visit);
   EXPECT_NEAR(score.error, deflection.head<2>().norm(), 1e-9);
   EXPECT_NEAR(score.height, deflection.z(), 1e-9);
@@ -82,7 +83,8 @@ TEST(ScoreVisit, AgainstTheShippedTrueArmTheErrorIsTheDistanceOfTheTwoTips) {
   for (int tube : testing::tubesOf(cell, "spread:5,-R39C58")) {
     const TubeBranch visit = visitOf(cell, tube);
     const Centring score = scoreVisit(truth, holeOf(cell, tube), visit);
-    EXPECT_NEAR(score.error, sideways(testing::deflectedTip(truth, visit.q), testing::deflectedTip(cell, visit.q)), 1e-9);
+    EXPECT_NEAR(score.error, sideways(testing::deflectedTip(truth, visit.q), testing::deflectedTip(cell, visit.q)),
+                1e-9);
     EXPECT_EQ(score.steps, tubesheets::stepsInserted(truth.tool, score.error));
   }
 }

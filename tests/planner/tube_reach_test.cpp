@@ -16,7 +16,9 @@ using testing::withObstacle;
 
 int tubeAt(const Workcell& cell, const char* name) { return testing::tubesOf(cell, name).front(); }
 
-void expectContains(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+void expectContains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
 
 TEST(ReachTube, UsableBranchesAreClearAtTheHoleAndAllTheWayUp) {
   const Workcell cell = mockup();
@@ -31,8 +33,9 @@ TEST(ReachTube, UsableBranchesAreClearAtTheHoleAndAllTheWayUp) {
       EXPECT_LT((testing::deflectedTip(cell, branch.q) - holeOf(cell, tube)).norm(), 1e-6 * kInch);
       EXPECT_GE(clearance.at(branch.approach.front(), ContactRule::kTravel).margin, options.spare);
       for (std::size_t k = 0; k + 1 < branch.approach.size(); ++k)
-        EXPECT_GE(testing::leastSampled(branch.approach[k], branch.approach[k + 1],
-                                        [&](const VectorXd& q) { return clearance.at(q, ContactRule::kApproach); }, 100),
+        EXPECT_GE(testing::leastSampled(
+                      branch.approach[k], branch.approach[k + 1],
+                      [&](const VectorXd& q) { return clearance.at(q, ContactRule::kApproach); }, 100),
                   options.spare);
     }
   }
@@ -70,7 +73,8 @@ TEST(ReachTube, ABoxUnderTheHoleIsNamedWithWhatComesTooNear) {
 }
 
 TEST(ReachTube, WhatIsMetOnlyOnTheWayUpBlocksTheApproach) {
-  // A small ball over the middle of each branch's tool, which lies level, half an inch clear at the standoff: an inch up is too far.
+  // A small ball over the middle of each branch's tool, which lies level, half an inch clear at the standoff: an inch
+  // up is too far.
   const Workcell cell = mockup();
   const int tube = tubeAt(cell, "R20C40");
   const TubeReach before = reachTube(ArmClearance(cell), tube);

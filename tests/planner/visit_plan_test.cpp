@@ -1,7 +1,7 @@
 #include "planner/visit_plan.hpp"
 
-#include <gtest/gtest.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <set>
@@ -22,9 +22,11 @@ using testing::withObstacle;
 
 /// Every number of a plan, exactly.
 std::string bytesOf(const VisitPlan& plan) {
-  std::string text = fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status), plan.reason, plan.travel_time,
-                                 plan.lower_bound, plan.gap, plan.row_by_row_time, plan.total_time, plan.min_margin, plan.tightest.body, plan.detours);
-  for (const auto& visit : plan.visits) text += fmt::format("visit {} {:a} {:a}\n", visit.tube, visit.branch.tilt, visit.branch.path_deviation);
+  std::string text = fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status),
+                                 plan.reason, plan.travel_time, plan.lower_bound, plan.gap, plan.row_by_row_time,
+                                 plan.total_time, plan.min_margin, plan.tightest.body, plan.detours);
+  for (const auto& visit : plan.visits)
+    text += fmt::format("visit {} {:a} {:a}\n", visit.tube, visit.branch.tilt, visit.branch.path_deviation);
   for (const auto& missed : plan.unreachable) text += fmt::format("missed {} {}\n", missed.tube, missed.reason);
   for (const auto& segment : plan.segments) {
     text += fmt::format("{} {} {:a} {}\n", nameOf(segment.kind), segment.visit, segment.margin, segment.tightest.other);
@@ -44,7 +46,7 @@ class MockupPlan : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     cell_ = std::make_unique<Workcell>(mockup());
-    tubes_ = testing::tubesOf(*cell_, "spread:12");
+    tubes_ = testing::tubesOf(*cell_, "spread:8");
     if (std::ranges::find(tubes_, kBehind()) == tubes_.end()) tubes_.push_back(kBehind());
     plan_ = std::make_unique<VisitPlan>(planVisits(*cell_, tubes_));
   }
@@ -112,7 +114,8 @@ TEST_F(MockupPlan, TravelsAreAsClearAsTheyWereProved) {
     for (std::size_t k = 0; k + 1 < waypoints.size(); ++k)
       for (int s = 0; s <= share; ++s) {
         double bow = 0;
-        const auto frames = bodyFrames(*cell_, waypoints[k] + static_cast<double>(s) / share * (waypoints[k + 1] - waypoints[k]), &bow);
+        const auto frames =
+            bodyFrames(*cell_, waypoints[k] + static_cast<double>(s) / share * (waypoints[k + 1] - waypoints[k]), &bow);
         least = std::min(least, world.closest(frames).margin - bow);
       }
     EXPECT_GE(least, travels[t]->margin - 1e-9);
@@ -126,7 +129,8 @@ TEST_F(MockupPlan, TimesAndMarginsAddUp) {
   double travel = 0, total = 0, least = std::numeric_limits<double>::infinity();
   for (const auto& segment : plan_->segments) {
     double time = 0;
-    for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) time += straightMoveDuration(segment.waypoints[k], segment.waypoints[k + 1], speeds);
+    for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k)
+      time += straightMoveDuration(segment.waypoints[k], segment.waypoints[k + 1], speeds);
     total += time;
     if (segment.kind == SegmentKind::kTravel) travel += time;
     least = std::min(least, segment.margin);
@@ -190,7 +194,8 @@ TEST(PlanVisits, TheToolTipKeepsOffTheSheetBetweenHolesThoughItTouchesItBelowThe
   ASSERT_EQ(travel.kind, SegmentKind::kTravel);
   for (std::size_t k = 0; k + 1 < travel.waypoints.size(); ++k)
     for (int s = 0; s <= 500; ++s)
-      EXPECT_GE(gapAt(travel.waypoints[k] + s / 500. * (travel.waypoints[k + 1] - travel.waypoints[k])), cell.scene.clearance);
+      EXPECT_GE(gapAt(travel.waypoints[k] + s / 500. * (travel.waypoints[k + 1] - travel.waypoints[k])),
+                cell.scene.clearance);
 }
 
 TEST(PlanVisits, ANozzleDamMovedUnderATubeIsNamed) {
@@ -198,7 +203,8 @@ TEST(PlanVisits, ANozzleDamMovedUnderATubeIsNamed) {
   const auto tubes = testing::tubesOf(cell, "R10C30,R20C80");
   ASSERT_EQ(planVisits(cell, tubes).visits.size(), 2u);
   const Vector3d hole = holeOf(cell, tubes[0]) / kInch;
-  const Workcell moved = withObstacle(cell, obstacleInInches("nozzle-dam", "cylinder", {hole.x(), hole.y(), -12, hole.x(), hole.y(), -4, 6}));
+  const Workcell moved = withObstacle(
+      cell, obstacleInInches("nozzle-dam", "cylinder", {hole.x(), hole.y(), -12, hole.x(), hole.y(), -4, 6}));
   const VisitPlan plan = planVisits(moved, tubes);
   ASSERT_EQ(plan.status, VisitPlanStatus::kPlanned);
   ASSERT_EQ(plan.visits.size(), 1u);
@@ -206,14 +212,16 @@ TEST(PlanVisits, ANozzleDamMovedUnderATubeIsNamed) {
   ASSERT_EQ(plan.unreachable.size(), 1u);
   EXPECT_EQ(plan.unreachable[0].tube, tubes[0]);
   EXPECT_EQ(plan.unreachable[0].blocking.other, "nozzle-dam");
-  EXPECT_NE(plan.unreachable[0].reason.find("comes too near nozzle-dam"), std::string::npos) << plan.unreachable[0].reason;
+  EXPECT_NE(plan.unreachable[0].reason.find("comes too near nozzle-dam"), std::string::npos)
+      << plan.unreachable[0].reason;
 }
 
 TEST(PlanVisits, AWallAroundTheBaseLeavesNothingToPlan) {
   // The turret stands at (0, 28) in; within 21 in of it there is room for the arm to fold, and no way out.
   Workcell cell = mockup();
-  for (const auto& [name, x, y, wide, deep] : {std::tuple{"wall-west", -21., 28., 1., 43.}, std::tuple{"wall-east", 21., 28., 1., 43.},
-                                               std::tuple{"wall-south", 0., 7., 43., 1.}, std::tuple{"wall-north", 0., 49., 43., 1.}})
+  for (const auto& [name, x, y, wide, deep] :
+       {std::tuple{"wall-west", -21., 28., 1., 43.}, std::tuple{"wall-east", 21., 28., 1., 43.},
+        std::tuple{"wall-south", 0., 7., 43., 1.}, std::tuple{"wall-north", 0., 49., 43., 1.}})
     cell = withObstacle(cell, obstacleInInches(name, "box", {x, y, -30.3, wide, deep, 60}));
   const auto tubes = testing::tubesOf(cell, "R3C10,R10C95,R20C20,R40C40");
   ASSERT_EQ(planVisits(mockup(), tubes).visits.size(), tubes.size());
@@ -230,8 +238,9 @@ TEST(PlanVisits, AWallAroundTheBaseLeavesNothingToPlan) {
 }
 
 TEST(PlanVisits, TubesBehindAPartitionAreLeftOutWithWhatIsInTheWay) {
-  // From the divider past the shoulder's circle, as high as the sheet: the turret turns freely, but the latch-link cannot pass. The
-  // way round the back is past the first joint's limit. Swinging from tube to tube straight would keep off the divider.
+  // From the divider past the shoulder's circle, as high as the sheet: the turret turns freely, but the latch-link
+  // cannot pass. The way round the back is past the first joint's limit. Swinging from tube to tube straight would keep
+  // off the divider.
   Obstacle wall = obstacleInInches("partition", "box", {0, 12, -31.6, 0.5, 23, 62});
   wall.allow = {"base-link"};
   const Workcell cell = withObstacle(mockup(), wall);

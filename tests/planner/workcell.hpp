@@ -68,7 +68,8 @@ inline bool withinLimits(const deflection::Arm& arm, const Eigen::VectorXd& q) {
 
 /// The tip of the deflected arm, straight from the kinematics.
 inline Eigen::Vector3d deflectedTip(const Workcell& cell, const Eigen::VectorXd& q) {
-  const auto shape = deflection::solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)}, {1e-14, 200});
+  const auto shape = deflection::solveFlexibleKinematics(
+      cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)}, {1e-14, 200});
   return cell.X_WB * shape.X_BD.p;
 }
 
