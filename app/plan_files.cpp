@@ -177,6 +177,8 @@ std::string planText(const PlanOutcome& outcome) {
           "  the model is off by more than the readings' noise; the base's covariance is widened by {:.0f}\n",
           base.chi2 / base.degrees_of_freedom);
   }
+  if (!outcome.calibration && !outcome.cell.base_known)
+    text += "the base is taken where the cell has it; it was not found by touching (--touches)\n";
   text += fmt::format(
       "tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n",
       plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), unit,
