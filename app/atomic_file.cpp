@@ -145,6 +145,8 @@ void OutputFolder::write(const std::string& name, const std::string& content) {
   names_.push_back(name);
 }
 
+void OutputFolder::remove(const std::string& name) { stale_.push_back(name); }
+
 void OutputFolder::commit() {
   for (const std::string& name : names_) {
     std::error_code error;
@@ -152,6 +154,8 @@ void OutputFolder::commit() {
     if (error) fail(option_, path_ / name, error.message());
   }
   names_.clear();
+  std::error_code ignored;  // a stale file that stays does no harm beyond itself
+  for (const std::string& name : stale_) fs::remove(path_ / name, ignored);
 }
 
 }  // namespace tubeplan::app

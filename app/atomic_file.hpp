@@ -30,6 +30,9 @@ class OutputFolder {
   /// Of a file name without folders.
   void write(const std::string& name, const std::string& content);
 
+  /// A file of an earlier run that would not belong to these: gone after commit().
+  void remove(const std::string& name);
+
   /// Puts all files in place, over older ones of the same names; others in the folder stay.
   void commit();
 
@@ -37,7 +40,7 @@ class OutputFolder {
   std::filesystem::path path_, scratch_;
   std::string option_;
   std::vector<std::filesystem::path> made_;  ///< folders that did not exist, outermost first
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, stale_;
 };
 
 }  // namespace tubeplan::app

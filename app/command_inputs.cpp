@@ -26,7 +26,7 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
 }
 
 double parseJoint(const std::string& text, const deflection::Joint<double>& joint, const Units& units) {
-  const Dimension unit = joint.type == deflection::JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
+  const Dimension unit = jointDimension(joint);
   const auto value = tubesheets::parseNumber(text);
   if (!value)
     throw InputError("--joints (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
@@ -43,6 +43,22 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
 bool namesCsvFile(const std::string& request) { return std::filesystem::path(request).extension() == ".csv"; }
 
 }  // namespace
+
+Dimension jointDimension(const deflection::Joint<double>& joint) {
+  return joint.type == deflection::JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
+}
+
+std::string jointColumn(const deflection::Joint<double>& joint, const Units& units) {
+  return joint.name + "_" + units.nameOf(jointDimension(joint));
+}
+
+Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units) {
+  const auto active = deflection::activeRows(arm);
+  Eigen::VectorXd factors(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t k = 0; k < active.size(); ++k)
+    factors[static_cast<Eigen::Index>(k)] = units.factor(jointDimension(arm.rows[static_cast<std::size_t>(active[k])].joint));
+  return factors;
+}
 
 Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units) {
   const auto active = deflection::activeRows(arm);

@@ -12,6 +12,15 @@
 
 namespace tubeplan::app {
 
+/// What a joint's reading is measured in: an angle, or a length for a prismatic one.
+[[nodiscard]] Dimension jointDimension(const deflection::Joint<double>& joint);
+
+/// Its column in a file: theta1_deg, lift_in.
+[[nodiscard]] std::string jointColumn(const deflection::Joint<double>& joint, const Units& units);
+
+/// Factors from file to internal units, one per active joint.
+[[nodiscard]] Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units);
+
 /// "A,B,C,D": one reading for each active joint, in the cell's unit of angle (length for a prismatic joint), to
 /// internal units. Throws InputError for another count, for anything that is no finite number and for a value past its
 /// joint's limits.

@@ -26,6 +26,11 @@ json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension di
   return list;
 }
 
+json exactJoints(const Eigen::VectorXd& q, const Cell& cell) {
+  const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
+  return std::vector<double>(values.begin(), values.end());
+}
+
 json scoreJson(const std::optional<planner::Centring>& score, const Units& units) {
   if (!score) return nullptr;
   return {{"error", lengthOf(score->error, units)},
@@ -50,7 +55,7 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
                 {"column", tube.column},
                 {"name", tubesheets::tubeName(tube.row, tube.column)},
                 {"hole", exactVector(planner::holeCentre(tube), units, dimension::kLength)},
-                {"joints", exactVector(visit.branch.q, units, dimension::kAngle)},
+                {"joints", exactJoints(visit.branch.q, outcome.cell)},
                 {"predicted_tip", exactVector(visit.branch.predicted_tip_W, units, dimension::kLength)},
                 {"centring_error", outcome.predicted[k].error / units.factor(dimension::kLength)},
                 {"tilt", angleOf(visit.branch.tilt, units)},
@@ -132,14 +137,15 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
 }
 
 std::string pathCsv(const PlanOutcome& outcome) {
-  const Units& units = outcome.cell.units;
+  const Cell& cell = outcome.cell;
+  const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
   std::string text = "time_s,segment,kind";
-  for (int row : deflection::activeRows(outcome.cell.arm))
-    text += fmt::format(",{}_{}", outcome.cell.arm.rows[static_cast<std::size_t>(row)].joint.name, units.angle().name);
+  for (int row : deflection::activeRows(cell.arm))
+    text += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
   text += "\n";
   for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm))) {
     text += fmt::format("{},{},{}", row.time, row.segment + 1, planner::nameOf(row.kind));
-    for (double q : row.q) text += fmt::format(",{}", q / units.factor(dimension::kAngle));
+    for (double q : row.q.cwiseQuotient(factors)) text += fmt::format(",{}", q);
     text += "\n";
   }
   return text;
@@ -152,9 +158,12 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   folder.write("cell.yaml",
                outcome.calibration
                    ? cellTextWithBase(outcome.cell,
-                                      {outcome.model.X_WB, outcome.calibration->flexible.covariance, true}, cell_file)
+                                      {outcome.model.X_WB, outcome.model.base_covariance, true}, cell_file)
                    : cellTextAt(outcome.cell, cell_file));
-  if (!outcome.touches.empty()) folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
+  if (outcome.touches.empty())
+    folder.remove("touches.csv");
+  else
+    folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();
 }
@@ -197,7 +206,9 @@ std::string planText(const PlanOutcome& outcome) {
                       outcome.model.scene.clearance / units.factor(dimension::kLength), tightestText(outcome));
   if (outcome.scores.empty()) return text;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
-  text += "steps of the calibration tool that go in, by the true arm:   0    1    2    3\n";
+  text += fmt::format("{:<56}", "steps of the calibration tool that go in, by the true arm");
+  for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:5}", k);
+  text += "\n";
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     text += fmt::format("  {:<54}", std::string(planner::nameOf(kCompensations[mode])) + " compensation");
     int scored = 0;

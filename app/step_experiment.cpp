@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 
 constexpr int kCandidates = 80;
 constexpr int kTouchFits = 20;
+constexpr int kMostDraws = 1000;
 
 class Draw {
  public:
@@ -101,6 +102,7 @@ double meanTouchError(const planner::Workcell& model, const planner::Workcell& t
     const auto touches = touch(drawn, holes, options.touch_fit_points, touchSigmaOf(model.tool), draw);
     if (touches.empty()) continue;
     const auto base = calibration::calibrateBase(model.arm, touches, model.X_WB);
+    if (base.status != CalibrationStatus::kDone) continue;
     for (const auto& residual : base.residuals) sum += residual.residual_W.norm(), ++count;
   }
   return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
@@ -126,8 +128,11 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
     experiment.counts_by_run[mode].push_back(counts[mode]);
     experiment.mean_counts[mode].resize(counts[mode].size(), 0);
     for (std::size_t k = 0; k < counts[mode].size(); ++k) experiment.mean_counts[mode][k] += counts[mode][k];
-    for (const auto& score : scores)
-      if (score[mode]) experiment.mean_error[mode] += score[mode]->error / static_cast<double>(scores.size());
+    for (const auto& score : scores) {
+      if (!score[mode]) continue;
+      experiment.mean_error[mode] += score[mode]->error;
+      ++experiment.scored[mode];
+    }
   }
   ++experiment.runs;
 }
@@ -139,8 +144,10 @@ std::string runOnce(const planner::Workcell& model, const planner::Workcell& tru
   Draw draw(seed);
   const planner::Workcell drawn = drawTruth(truth, options, draw);
   std::vector<TestHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
-  while (!areWellSpread(holes, options.calibration_holes))
+  for (int tries = 0; !areWellSpread(holes, options.calibration_holes); ++tries) {
+    if (tries == kMostDraws) return "no three holes that lie well off a line were drawn: the sheet is too narrow";
     holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
+  }
   const auto touches = touch(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw);
   if (touches.empty()) return "the true arm cannot touch one of the calibration holes";
   const BothCalibrations base = calibrateBoth(model, touches);
@@ -176,7 +183,7 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
   }
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
-    experiment.mean_error[mode] /= std::max(1, experiment.runs);
+    experiment.mean_error[mode] /= std::max(1, experiment.scored[mode]);
   }
   experiment.mean_touch_error = meanTouchError(model, truth, candidates, options);
   const bool complete = experiment.runs + static_cast<int>(experiment.refused.size()) == options.runs;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <set>
 
+#include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
 #include "planner/workcell.hpp"
 
@@ -20,6 +21,15 @@ double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& 
   if (cell.tool) return touchSigmaOf(*cell.tool);
   throw InputError(fmt::format("{}:{}", file, reading.line), "a touch without sigma", "its centring noise",
                    "add a column sigma_" + std::string(cell.units.length().name));
+}
+
+/// A touch that names a hole and gives its place must mean the same hole by both.
+void requireNamedHole(const Measurement& reading, const Cell& cell, const std::string& file) {
+  const auto name = parseHoleName(reading.point);
+  const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
+  if (!tube || (*reading.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
+  throw InputError(fmt::format("{}:{}", file, reading.line), "coordinates that are not those of " + reading.point,
+                   "the hole's own place on the sheet", "correct the name or the coordinates");
 }
 
 void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
@@ -62,6 +72,7 @@ std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cel
   std::vector<Touch> touches;
   for (const auto& reading : readings) {
     if (reading.kind != MeasurementKind::kTouch || !reading.p_W || (!setup.empty() && reading.setup != setup)) continue;
+    requireNamedHole(reading, cell, file);
     const std::string hole = reading.point.empty() ? reading.id : reading.point;
     touches.push_back({reading.id, hole, *reading.p_W, reading.q, reading.load, sigmaOf(reading, cell, file), {}});
   }
@@ -72,16 +83,17 @@ std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cel
 }
 
 std::string touchesCsv(const std::vector<Touch>& touches, const Cell& cell) {
-  const std::string length(cell.units.length().name), force(cell.units.force().name), angle(cell.units.angle().name);
+  const std::string length(cell.units.length().name), force(cell.units.force().name);
   std::string text = "id,kind,point,load_" + force;
   const auto active = deflection::activeRows(cell.arm);
-  for (int row : active) text += "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + angle;
+  for (int row : active) text += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
   text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", length);
   for (const auto& touch : touches) {
     text += fmt::format("{},touch,{},{}", touch.id, touch.hole,
                         formatNumber(cell.units.toFile(touch.load, dimension::kForce)));
     for (int k = 0; k < touch.q.size(); ++k)
-      text += "," + formatNumber(cell.units.toFile(touch.q[k], dimension::kAngle));
+      text += "," + formatNumber(cell.units.toFile(
+                        touch.q[k], jointDimension(cell.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint)));
     for (int k = 0; k < 3; ++k) text += "," + formatNumber(cell.units.toFile(touch.p_WH[k], dimension::kLength));
     text += "," + formatNumber(cell.units.toFile(touch.sigma, dimension::kLength)) + "\n";
   }

@@ -53,7 +53,7 @@ BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<
 
 planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base) {
   cell.X_WB = base.X_WB;
-  cell.base_covariance = base.covariance * std::max(1., base.chi2 / std::max(1, base.degrees_of_freedom));
+  cell.base_covariance = calibration::widenedCovariance(base);
   return cell;
 }
 

@@ -195,6 +195,10 @@ bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, c
 
 }  // namespace
 
+Eigen::Matrix<double, 6, 6> widenedCovariance(const BaseCalibration& calibration) {
+  return calibration.covariance * std::max(1., calibration.chi2 / std::max(1, calibration.degrees_of_freedom));
+}
+
 BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches,
                               const Isometry3d& X_WB_start, const BaseCalibrationOptions& options) {
   if (const std::string problem = findTouchProblem(touches, options); !problem.empty()) return refused(problem);

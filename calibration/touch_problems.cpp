@@ -9,6 +9,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
+constexpr double kSameHole = 2.5e-3;  ///< m; no two holes of a sheet are so near (0.1 in)
+
 /// Least spread of the points across any line, against their longest spread: zero on a line.
 double flatness(const std::vector<Touch>& touches) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -22,6 +24,10 @@ double flatness(const std::vector<Touch>& touches) {
 }  // namespace
 
 std::string findTouchProblem(const std::vector<Touch>& touches, const BaseCalibrationOptions& options) {
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (touches[i].hole != touches[j].hole && (touches[i].p_WH - touches[j].p_WH).norm() < kSameHole)
+        return "holes " + touches[j].hole + " and " + touches[i].hole + " are one and the same place";
   std::set<std::string> holes;
   std::set<std::pair<std::string, double>> seen;
   for (const auto& touch : touches) {

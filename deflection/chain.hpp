@@ -1,6 +1,7 @@
 // The arm at a posture, flattened into links that are swept once outwards (positions) and once inwards (loads).
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <vector>
 
@@ -17,6 +18,7 @@ enum class ChainLinkType {
   kFlexJoint,  ///< an element at the row's origin
   kMember,     ///< a piece of the member, rigid or an element, with its distributed weight
   kFrame,      ///< the row's frame is here; its lumps hang from it
+  kLump,       ///< a lump along the member hangs here
   kEndWeight,  ///< the weight at the member's end
 };
 
@@ -28,7 +30,8 @@ struct ChainLink {
   int component = -1;                     ///< index of its deflection, -1 where rigid
   Vector3<S> p = Vector3<S>::Zero();      ///< translation, in near axes
   Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation, for kTurn
-  S weight{0};                            ///< total weight of this piece
+  S weight{0};                            ///< total weight of this piece, or of the lump
+  Vector3<S> lever = Vector3<S>::Zero();  ///< from here to the lump, in near axes
 };
 
 template <class S>
@@ -55,46 +58,98 @@ Matrix3<S> rotationFromPrevious(const Row<S>& row, const S& angle) {
 
 namespace chain_assembly {
 
+/// The components of a row at a place, `pieces` of them; none where nothing gives. One law per place.
 template <class S>
-void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int* segments) {
+void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();
   for (int k = 0; k < static_cast<int>(kinds.size()); ++k) {
     if (kinds[k].place != place || !kinds[k].isFlexible(values)) continue;
-    const int n = kinds[k].segments(values);
-    for (int s = 0; s < n; ++s) chain.components.push_back({row, k, s, Vector3<S>::Zero(), Vector3<S>::Zero()});
-    if (segments) *segments = n;
-    return;  // one law per place
+    for (int s = 0; s < pieces; ++s) chain.components.push_back({row, k, s, Vector3<S>::Zero(), Vector3<S>::Zero()});
+    return;
   }
+}
+
+inline int segmentsOf(const Row<double>& values) {
+  for (const auto& kind : elementKinds())
+    if (kind.place == ElementPlace::kMember && kind.isFlexible(values)) return kind.segments(values);
+  return 0;
 }
 
 template <class S>
 void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   const auto before = chain.components.size();
-  addElements<S>(chain, values, row, ElementPlace::kOrigin, nullptr);
+  addElements<S>(chain, values, row, ElementPlace::kOrigin, 1);
   if (chain.components.size() == before) return;
   ChainLink<S> link{ChainLinkType::kFlexJoint, row};
   link.component = static_cast<int>(before);
   chain.links.push_back(link);
 }
 
+/// Where along a flexible member a lump hangs, as a share of it; 0 at the row's origin and on a rigid member.
+inline double shareOf(const Row<double>& values, int lump, const Vector3<double>& member) {
+  if (segmentsOf(values) == 0 || member.squaredNorm() == 0) return 0;
+  return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
+}
+
+/// The lumps that hang at a share of the member; `here` is that place, in the row's axes.
+template <class S>
+void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<double>& member,
+              double share, const Vector3<S>& here) {
+  for (std::size_t k = 0; k < row.weight.lumps.size(); ++k) {
+    if (shareOf(values, static_cast<int>(k), member) != share) continue;
+    ChainLink<S> link{ChainLinkType::kLump, index};
+    link.weight = row.weight.lumps[k].weight;
+    link.lever = row.weight.lumps[k].at - here;
+    chain.links.push_back(link);
+  }
+}
+
+/// Ends of the member's pieces as shares of it: its segments, cut again where a lump hangs.
+inline std::vector<double> cutsOf(const Row<double>& values, const Vector3<double>& member) {
+  const int segments = std::max(1, segmentsOf(values));
+  std::vector<double> cuts;
+  for (int s = 1; s <= segments; ++s) cuts.push_back(static_cast<double>(s) / segments);
+  for (std::size_t k = 0; k < values.weight.lumps.size(); ++k)
+    if (const double share = shareOf(values, static_cast<int>(k), member); share > 0) cuts.push_back(share);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
+}
+
 template <class S>
 void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& v) {
   using std::sqrt;
+  const Vector3<double> member = valuesOf(v);
   const int first = static_cast<int>(chain.components.size());
-  int segments = 1;
-  addElements<S>(chain, values, index, ElementPlace::kMember, &segments);
+  const std::vector<double> cuts = cutsOf(values, member);
+  addElements<S>(chain, values, index, ElementPlace::kMember, static_cast<int>(cuts.size()));
   const bool flexible = static_cast<int>(chain.components.size()) > first;
   const bool has_length = valueOf(v.squaredNorm()) > 0;
-  for (int s = 0; s < segments; ++s) {
+  double from = 0;
+  for (std::size_t s = 0; s < cuts.size(); ++s) {
     ChainLink<S> link{ChainLinkType::kMember, index};
-    link.component = flexible ? first + s : -1;
-    link.p = v / S(segments);
-    if (has_length) link.weight = row.weight.distributed * sqrt(v.squaredNorm()) / S(segments);
+    link.component = flexible ? first + static_cast<int>(s) : -1;
+    link.p = v * S(cuts[s] - from);
+    if (has_length) link.weight = row.weight.distributed * sqrt(v.squaredNorm()) * S(cuts[s] - from);
     chain.links.push_back(link);
+    addLumps<S>(chain, row, values, index, member, cuts[s], v * S(cuts[s]));
+    from = cuts[s];
   }
   ChainLink<S> end{ChainLinkType::kEndWeight, index};
   end.weight = row.weight.end;
   chain.links.push_back(end);
+}
+
+/// A prismatic row: its bar, then its frame at the bar's end, where its lumps are.
+template <class S>
+void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& bar) {
+  Row<S> bar_row = row;
+  Row<double> bar_values = values;
+  bar_row.weight.lumps.clear();
+  bar_values.weight.lumps.clear();
+  addMember<S>(chain, bar_row, bar_values, index, bar);
+  chain.links.push_back({ChainLinkType::kFrame, index});
+  addLumps<S>(chain, row, values, index, Vector3<double>::Zero(), 0, Vector3<S>::Zero());
 }
 
 }  // namespace chain_assembly
@@ -120,11 +175,11 @@ Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matr
     const bool last = i + 1 == static_cast<int>(arm.rows.size());
     const Vector3<S> to_next = last ? arm.p_LT : offsetInPreviousAxes<S>(arm.rows[i + 1]);
     if (slides) {
-      addMember<S>(chain, row, values.rows[i], i, Vector3<S>::UnitZ() * reading);
-      chain.links.push_back({ChainLinkType::kFrame, i});
+      addSlide<S>(chain, row, values.rows[i], i, Vector3<S>::UnitZ() * reading);
       chain.links.push_back({ChainLinkType::kOffset, i, -1, to_next});
     } else {
       chain.links.push_back({ChainLinkType::kFrame, i});
+      addLumps<S>(chain, row, values.rows[i], i, valuesOf(to_next), 0, Vector3<S>::Zero());
       addMember<S>(chain, row, values.rows[i], i, to_next);
     }
   }

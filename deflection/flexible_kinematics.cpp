@@ -59,12 +59,7 @@ void resolveLink(const ArmOf<S>& arm, const PostureOf<S>& posture, const PoseOf<
   }
   carry.moment += r_B.cross(carry.force) + (r_B / S(2)).cross(weight_B);
   carry.force += weight_B;
-  if (link.type != ChainLinkType::kFrame) return;
-  for (const auto& lump : row.weight.lumps) {
-    const Vector3<S> lump_B = posture.gravity_B * lump.weight;
-    carry.moment += (near.R * lump.at).cross(lump_B);
-    carry.force += lump_B;
-  }
+  if (link.type == ChainLinkType::kLump) carry.moment += (near.R * link.lever).cross(weight_B);
 }
 
 template <class S>

@@ -23,8 +23,8 @@ GoalResidual turretResidual(const Arm& arm, const ToolGoal& goal, const TipDeriv
   GoalResidual out;
   const auto& X = tip.kinematics.X_BD;
   const Vector3d t = X.R * arm.tool_axis_L, &n = goal.axis_B;
-  // h rides with the tool: the only turn left to the last joint is about it.
-  const Vector3d h = X.R * Vector3d::UnitZ();
+  // The axis of the last joint, which rides with the tool: the only turn left to that joint is about it.
+  const Vector3d h = tip.kinematics.rows[static_cast<std::size_t>(activeRows(arm).back())].X_BL.R.col(2);
   const Vector3d off = X.p - goal.p_BT;
   out.position_error = off.norm();
   out.tilt = std::atan2(t.cross(n).norm(), t.dot(n));

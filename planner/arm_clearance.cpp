@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "deflection/chain.hpp"
-#include "deflection/flexible_kinematics.hpp"
+#include "deflection/rigid_branches.hpp"
+#include "deflection/tip_derivatives.hpp"
 
 namespace tubeplan::planner {
 
@@ -13,8 +14,8 @@ namespace {
 using deflection::FlexibleKinematics;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-/// A posture's deflection changes with the joints too: at most some 3 in of sag over a radian, against 60 in of reach.
-constexpr double kDeflectionFactor = 1.1;
+constexpr double kLeastDeflectionFactor = 1.1;
+constexpr int kSampledPostures = 96;
 
 /// What the tool's bodies may touch, they may touch on approach only.
 Scene travelScene(Scene scene) {
@@ -97,10 +98,29 @@ TravelBound travelOf(const Workcell& cell, const std::vector<double>& body_reach
       links.back().step += std::max(std::abs(joint.lower + joint.offset), std::abs(joint.upper + joint.offset));
     links.push_back(link);
   }
-  return travelBoundOf(links, kDeflectionFactor);
+  return travelBoundOf(links, deflectionFactor(cell));
 }
 
 }  // namespace
+
+double deflectionFactor(const Workcell& cell) {
+  const auto variables = deflection::jointVariables(cell.arm);
+  const deflection::Arm rigid = deflection::rigidCopy(cell.arm);
+  const Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB);
+  const double reach = deflection::reachOf(cell.arm);
+  double most = 1;
+  for (const auto& q : deflection::latticeStarts(cell.arm, kSampledPostures)) {
+    const auto bent = deflection::differentiateTip(cell.arm, {q, cell.load, gravity_B}, variables);
+    const auto straight = deflection::differentiateTip(rigid, {q, cell.load, gravity_B}, variables);
+    if (bent.kinematics.status != deflection::KinematicsStatus::kConverged) continue;
+    for (int k = 0; k < bent.position_B.cols(); ++k) {
+      const double extra = (bent.position_B.col(k) - straight.position_B.col(k)).norm();
+      // Against a lever of a quarter of the reach at least: short ones are bounded by their longest posture, not by this one.
+      most = std::max(most, 1 + extra / std::max(straight.position_B.col(k).norm(), reach / 4));
+    }
+  }
+  return std::max(kLeastDeflectionFactor, 1 + 1.1 * (most - 1));
+}
 
 std::vector<Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow) {
   const auto shape =

@@ -27,9 +27,11 @@ class Checker {
         hooks_(hooks),
         gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
         travel_scene_(withoutContact(cell.scene)),
-        lever_(leversOf()) {}
+        lever_(leversOf()),
+        factor_(deflectionFactor(cell)) {}
 
   PlanCheck run() {
+    if (plan_.tubes.empty() || plan_.path.empty()) find("the plan visits no tube: there is nothing to prove");
     checkTubes();
     if (shapesFit()) {
       checkOrder();
@@ -213,8 +215,8 @@ class Checker {
     return scene;
   }
 
-  /// No point of the arm moves further than this in a straight joint move; deflection's change is the tenth on top.
-  double travel(const VectorXd& a, const VectorXd& b) const { return 1.1 * lever_.dot((b - a).cwiseAbs()); }
+  /// No point of the arm moves further than this in a straight joint move; the factor covers deflection.
+  double travel(const VectorXd& a, const VectorXd& b) const { return factor_ * lever_.dot((b - a).cwiseAbs()); }
 
   /// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide
   /// moves all by 1.
@@ -290,6 +292,7 @@ class Checker {
   Vector3d gravity_B_;
   Scene travel_scene_;
   VectorXd lever_;
+  double factor_;
   PlanCheck result_;
   double least_met_ = std::numeric_limits<double>::infinity();  ///< m, margin of a posture
 };

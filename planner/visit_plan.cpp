@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "planner/branch_choice.hpp"
+#include "planner/one_tree_bound.hpp"
 #include "planner/travel_network.hpp"
 
 namespace tubeplan::planner {
@@ -82,7 +83,10 @@ std::vector<Stop> orderWithRealMoves(Route& route, TravelNetwork& network, const
     const VisitOrder order = orderVisits(route, ordering);
     if (round == 0) plan.lower_bound = order.lower_bound;
     ordering.with_bound = false;
-    if (order.order.empty()) break;
+    if (order.order.empty()) {
+      plan.reason = order.reason;
+      break;
+    }
     best = stopsOf(order);
     if (!priceOrder(best, network, route.speeds, penalties, hooks)) break;
   }
@@ -102,20 +106,48 @@ PathSegment segmentOf(SegmentKind kind, int visit, std::vector<Eigen::VectorXd> 
   return segment;
 }
 
-/// Lays the segments out; a visit that cannot be travelled to is left out and named.
+bool isFree(TravelNetwork& network, Stop a, Stop b) { return network.between(a, b).status == MotionPlanStatus::kFree; }
+
+/// The order cut where no travel was found: stretches that can be travelled through.
+std::vector<std::vector<Stop>> travelledRuns(const std::vector<Stop>& stops, TravelNetwork& network) {
+  std::vector<std::vector<Stop>> runs;
+  for (const Stop& stop : stops) {
+    if (runs.empty() || !isFree(network, runs.back().back(), stop)) runs.emplace_back();
+    runs.back().push_back(stop);
+  }
+  return runs;
+}
+
+/// Keeps the longest stretch and what can be joined to either end of it; the rest is named unreachable.
+std::vector<Stop> joinRuns(const std::vector<Stop>& stops, const std::vector<TubeReach>& reach, TravelNetwork& network,
+                           VisitPlan& plan) {
+  auto runs = travelledRuns(stops, network);
+  std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::vector<Stop> kept = runs.front();
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    const auto& run = runs[k];
+    if (isFree(network, kept.back(), run.front())) {
+      kept.insert(kept.end(), run.begin(), run.end());
+    } else if (isFree(network, run.back(), kept.front())) {
+      kept.insert(kept.begin(), run.begin(), run.end());
+    } else {
+      const MotionPlan& travel = network.between(kept.back(), run.front());
+      for (const Stop& stop : run)
+        plan.unreachable.push_back({reach[static_cast<std::size_t>(stop.visit)].tube, inTheWay(travel), travel.tightest});
+    }
+  }
+  return kept;
+}
+
+/// Lays the segments out along stops that can all be travelled between.
 void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& reach, TravelNetwork& network,
                  VisitPlan& plan) {
-  const Stop* last = nullptr;
-  for (const Stop& stop : stops) {
-    const auto& tube = reach[static_cast<std::size_t>(stop.visit)];
-    const auto& branch = tube.branches[static_cast<std::size_t>(stop.branch)];
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const auto& tube = reach[static_cast<std::size_t>(stops[k].visit)];
+    const auto& branch = tube.branches[static_cast<std::size_t>(stops[k].branch)];
     const int visit = static_cast<int>(plan.visits.size());
-    if (last) {
-      const MotionPlan& travel = network.between(*last, stop);
-      if (travel.status != MotionPlanStatus::kFree) {
-        plan.unreachable.push_back({tube.tube, inTheWay(travel), travel.tightest});
-        continue;
-      }
+    if (k > 0) {
+      const MotionPlan& travel = network.between(stops[k - 1], stops[k]);
       plan.segments.push_back(segmentOf(SegmentKind::kTravel, visit, travel.waypoints));
       plan.detours += travel.waypoints.size() > 2;
     }
@@ -123,8 +155,24 @@ void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& r
     plan.segments.push_back(segmentOf(SegmentKind::kApproach, visit, branch.approach));
     plan.segments.push_back(
         segmentOf(SegmentKind::kRetreat, visit, {branch.approach.rbegin(), branch.approach.rend()}));
-    last = &stop;
   }
+}
+
+/// The figures to compare with, of the visits that are in the plan.
+void compareTimes(const Workcell& cell, const std::vector<Stop>& stops, const std::vector<TubeReach>& reach,
+                  const JointSpeeds& speeds, VisitPlan& plan) {
+  std::vector<TubeReach> kept;
+  std::vector<int> rows, columns;
+  for (const Stop& stop : stops) {
+    kept.push_back(reach[static_cast<std::size_t>(stop.visit)]);
+    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(kept.back().tube)];
+    rows.push_back(tube.row);
+    columns.push_back(tube.column);
+  }
+  const Route route = routeOf(kept, speeds);
+  if (kept.size() < reach.size()) plan.lower_bound = oneTreeBound(route).lower_bound;
+  plan.row_by_row_time = rowByRowTime(route, rows, columns);
+  plan.gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
 
 /// Proves each segment once more, now to the accuracy that is reported.
@@ -175,7 +223,6 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
     plan.total_time += duration;
     if (segment.kind == SegmentKind::kTravel) plan.travel_time += duration;
   }
-  plan.gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
 
 VisitPlan stopped(VisitPlan plan) {
@@ -218,18 +265,18 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
   }
   Route route = routeOf(reach, speeds);
   TravelNetwork network(clearance, reach, speeds, options);
-  const std::vector<Stop> stops = orderWithRealMoves(route, network, options, hooks, plan);
+  std::vector<Stop> stops = orderWithRealMoves(route, network, options, hooks, plan);
   if (shouldStop(hooks)) return stopped(plan);
+  if (stops.empty()) {
+    plan.status = VisitPlanStatus::kNoOrder;
+    return plan;
+  }
+  stops = joinRuns(stops, reach, network, plan);
   laySegments(stops, reach, network, plan);
   proveAll(clearance, options, hooks, plan);
   if (shouldStop(hooks)) return stopped(plan);
   timeSegments(speeds, plan);
-  std::vector<int> rows, columns;
-  for (const auto& tube : reach) {
-    rows.push_back(cell.sheet.tubes[tube.tube].row);
-    columns.push_back(cell.sheet.tubes[tube.tube].column);
-  }
-  plan.row_by_row_time = rowByRowTime(route, rows, columns);
+  compareTimes(cell, stops, reach, speeds, plan);
   plan.status = VisitPlanStatus::kPlanned;
   return plan;
 }

@@ -54,7 +54,7 @@ struct UnreachableTube {
   Clearance blocking;
 };
 
-enum class VisitPlanStatus { kNotRun, kPlanned, kNothingReachable, kStopped };
+enum class VisitPlanStatus { kNotRun, kPlanned, kNothingReachable, kNoOrder, kStopped };
 
 struct VisitPlan {
   VisitPlanStatus status = VisitPlanStatus::kNotRun;

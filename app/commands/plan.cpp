@@ -1,6 +1,8 @@
 // tubeplan plan: the main job.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -25,7 +27,10 @@ int explain(const PlanOutcome& outcome) {
     fmt::print(stderr, "{}", calibrationText(outcome.calibration->flexible, outcome.cell.units));
   else
     fmt::print(stderr, "no plan: {}\n", plan.reason);
-  for (const auto& missed : plan.unreachable) {
+  constexpr std::size_t kShown = 5;
+  if (plan.unreachable.size() > kShown) fmt::print(stderr, "{} tubes, among them\n", plan.unreachable.size());
+  for (std::size_t k = 0; k < std::min(kShown, plan.unreachable.size()); ++k) {
+    const auto& missed = plan.unreachable[k];
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
     fmt::print(stderr, "  {} {}\n", tubesheets::tubeName(tube.row, tube.column), missed.reason);
   }
@@ -56,7 +61,7 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
-  cli.add_option("--seed", request.seed, "of everything random")->capture_default_str();
+  cli.add_option("--seed", request.seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml and report.html")->required();
   return [options] { return run(*options); };
 }

@@ -125,9 +125,11 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Unit
              units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     double sum = 0, worst = 0, approach = 0;
+    int found = 0;
     for (const auto& score : scores)
       if (score[mode]) {
         sum += score[mode]->error;
+        ++found;
         worst = std::max(worst, score[mode]->error);
         approach = std::max(approach, score[mode]->approach_deviation);
       }
@@ -135,7 +137,7 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Unit
     for (int count : counts[mode]) fmt::print("{:7}", count);
     const double unit = units.factor(dimension::kLength);
     fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n",
-               sum / unit / static_cast<double>(std::max<std::size_t>(1, scores.size())), worst / unit,
+               sum / unit / std::max(1, found), worst / unit,
                approach / unit);
   }
 }
@@ -165,6 +167,7 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
     for (double count : experiment.mean_counts[mode]) fmt::print("{:6.2f}", count);
     fmt::print("   {:.4f}\n", experiment.mean_error[mode] / unit);
   }
+  fmt::print("goal-point and via-point share the posture at the hole: they differ on the way up, not in these counts\n");
   for (int row = 0; row < 2; ++row)
     fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0],
                kThesisCounts[row][1], kThesisCounts[row][2], kThesisCounts[row][3]);
@@ -220,7 +223,7 @@ Run configureScore(CLI::App& cli) {
       ->check(CLI::NonNegativeNumber);
   cli.add_option("--stiffness", options->stiffness, "with --runs: relative sigma of the true arm's stiffnesses")
       ->check(CLI::NonNegativeNumber);
-  cli.add_option("--seed", options->seed, "of everything random")->capture_default_str();
+  cli.add_option("--seed", options->seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

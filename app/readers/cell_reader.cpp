@@ -107,7 +107,9 @@ Cell readCell(const std::string& path) {
     cell.tool = readSteppedTool(*tool, cell.units, cell.sheet->hole_diameter);
   }
   cell.scene = readScene(root, cell.arm, cell.units);
-  if (!source.names_tool_axis) cell.arm.tool_axis_L = findToolAxis(cell.scene).value_or(cell.arm.tool_axis_L);
+  const auto told_by_scene = findToolAxis(cell.scene);
+  if (!source.names_tool_axis) cell.arm.tool_axis_L = told_by_scene.value_or(cell.arm.tool_axis_L);
+  cell.tool_axis_told = source.names_tool_axis || told_by_scene.has_value();
   return cell;
 }
 

@@ -50,11 +50,20 @@ Eigen::Vector3d pointAt(const json& object, const char* key, const std::string& 
   return v;
 }
 
-void readTubesOf(const json& document, const std::string& path, const Units& units, PlanFiles& files) {
-  const double length = units.factor(dimension::kLength), angle = units.factor(dimension::kAngle);
+Eigen::VectorXd jointsAt(const json& tube, const std::string& where, const Eigen::VectorXd& factors) {
+  const Eigen::VectorXd joints = vectorAt(tube, "joints", where, 1);
+  if (joints.size() != factors.size())
+    throw InputError(where + " joints", std::to_string(joints.size()) + " numbers", std::to_string(factors.size()), "plan again");
+  return joints.cwiseProduct(factors);
+}
+
+void readTubesOf(const json& document, const std::string& path, const Cell& cell, PlanFiles& files) {
+  const Units& units = cell.units;
+  const Eigen::VectorXd joint_factors = jointFactors(cell.arm, units);
+  const double length = units.factor(dimension::kLength);
   for (const auto& tube : at(document, "tubes", path))
     files.plan.tubes.push_back({valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path),
-                                pointAt(tube, "hole", path, length), vectorAt(tube, "joints", path, angle),
+                                pointAt(tube, "hole", path, length), jointsAt(tube, path, joint_factors),
                                 pointAt(tube, "predicted_tip", path, length)});
   for (const auto& tube : at(document, "unreachable", path))
     files.plan.unreachable.emplace_back(valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path));
@@ -86,11 +95,10 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
   std::string header = "time_s,segment,kind", line;
   const auto active = deflection::activeRows(cell.arm);
   for (int row : active)
-    header +=
-        "," + cell.arm.rows[static_cast<std::size_t>(row)].joint.name + "_" + std::string(cell.units.angle().name);
+    header += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
   std::getline(text, line);
   if (line != header) throw InputError(path + ":1", inQuotes(line), header, "plan again");
-  const double angle = cell.units.factor(dimension::kAngle);
+  const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
   for (int number = 2; std::getline(text, line); ++number) {
     const std::string where = path + ":" + std::to_string(number);
     const auto cells = cellsOf(line);
@@ -100,7 +108,7 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
         numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
     row.q.resize(static_cast<Eigen::Index>(active.size()));
     for (std::size_t k = 0; k < active.size(); ++k)
-      row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * angle;
+      row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * factors[static_cast<Eigen::Index>(k)];
     files.plan.path.push_back(std::move(row));
   }
 }
@@ -114,7 +122,7 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
     throw InputError(path + " units", document["units"].dump(), unitsJson(cell.units).dump(),
                      "verify it with the cell that it was planned for");
   PlanFiles files;
-  readTubesOf(document, path, cell.units, files);
+  readTubesOf(document, path, cell, files);
   files.compensation = valueAt<std::string>(document, "compensation", path);
   files.fingerprint = valueAt<std::string>(at(document, "sheet", path), "fingerprint", path);
   files.load = valueAt<double>(document, "load", path) * cell.units.factor(dimension::kForce);

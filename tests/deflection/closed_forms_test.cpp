@@ -63,6 +63,23 @@ TEST(ClosedForms, EndMomentFromALumpBeyondTheTip) {
   EXPECT_NEAR(slopeAboutZ(shape), -W * kLength * kLength / (2 * kEI) - M * kLength / kEI, 1e-6 * W / kEI);
 }
 
+TEST(ClosedForms, ALumpAlongTheMemberBendsIt) {
+  for (double share : {0.25, 0.5, 1.0}) {
+    Arm arm = cantilever();
+    const double W = 0.4, a = share * kLength;
+    arm.rows[0].weight.lumps = {{W, {a, 0, 0}}};
+    const auto shape = solve(arm, 0);
+    EXPECT_NEAR(shape.X_BD.p.y(), -W * a * a / (6 * kEI) * (3 * kLength - a), 1e-6 * W / kEI) << share;
+  }
+}
+
+TEST(ClosedForms, ALumpAtTheEndIsAnEndWeight) {
+  Arm with_end = cantilever(), with_lump = cantilever();
+  with_end.rows[0].weight.end = 150;
+  with_lump.rows[0].weight.lumps = {{150, {kLength, 0, 0}}};
+  EXPECT_LE((solve(with_end, 20).X_BD.p - solve(with_lump, 20).X_BD.p).norm(), 1e-13);
+}
+
 TEST(ClosedForms, TorsionFromALumpAside) {
   const double W = 0.4, aside = 0.25;
   const auto shape = solve(cantilever(0, W, {0, 0, aside}), 0);
