@@ -56,7 +56,8 @@ Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units) {
   const auto active = deflection::activeRows(arm);
   Eigen::VectorXd factors(static_cast<Eigen::Index>(active.size()));
   for (std::size_t k = 0; k < active.size(); ++k)
-    factors[static_cast<Eigen::Index>(k)] = units.factor(jointDimension(arm.rows[static_cast<std::size_t>(active[k])].joint));
+    factors[static_cast<Eigen::Index>(k)] =
+        units.factor(jointDimension(arm.rows[static_cast<std::size_t>(active[k])].joint));
   return factors;
 }
 

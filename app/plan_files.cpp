@@ -155,11 +155,10 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   folder.write("plan.json", planJson(request, outcome).dump(1) + "\n");
   folder.write("path.csv", pathCsv(outcome));
   const auto cell_file = folder.path() / "cell.yaml";
-  folder.write("cell.yaml",
-               outcome.calibration
-                   ? cellTextWithBase(outcome.cell,
-                                      {outcome.model.X_WB, outcome.model.base_covariance, true}, cell_file)
-                   : cellTextAt(outcome.cell, cell_file));
+  folder.write("cell.yaml", outcome.calibration
+                                ? cellTextWithBase(outcome.cell,
+                                                   {outcome.model.X_WB, outcome.model.base_covariance, true}, cell_file)
+                                : cellTextAt(outcome.cell, cell_file));
   if (outcome.touches.empty())
     folder.remove("touches.csv");
   else

@@ -18,9 +18,10 @@ struct StepExperimentOptions {
   double base_shift_sigma = 0.0127;  ///< m per coordinate (0.5 in) about the truth's base
   double base_turn_sigma = 0.0087;   ///< rad per axis (0.5 deg)
   double stiffness_sigma = 0.02;     ///< relative, of every stiffness of the true arm
-  /// m per coordinate: what the true arm does beyond any model, another in each posture. About a truth that is the model
-  /// itself, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as table 5.6 does after
-  /// its fit; a truth with other stiffnesses leaves more. The figure reached is measured in every run and printed.
+  /// m per coordinate: what the true arm does beyond any model, another in each posture. About a truth that is the
+  /// model itself, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as table 5.6
+  /// does after its fit; a truth with other stiffnesses leaves more. The figure reached is measured in every run and
+  /// printed.
   double unmodelled_sigma = 5.0e-4;
   int touch_fit_points = 14;
 };
@@ -35,7 +36,7 @@ struct StepExperiment {
   /// Mean number of the test holes that took 0, 1, ... steps, by mode; and the same by run.
   std::array<std::vector<double>, kCompensations.size()> mean_counts;
   std::array<std::vector<std::vector<int>>, kCompensations.size()> counts_by_run;
-  std::array<int, kCompensations.size()> scored{};  ///< holes with a posture in that mode, over all runs
+  std::array<int, kCompensations.size()> scored{};         ///< holes with a posture in that mode, over all runs
   std::array<double, kCompensations.size()> mean_error{};  ///< m, centring
   double mean_touch_error =
       std::numeric_limits<double>::quiet_NaN();  ///< m, left at touch_fit_points touches by the base fit

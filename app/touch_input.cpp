@@ -92,8 +92,10 @@ std::string touchesCsv(const std::vector<Touch>& touches, const Cell& cell) {
     text += fmt::format("{},touch,{},{}", touch.id, touch.hole,
                         formatNumber(cell.units.toFile(touch.load, dimension::kForce)));
     for (int k = 0; k < touch.q.size(); ++k)
-      text += "," + formatNumber(cell.units.toFile(
-                        touch.q[k], jointDimension(cell.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint)));
+      text += "," +
+              formatNumber(cell.units.toFile(
+                  touch.q[k],
+                  jointDimension(cell.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint)));
     for (int k = 0; k < 3; ++k) text += "," + formatNumber(cell.units.toFile(touch.p_WH[k], dimension::kLength));
     text += "," + formatNumber(cell.units.toFile(touch.sigma, dimension::kLength)) + "\n";
   }

@@ -53,7 +53,8 @@ struct BaseCalibration {
                                             const Eigen::Isometry3d& X_WB_start,
                                             const BaseCalibrationOptions& options = {});
 
-/// The covariance to work with: that of the readings' noise, widened by chi-square per degree of freedom where the model is off.
+/// The covariance to work with: that of the readings' noise, widened by chi-square per degree of freedom where the
+/// model is off.
 [[nodiscard]] Eigen::Matrix<double, 6, 6> widenedCovariance(const BaseCalibration& calibration);
 
 /// Why these touches cannot place a base (fewer than three holes, one hole twice under the same load, near a line), or

@@ -115,7 +115,8 @@ double deflectionFactor(const Workcell& cell) {
     if (bent.kinematics.status != deflection::KinematicsStatus::kConverged) continue;
     for (int k = 0; k < bent.position_B.cols(); ++k) {
       const double extra = (bent.position_B.col(k) - straight.position_B.col(k)).norm();
-      // Against a lever of a quarter of the reach at least: short ones are bounded by their longest posture, not by this one.
+      // Against a lever of a quarter of the reach at least: short ones are bounded by their longest posture, not by
+      // this one.
       most = std::max(most, 1 + extra / std::max(straight.position_B.col(k).norm(), reach / 4));
     }
   }

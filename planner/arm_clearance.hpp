@@ -35,8 +35,8 @@ class ArmClearance {
   TravelBound travel_;
 };
 
-/// How much faster than its rigid lever a point can move because the deflection changes with the joints: the most seen of the tip
-/// over a lattice of postures under this load, with a tenth on top; at least 1.1. Sampled, not proved.
+/// How much faster than its rigid lever a point can move because the deflection changes with the joints: the most seen
+/// of the tip over a lattice of postures under this load, with a tenth on top; at least 1.1. Sampled, not proved.
 [[nodiscard]] double deflectionFactor(const Workcell& cell);
 
 /// Poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the bent member's

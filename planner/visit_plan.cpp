@@ -133,7 +133,8 @@ std::vector<Stop> joinRuns(const std::vector<Stop>& stops, const std::vector<Tub
     } else {
       const MotionPlan& travel = network.between(kept.back(), run.front());
       for (const Stop& stop : run)
-        plan.unreachable.push_back({reach[static_cast<std::size_t>(stop.visit)].tube, inTheWay(travel), travel.tightest});
+        plan.unreachable.push_back(
+            {reach[static_cast<std::size_t>(stop.visit)].tube, inTheWay(travel), travel.tightest});
     }
   }
   return kept;

@@ -34,8 +34,9 @@ int run(const CalibrateOptions& options) {
     throw InputError(options.measurements, problem, "three or more different holes, well spread", "touch another hole");
   const auto result = calibration::calibrateBase(cell.arm, touches, cell.X_WB);
   if (result.status == CalibrationStatus::kDone && !options.out.empty())
-    writeFileAtomically(options.out, cellTextWithBase(cell, {result.X_WB, calibration::widenedCovariance(result), true}, options.out),
-                        "--out");
+    writeFileAtomically(
+        options.out, cellTextWithBase(cell, {result.X_WB, calibration::widenedCovariance(result), true}, options.out),
+        "--out");
   writeJson(options.json, calibrationJson(result, cell.units));
   if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell.units));
   return result.status == CalibrationStatus::kDone ? kDone : kNegativeAnswer;

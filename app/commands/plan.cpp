@@ -1,9 +1,8 @@
 // tubeplan plan: the main job.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "app/calibration_json.hpp"

@@ -136,9 +136,7 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Unit
     fmt::print("{:<14}", planner::nameOf(kCompensations[mode]));
     for (int count : counts[mode]) fmt::print("{:7}", count);
     const double unit = units.factor(dimension::kLength);
-    fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n",
-               sum / unit / std::max(1, found), worst / unit,
-               approach / unit);
+    fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n", sum / unit / std::max(1, found), worst / unit, approach / unit);
   }
 }
 
@@ -167,7 +165,8 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
     for (double count : experiment.mean_counts[mode]) fmt::print("{:6.2f}", count);
     fmt::print("   {:.4f}\n", experiment.mean_error[mode] / unit);
   }
-  fmt::print("goal-point and via-point share the posture at the hole: they differ on the way up, not in these counts\n");
+  fmt::print(
+      "goal-point and via-point share the posture at the hole: they differ on the way up, not in these counts\n");
   for (int row = 0; row < 2; ++row)
     fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0],
                kThesisCounts[row][1], kThesisCounts[row][2], kThesisCounts[row][3]);

@@ -28,7 +28,7 @@ struct Cell {
   Units units;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< world = tube-sheet frame
   bool base_known = false;
-  bool tool_axis_told = false;  ///< by the arm file or by the scene; else the arm has the default
+  bool tool_axis_told = false;              ///< by the arm file or by the scene; else the arm has the default
   std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;

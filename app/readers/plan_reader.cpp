@@ -53,7 +53,8 @@ Eigen::Vector3d pointAt(const json& object, const char* key, const std::string& 
 Eigen::VectorXd jointsAt(const json& tube, const std::string& where, const Eigen::VectorXd& factors) {
   const Eigen::VectorXd joints = vectorAt(tube, "joints", where, 1);
   if (joints.size() != factors.size())
-    throw InputError(where + " joints", std::to_string(joints.size()) + " numbers", std::to_string(factors.size()), "plan again");
+    throw InputError(where + " joints", std::to_string(joints.size()) + " numbers", std::to_string(factors.size()),
+                     "plan again");
   return joints.cwiseProduct(factors);
 }
 
@@ -94,8 +95,7 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
   std::stringstream text(readTextFile(path));
   std::string header = "time_s,segment,kind", line;
   const auto active = deflection::activeRows(cell.arm);
-  for (int row : active)
-    header += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
+  for (int row : active) header += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
   std::getline(text, line);
   if (line != header) throw InputError(path + ":1", inQuotes(line), header, "plan again");
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
