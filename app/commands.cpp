@@ -10,6 +10,10 @@ constexpr Command kCommands[] = {
     {"map", "the holes of a cell's tube sheet", "tubeplan map app/cells/mockup.yaml --csv holes.csv", configureMap},
     {"calibrate", "where the base stands, from three or more touched holes",
      "tubeplan calibrate app/cells/mockup.yaml touches.csv --out calibrated.yaml", configureCalibrate},
+    {"identify", "the model's parameters, and the base, from measurements",
+     "tubeplan identify app/cells/bench.yaml readings.csv --out fitted.yaml\n"
+     "tubeplan identify cell.yaml readings.csv --free tool.tip,geometry",
+     configureIdentify},
     {"plan", "a proved, timed visit of a list of tubes",
      "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 "
      "--out out/demo",

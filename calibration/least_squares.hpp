@@ -30,6 +30,7 @@ struct LeastSquaresResult {
   double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< r . r at x
   int iterations = 0;
   int evaluations = 0;
+  int jacobian_evaluations = 0;
 };
 
 /// Solved by Ipopt with exact gradients and the Gauss-Newton Hessian.

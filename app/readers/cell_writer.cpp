@@ -40,6 +40,14 @@ Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
 }
 
+std::string withBase(std::string text, const Cell& cell, const BaseChange& base) {
+  const Eigen::Vector3d rpy = rollPitchYaw(base.X_WB.linear());
+  text = withYamlValue(text, "base.position", listText(base.X_WB.translation(), cell.units, dimension::kLength));
+  text = withYamlValue(text, "base.rpy", listText(rpy, cell.units, dimension::kAngle));
+  text = withYamlValue(text, "base.known", base.known ? "true" : "false");
+  return base.covariance ? withYamlValue(text, "base.covariance", covarianceText(*base.covariance, cell.units)) : text;
+}
+
 // A file named in the cell, as it is named from where the cell is written to.
 std::string moved(const std::string& text, const Cell& cell, std::string_view key, const fs::path& out) {
   const YamlNode* node = findNode(cell.source.root, key);
@@ -51,19 +59,61 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
   return withYamlValue(text, key, '"' + name + '"');
 }
 
+std::vector<std::pair<std::string, double>> foundNumbers(const calibration::Identification& result) {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == calibration::Unknown::Owner::kArm && !number.is_held)
+      numbers.emplace_back(number.unknown.name, number.value);
+  return numbers;
+}
+
+std::optional<Matrix6d> baseCovariance(const calibration::Identification& result) {
+  Matrix6d covariance = Matrix6d::Zero();
+  int found = 0;
+  for (std::size_t i = 0; i < result.fitted_numbers.size(); ++i)
+    for (std::size_t j = 0; j < result.fitted_numbers.size(); ++j) {
+      const auto& a = result.numbers[static_cast<std::size_t>(result.fitted_numbers[i])].unknown;
+      const auto& b = result.numbers[static_cast<std::size_t>(result.fitted_numbers[j])].unknown;
+      if (a.owner != calibration::Unknown::Owner::kBase || b.owner != calibration::Unknown::Owner::kBase) continue;
+      covariance(a.component, b.component) =
+          result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * result.widening *
+          result.widening;
+      ++found;
+    }
+  return found == 36 ? std::optional(covariance) : std::nullopt;
+}
+
 }  // namespace
+
+std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
+  const auto numbers = foundNumbers(result);
+  const bool is_inline = cell.arm_source.text.empty();
+  const YamlNode& arm_node = is_inline ? cell.source.root.at("arm") : cell.arm_source.root;
+  ArmSource source;
+  source.arm = result.fitted.arm;
+  source.units = cell.units;
+  std::string text = cellTextAt(cell, out);
+  std::vector<TextFile> files;
+  if (is_inline) {
+    text = withArmParameters(text, arm_node, source, numbers);
+  } else {
+    fs::path arm_path = out;
+    arm_path.replace_filename(out.stem().string() + "-arm.yaml");
+    files.push_back({arm_path, withArmParameters(cell.arm_source.text, arm_node, source, numbers)});
+    text = withYamlValue(text, "arm", '"' + arm_path.filename().string() + '"');
+  }
+  if (result.fitted.placings.size() == 1 && !result.fitted.placings.front().is_known)
+    text = withBase(text, cell, {result.fitted.placings.front().X_WB, baseCovariance(result), cell.base_known});
+  files.push_back({out, text});
+  return files;
+}
 
 std::string cellTextAt(const Cell& cell, const fs::path& out) {
   return moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
 }
 
 std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {
-  const Eigen::Vector3d rpy = rollPitchYaw(base.X_WB.linear());
-  std::string text = cellTextAt(cell, out);
-  text = withYamlValue(text, "base.position", listText(base.X_WB.translation(), cell.units, dimension::kLength));
-  text = withYamlValue(text, "base.rpy", listText(rpy, cell.units, dimension::kAngle));
-  text = withYamlValue(text, "base.known", base.known ? "true" : "false");
-  return base.covariance ? withYamlValue(text, "base.covariance", covarianceText(*base.covariance, cell.units)) : text;
+  return withBase(cellTextAt(cell, out), cell, base);
 }
 
 }  // namespace tubeplan::app

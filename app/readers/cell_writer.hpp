@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/readers/cell_reader.hpp"
+#include "calibration/identification.hpp"
 
 namespace tubeplan::app {
 
@@ -17,6 +19,18 @@ struct BaseChange {
 
 /// The cell's text with another base, to be written at `out`: the files it names are named relative to there.
 [[nodiscard]] std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const std::filesystem::path& out);
+
+/// A file to be written.
+struct TextFile {
+  std::filesystem::path path;
+  std::string text;
+};
+
+/// The cell with the numbers that were found, to be written at `out`. Where its arm stands in a file of its own that
+/// file is written too, first, beside the cell under the cell's name and "-arm". One base is written where there is one
+/// set-up and it was not known; with several the cell keeps the one it has.
+[[nodiscard]] std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result,
+                                                   const std::filesystem::path& out);
 
 /// The cell's text unchanged but for the names of its files, relative to `out`.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);

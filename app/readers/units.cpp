@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "app/readers/yaml_node.hpp"
@@ -132,8 +133,9 @@ std::string Units::nameOf(Dimension d) const {
 
 double rounded(double value) {
   if (!std::isfinite(value)) return value;
-  const double result = std::stod(fmt::format("{:.12g}", value));
-  return result == 0 ? 0 : result;  // no minus zero
+  const double result =
+      std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr);  // stod refuses the smallest numbers
+  return result == 0 ? 0 : result;                                  // no minus zero
 }
 
 std::string formatNumber(double value) { return fmt::format("{}", rounded(value)); }

@@ -1,0 +1,112 @@
+// tubeplan identify: the parameters of the model, and the base, from measurements.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/identification_json.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/cell_writer.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
+#include "app/suggestion.hpp"
+#include "calibration/reading_problems.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Identification, calibration::IdentificationOptions, calibration::IdentificationStatus;
+
+struct IdentifyOptions {
+  std::string cell, measurements, out, json, method = "ipopt", robust = "none";
+  std::vector<std::string> free;
+  double sigma = 0, drop = 0;
+  int starts = 1, folds = 5;
+  std::uint64_t seed = 1;
+};
+
+calibration::RobustLoss lossOf(const std::string& name) {
+  if (name == "huber") return calibration::RobustLoss::kHuber;
+  return name == "cauchy" ? calibration::RobustLoss::kCauchy : calibration::RobustLoss::kNone;
+}
+
+IdentificationOptions identificationOptions(const IdentifyOptions& options, const Cell& cell) {
+  IdentificationOptions result;
+  result.free.names = options.free.empty() ? cell.identify : options.free;
+  result.free.base = !cell.base_known;
+  result.loss = lossOf(options.robust);
+  result.starts = options.starts;
+  result.folds = options.folds;
+  result.seed = options.seed;
+  result.drop_level = options.drop;
+  if (result.free.names.empty() && cell.base_known)
+    throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
+                     "`tubeplan identify --help` says what may be freed");
+  return result;
+}
+
+/// A refusal is bad input: names that are no parameters, readings that tell nothing.
+void requireAccepted(const Identification& result, const IdentifyOptions& options, const Cell& cell) {
+  if (result.status != IdentificationStatus::kRefused) return;
+  if (result.problems.empty())
+    throw InputError(options.measurements, result.reason, "readings that tell the free parameters", "");
+  const auto& problem = result.problems.front();
+  std::vector<std::string> known{"geometry", "tool.tip"};
+  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  throw InputError(options.free.empty() ? cell.path + " (identify)" : "--free", problem.found, problem.expected,
+                   suggestion(problem.name, known));
+}
+
+int run(const IdentifyOptions& options) {
+  const Cell cell = readCell(options.cell);
+  auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  stateSigma(readings, cell, options.measurements, options.sigma);
+  checkJsonTarget(options.json);
+  if (!options.out.empty()) checkWritableFile(options.out, "--out");
+  const auto result = calibration::identify(cell.arm, cell.X_WB, cell.base_known, readings,
+                                            identificationOptions(options, cell));
+  requireAccepted(result, options, cell);
+  const auto warnings = readingWarnings(result, readings, cell);
+  if (!options.out.empty() && result.status == IdentificationStatus::kDone)
+    for (const auto& file : identifiedCell(cell, result, options.out)) writeFileAtomically(file.path, file.text, "--out");
+  nlohmann::json json = identificationJson(result, readings, cell.units);
+  json["warnings"] = warnings;
+  writeJson(options.json, json);
+  if (printsText(options.json)) {
+    fmt::print("{}", identificationText(result, readings, cell.units));
+    for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
+  }
+  return result.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;
+}
+
+}  // namespace
+
+Run configureIdentify(CLI::App& cli) {
+  const auto options = std::make_shared<IdentifyOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("--free", options->free,
+                 "parameters to free instead of the cell's `identify`: dotted paths into the arm file "
+                 "(tool.joint_stiffness.z), tool.tip, geometry")
+      ->delimiter(',');
+  cli.add_option("--out", options->out, "write the cell with what was found to this file, its arm beside it");
+  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none, in the cell's length unit");
+  cli.add_option("--robust", options->robust, "loss that weakens outliers")
+      ->check(CLI::IsMember({"none", "huber", "cauchy"}));
+  cli.add_option("--starts", options->starts, "starts, the others drawn around the given one")
+      ->check(CLI::Range(1, 1000));
+  cli.add_option("--folds", options->folds, "folds of the cross-validation by pose; 0 for none")
+      ->check(CLI::Range(0, 100));
+  cli.add_option("--drop", options->drop, "give up parameters that the readings do not need at this level (0.05)")
+      ->check(CLI::Range(0., 0.5));
+  cli.add_option("--seed", options->seed, "seed of drawn starts and folds");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,181 @@
+#include "app/identification_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+#include "app/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::ErrorSize, calibration::Identification, calibration::IdentificationStatus,
+    calibration::IdentifiedNumber, calibration::Told, calibration::Unknown;
+
+const char* nameOf(IdentificationStatus status) {
+  switch (status) {
+    case IdentificationStatus::kNotRun:
+      return "not-run";
+    case IdentificationStatus::kDone:
+      return "done";
+    case IdentificationStatus::kRefused:
+      return "refused";
+    case IdentificationStatus::kNotConverged:
+      return "not-converged";
+  }
+  return "";
+}
+
+std::string toldText(const IdentifiedNumber& number) {
+  if (number.told == Told::kYes) return "yes";
+  if (number.told == Told::kNo) return "no";
+  return fmt::format("with {}", fmt::join(number.with, " and "));
+}
+
+nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
+
+nlohmann::json lengthJson(double metres, const Units& units) {
+  return finite(metres / units.factor(dimension::kLength));
+}
+
+nlohmann::json sizeJson(const ErrorSize& size, const Units& units) {
+  return {{"rms", lengthJson(size.rms, units)},
+          {"mean", lengthJson(size.mean, units)},
+          {"max", lengthJson(size.max, units)},
+          {"readings", size.readings}};
+}
+
+nlohmann::json numberJson(const IdentifiedNumber& number, const deflection::Arm& arm, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown, arm);
+  const double factor = units.factor(unit);
+  nlohmann::json json = {{"name", number.unknown.name},
+                         {"value", finite(number.value / factor)},
+                         {"sigma", finite(number.sigma / factor)},
+                         {"unit", units.nameOf(unit)},
+                         {"start", finite(number.unknown.start / factor)},
+                         {"identifiable", toldText(number)},
+                         {"held", number.is_held},
+                         {"interval", {finite(number.lower / factor), finite(number.upper / factor)}},
+                         {"interval_by", number.is_profile ? "profile" : "sigma"}};
+  if (number.is_at_bound) json["at_bound"] = true;
+  if (!number.note.empty()) json["note"] = number.note;
+  return json;
+}
+
+std::string lengthText(double metres, const Units& units) {
+  return fmt::format("{:.4g}", metres / units.factor(dimension::kLength));
+}
+
+std::string sizeText(const char* title, const ErrorSize& size, const Units& units) {
+  if (size.readings == 0) return "";
+  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, lengthText(size.rms, units),
+                     lengthText(size.mean, units), lengthText(size.max, units), units.length().name);
+}
+
+std::string numberText(const IdentifiedNumber& number, const deflection::Arm& arm, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown, arm);
+  const double factor = units.factor(unit);
+  std::string text = fmt::format("  {:<36} {:>12.6g}", number.unknown.name, number.value / factor);
+  if (number.is_held)
+    text += fmt::format(" {:<14} {:<30}", units.nameOf(unit), "held");
+  else
+    text += fmt::format(" {:<14} sigma {:>9.3g}  95 % {:.6g} to {:.6g}", units.nameOf(unit), number.sigma / factor,
+                        number.lower / factor, number.upper / factor);
+  text += fmt::format("  start {:.6g}  identifiable: {}\n", number.unknown.start / factor, toldText(number));
+  if (!number.note.empty()) text += "      " + number.note + "\n";
+  return text;
+}
+
+}  // namespace
+
+Dimension dimensionOf(const Unknown& unknown, const deflection::Arm& arm) {
+  const bool slides = unknown.owner == Unknown::Owner::kArm && unknown.name.ends_with("joint.offset") &&
+                      arm.rows.at(static_cast<std::size_t>(unknown.path.row)).joint.type ==
+                          deflection::JointType::kPrismatic;
+  return slides ? dimension::kLength : dimensionOf(unknown.quantity);
+}
+
+nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
+                                  const Units& units) {
+  nlohmann::json json = {{"status", nameOf(result.status)}, {"reason", result.reason}, {"units", unitsJson(units)}};
+  json["parameters"] = nlohmann::json::array();
+  if (result.status == IdentificationStatus::kRefused) return json;
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kArm)
+      json["parameters"].push_back(numberJson(number, result.fitted.arm, units));
+  json["bases"] = nlohmann::json::array();
+  for (const auto& placing : result.fitted.placings)
+    json["bases"].push_back(
+        {{"setup", placing.setup}, {"known", placing.is_known}, {"base", poseJson(placing.X_WB, units)}});
+  json["base_steps"] = nlohmann::json::array();
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kBase)
+      json["base_steps"].push_back(numberJson(number, result.fitted.arm, units));
+  json["rms"] = {{"before", lengthJson(result.before.rms, units)},
+                 {"after_base", lengthJson(result.after_base.rms, units)},
+                 {"after", lengthJson(result.after.rms, units)},
+                 {"heldout_before", lengthJson(result.heldout_before.rms, units)},
+                 {"heldout_after", lengthJson(result.heldout.rms, units)},
+                 {"noise_floor", lengthJson(result.noise_floor, units)}};
+  json["errors"] = {{"before", sizeJson(result.before, units)},
+                    {"after_base", sizeJson(result.after_base, units)},
+                    {"after", sizeJson(result.after, units)},
+                    {"heldout_before", sizeJson(result.heldout_before, units)},
+                    {"heldout_after", sizeJson(result.heldout, units)}};
+  json["chi2"] = finite(result.chi2);
+  json["degrees_of_freedom"] = result.degrees_of_freedom;
+  json["chi2_per_dof"] = finite(result.chi2 / std::max(1, result.degrees_of_freedom));
+  json["p_value"] = finite(result.p_value);
+  json["sigma_widened_by"] = finite(result.widening);
+  json["correlations"] = nlohmann::json::array();
+  for (const auto& pair : result.correlations)
+    json["correlations"].push_back({{"a", pair.a}, {"b", pair.b}, {"value", finite(pair.value)}});
+  json["outliers"] = nlohmann::json::array();
+  for (const auto& outlier : result.outliers)
+    json["outliers"].push_back({{"id", readings.at(static_cast<std::size_t>(outlier.reading)).id},
+                                {"size", lengthJson(outlier.size, units)},
+                                {"sigmas", finite(outlier.sigmas)}});
+  json["singular_values"] = nlohmann::json::array();
+  for (const double value : result.singular_values) json["singular_values"].push_back(finite(value));
+  json["solver"] = {{"iterations", result.iterations},
+                    {"evaluations", result.evaluations},
+                    {"jacobian_evaluations", result.jacobian_evaluations},
+                    {"starts_agreeing", result.starts_agreeing}};
+  return json;
+}
+
+std::string identificationText(const Identification& result, const std::vector<calibration::Measurement>& readings,
+                               const Units& units) {
+  if (result.status == IdentificationStatus::kRefused) return "not identified: " + result.reason + "\n";
+  std::string text;
+  if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
+  text += fmt::format("errors of {} readings\n", result.after.readings);
+  text += sizeText("as the model stands", result.before, units);
+  text += sizeText("with the base placed", result.after_base, units);
+  text += sizeText("identified", result.after, units);
+  text += sizeText("held out, with the base placed", result.heldout_before, units);
+  text += sizeText("held out, identified", result.heldout, units);
+  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthText(result.noise_floor, units));
+  text += fmt::format("chi-square {:.1f} for {} degrees of freedom ({:.2f} each, p = {:.3g})\n", result.chi2,
+                      result.degrees_of_freedom, result.chi2 / std::max(1, result.degrees_of_freedom), result.p_value);
+  if (result.widening > 1)
+    text += fmt::format("the misfit is more than the stated noise allows: every sigma is widened by {:.2f}\n",
+                        result.widening);
+  text += "parameters\n";
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kArm || number.is_held)
+      text += numberText(number, result.fitted.arm, units);
+  for (const auto& pair : result.correlations)
+    text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);
+  for (const auto& outlier : result.outliers)
+    text += fmt::format("  outlier: reading {} is off by {} {} ({:.1f} sigmas)\n",
+                        readings.at(static_cast<std::size_t>(outlier.reading)).id, lengthText(outlier.size, units),
+                        units.length().name, outlier.sigmas);
+  return text;
+}
+
+}  // namespace tubeplan::app

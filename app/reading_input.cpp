@@ -1,0 +1,92 @@
+#include "app/reading_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/input_error.hpp"
+#include "app/touch_input.hpp"
+#include "calibration/reading_problems.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Identification, calibration::Measurement, calibration::MeasurementKind;
+
+constexpr double kFarTooLarge = 3;  // times the noise floor from which readings are searched for slips
+
+bool isFarOff(const Identification& result) {
+  return std::isfinite(result.after.rms) && result.after.rms > kFarTooLarge * result.noise_floor;
+}
+
+/// An outlier on a hole of the sheet whose tip lies nearer a neighbour.
+std::string mistakenHole(const Identification& result, const calibration::Outlier& outlier, const Measurement& reading,
+                         const Cell& cell) {
+  const auto name = parseHoleName(reading.point);
+  if (!cell.sheet || !name || !reading.p_W) return "";
+  const auto own = cell.sheet->indexOf(name->row, name->column);
+  if (!own || outlier.size < cell.sheet->pitch / 2) return "";
+  const auto& X_WB = result.fitted.placings.at(static_cast<std::size_t>(placingOf(result.fitted, reading))).X_WB;
+  const auto tip = calibration::predictReading(result.fitted.arm, X_WB, reading);
+  if (!tip.ok) return "";
+  const tubesheets::Tube* nearest = nullptr;
+  double least = cell.sheet->pitch / 2;
+  for (const auto& tube : cell.sheet->tubes) {
+    const double distance = std::hypot(tube.x - tip.value[0], tube.y - tip.value[1]);
+    if (distance < least) least = distance, nearest = &tube;
+  }
+  if (!nearest || (nearest->row == name->row && nearest->column == name->column)) return "";
+  return fmt::format("reading {} named {} fits R{}C{}: was the hole mistaken?", reading.id, reading.point, nearest->row,
+                     nearest->column);
+}
+
+std::string heavyLoad(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units) {
+  double weight = 0, heaviest = 0;
+  for (const auto& row : arm.rows) {
+    weight += row.weight.end + row.weight.distributed * deflection::reachOf(arm);
+    for (const auto& lump : row.weight.lumps) weight += lump.weight;
+  }
+  for (const auto& reading : readings) heaviest = std::max(heaviest, reading.load);
+  if (weight == 0 || heaviest < 10 * weight) return "";
+  return fmt::format("a load of {:.4g} {} hangs on an arm that weighs less than {:.4g} {}: is the load's unit right?",
+                     heaviest / units.factor(dimension::kForce), units.force().name,
+                     weight / units.factor(dimension::kForce), units.force().name);
+}
+
+}  // namespace
+
+void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
+  if (!std::isfinite(sigma) || sigma < 0)
+    throw InputError("--sigma", fmt::format("{}", sigma), "a noise above zero, in " + std::string(cell.units.length().name));
+  for (auto& reading : readings) {
+    if (std::isfinite(reading.sigma)) continue;
+    if (sigma > 0)
+      reading.sigma = cell.units.toInternal(sigma, dimension::kLength);
+    else if (reading.kind == MeasurementKind::kTouch && cell.tool)
+      reading.sigma = touchSigmaOf(*cell.tool);
+    else
+      throw InputError(fmt::format("{}:{}", file, reading.line), "a reading without sigma", "its noise",
+                       fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+  }
+}
+
+std::vector<std::string> readingWarnings(const Identification& result, const std::vector<Measurement>& readings,
+                                         const Cell& cell) {
+  std::vector<std::string> warnings;
+  if (const auto heavy = heavyLoad(readings, cell.arm, cell.units); !heavy.empty()) warnings.push_back(heavy);
+  if (isFarOff(result))
+    for (const auto& slip : calibration::findUnitSlips(result.start, readings))
+      warnings.push_back(fmt::format("{}: so read, the error falls from {:.4g} to {:.4g} {}", slip.what,
+                                     slip.rms_as_is / cell.units.factor(dimension::kLength),
+                                     slip.rms_if / cell.units.factor(dimension::kLength), cell.units.length().name));
+  for (const auto& outlier : result.outliers) {
+    const auto& reading = readings.at(static_cast<std::size_t>(outlier.reading));
+    if (const auto mistaken = mistakenHole(result, outlier, reading, cell); !mistaken.empty()) warnings.push_back(mistaken);
+  }
+  return warnings;
+}
+
+}  // namespace tubeplan::app

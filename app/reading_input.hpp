@@ -1,0 +1,24 @@
+// What commands that fit readings of any kind ask of them beside what the file must have.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/readers/cell_reader.hpp"
+#include "calibration/identification.hpp"
+#include "calibration/measurement.hpp"
+
+namespace tubeplan::app {
+
+/// Gives every reading a sigma: its own, else `sigma` (in the cell's length unit; 0: not given), else for a touch that
+/// of the cell's calibration tool. Throws InputError where none is known.
+void stateSigma(std::vector<calibration::Measurement>& readings, const Cell& cell, const std::string& file,
+                double sigma);
+
+/// Plain sentences about readings that look wrong: slips of units, touches of a neighbouring hole, loads beyond the
+/// arm's own weight. Nothing is changed by them.
+[[nodiscard]] std::vector<std::string> readingWarnings(const calibration::Identification& result,
+                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const Cell& cell);
+
+}  // namespace tubeplan::app

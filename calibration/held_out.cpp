@@ -1,0 +1,84 @@
+#include "calibration/held_out.hpp"
+
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kSamePosture = 0.01;  // rad, m: readings of one posture differ by noise, or by what a load asks for
+
+std::string postureKey(const Measurement& reading) {
+  std::string key = reading.setup + "|";
+  for (const double q : reading.q) key += std::to_string(std::lround(q / kSamePosture)) + ",";
+  return key;
+}
+
+void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize& part) {
+  if (part.readings == 0) return;
+  squares += part.rms * part.rms * part.readings;
+  lengths += part.mean * part.readings;
+  total.max = std::isnan(total.max) ? part.max : std::max(total.max, part.max);
+  total.readings += part.readings;
+}
+
+}  // namespace
+
+std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
+  std::map<std::string, int> index;
+  std::vector<int> groups;
+  for (const auto& reading : readings) {
+    const std::string key = reading.point.empty() ? postureKey(reading) : "point " + reading.point;
+    groups.push_back(index.emplace(key, static_cast<int>(index.size())).first->second);
+  }
+  return groups;
+}
+
+std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed) {
+  const std::vector<int> groups = groupByPose(readings);
+  const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+  std::vector<int> order(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) order[static_cast<std::size_t>(k)] = k;
+  boost::random::mt19937_64 random(seed);
+  for (int k = count - 1; k > 0; --k)
+    std::swap(order[static_cast<std::size_t>(k)],
+              order[static_cast<std::size_t>(boost::random::uniform_int_distribution<int>(0, k)(random))]);
+  std::vector<int> result;
+  for (const int group : groups) result.push_back(order[static_cast<std::size_t>(group)] % std::max(1, folds));
+  return result;
+}
+
+ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged) {
+  if (judged.empty()) return {};
+  const auto weights = weighReadings(placed, judged);
+  if (!weights) return {};
+  const auto residual = whitenedResidual(placed, {}, judged, *weights, {}, false);
+  return residual.ok ? errorSize(judged, *weights, residual.error) : ErrorSize{};
+}
+
+ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                        const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                        const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss) {
+  ErrorSize total;
+  double squares = 0, lengths = 0;
+  const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
+  for (int fold = 0; fold < count; ++fold) {
+    std::vector<Measurement> kept, out;
+    for (std::size_t k = 0; k < readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(readings[k]);
+    if (kept.empty() || out.empty()) continue;
+    const Fit fit = fitUnknowns(start, unknowns, kept, x, solver, loss);
+    if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
+    collect(total, squares, lengths, judge(applied(start, unknowns, fit.solution.x), out));
+  }
+  if (total.readings == 0) return {};
+  total.rms = std::sqrt(squares / total.readings);
+  total.mean = lengths / total.readings;
+  return total;
+}
+
+}  // namespace tubeplan::calibration

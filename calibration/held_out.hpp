@@ -1,0 +1,28 @@
+// How well a fit foretells readings it has not seen: whole poses, points or set-ups are kept out, never single rows of
+// one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "calibration/fit.hpp"
+
+namespace tubeplan::calibration {
+
+/// Number of the group each reading belongs to: those of one point's or pose's name, or at one posture, go together.
+[[nodiscard]] std::vector<int> groupByPose(const std::vector<Measurement>& readings);
+
+/// Fold of each reading, 0 to folds - 1, whole groups drawn by the seed; fewer folds where there are fewer groups.
+[[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed);
+
+/// Errors of `judged` by the model as it is placed; touched points that nobody measured are estimated from the judged
+/// readings themselves.
+[[nodiscard]] ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged);
+
+/// Each fold judged by a fit to the others, from `x`; all errors together.
+[[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                      const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                                      const std::vector<int>& folds, const LeastSquaresOptions& solver,
+                                      RobustLoss loss);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,357 @@
+#include "calibration/identification.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <cmath>
+
+#include "calibration/fit.hpp"
+#include "calibration/held_out.hpp"
+#include "calibration/profile_interval.hpp"
+#include "calibration/reading_prediction.hpp"
+#include "calibration/reading_problems.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kMisfitLevel = 0.01;       // p below which the stated noise is taken to be too small
+constexpr double kStrongCorrelation = 0.9;
+constexpr double kPoorNormal = 0.2;         // sigma of a logarithm from which the normal interval is poor
+
+std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
+  std::vector<Measurement> some;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].is_held_out != held_out) continue;
+    some.push_back(all[k]);
+    if (used) used->push_back(static_cast<int>(k));
+  }
+  return some;
+}
+
+std::vector<Unknown> pick(const std::vector<Unknown>& unknowns, const std::vector<int>& which) {
+  std::vector<Unknown> some;
+  for (const int k : which) some.push_back(unknowns[static_cast<std::size_t>(k)]);
+  return some;
+}
+
+/// One identification under way.
+struct Work {
+  const std::vector<Measurement>& fitted;
+  const IdentificationOptions& options;
+  PlacedArm start;
+  std::vector<Unknown> unknowns;
+  Identifiability told;  ///< indices into `unknowns`
+  Fit fit;               ///< of the kept ones
+
+  [[nodiscard]] std::vector<Unknown> kept() const { return pick(unknowns, told.kept); }
+};
+
+void countWork(const LeastSquaresResult& solution, Identification& result) {
+  result.iterations += solution.iterations;
+  result.evaluations += solution.evaluations;
+  result.jacobian_evaluations += solution.jacobian_evaluations;
+}
+
+/// Places unknown bases with nothing else free, so that the rest starts from a sensible place.
+void fitBases(Work& work, Identification& result) {
+  std::vector<Unknown> bases;
+  for (const auto& unknown : work.unknowns)
+    if (unknown.owner == Unknown::Owner::kBase) bases.push_back(unknown);
+  if (bases.empty()) return;
+  alignPlacings(work.start, work.fitted);
+  const auto weights = weighReadings(work.start, work.fitted);
+  if (!weights) return;
+  const VectorXd zero = VectorXd::Zero(static_cast<Index>(bases.size()));
+  const auto residual = whitenedResidual(work.start, bases, work.fitted, *weights, zero, true);
+  if (!residual.ok) return;
+  const auto told = findIdentifiable(residual.jacobian, bases);
+  const auto some = pick(bases, told.kept);
+  const Fit fit = fitUnknowns(work.start, some, work.fitted, VectorXd::Zero(static_cast<Index>(some.size())),
+                              work.options.solver, work.options.loss);
+  countWork(fit.solution, result);
+  if (fit.solution.status == LeastSquaresStatus::kConverged) work.start = applied(work.start, some, fit.solution.x);
+}
+
+/// Keeps what the readings tell at the state x of the kept unknowns; false where nothing changes.
+bool holdUntold(Work& work, const MatrixXd& jacobian, double noise) {
+  IdentifiabilityOptions options;
+  options.noise = noise;
+  const std::vector<int> before = work.told.kept;
+  const Identifiability now = findIdentifiable(jacobian, work.kept(), options);
+  work.told.singular_values = now.singular_values;
+  if (now.held.empty()) return false;
+  work.told.kept.clear();
+  for (const int k : now.kept) work.told.kept.push_back(before[static_cast<std::size_t>(k)]);
+  for (HeldUnknown held : now.held) {
+    held.unknown = before[static_cast<std::size_t>(held.unknown)];
+    for (int& other : held.with) other = before[static_cast<std::size_t>(other)];
+    work.told.held.push_back(held);
+  }
+  return true;
+}
+
+double wideningOf(double chi2, int degrees_of_freedom) {
+  if (degrees_of_freedom <= 0 || chiSquareTail(chi2, degrees_of_freedom) >= kMisfitLevel) return 1;
+  return std::max(1., std::sqrt(chi2 / degrees_of_freedom));
+}
+
+VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int start) {
+  boost::random::mt19937_64 random(seed * 7919 + static_cast<std::uint64_t>(start));
+  boost::random::uniform_real_distribution<double> uniform(-1, 1);
+  VectorXd x(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    const double size = unknown.owner == Unknown::Owner::kBase ? 0.05 * unknown.typical : 1.1 * unknown.typical;
+    x[k] = std::clamp(size * uniform(random), unknown.lower, unknown.upper);
+  }
+  return x;
+}
+
+Fit fitFromStarts(const Work& work, const VectorXd& first, Identification& result) {
+  const auto kept = work.kept();
+  Fit best;
+  std::vector<double> ends;
+  for (int s = 0; s < std::max(1, work.options.starts); ++s) {
+    Fit fit = fitUnknowns(work.start, kept, work.fitted, s == 0 ? first : drawStart(kept, work.options.seed, s),
+                          work.options.solver, work.options.loss);
+    countWork(fit.solution, result);
+    ends.push_back(fit.solution.status == LeastSquaresStatus::kFailed ? std::numeric_limits<double>::infinity()
+                                                                      : fit.solution.chi2);
+    if (s == 0 || ends.back() < *std::min_element(ends.begin(), ends.end() - 1)) best = std::move(fit);
+  }
+  const double least = *std::min_element(ends.begin(), ends.end());
+  result.starts_agreeing =
+      static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
+  return best;
+}
+
+/// Fits; where the optimum shows that the readings do not tell a kept number after all, holds it and fits again.
+bool fitTold(Work& work, Identification& result) {
+  const auto n = static_cast<Index>(work.unknowns.size());
+  const auto weights = weighReadings(work.start, work.fitted);
+  if (!weights) return false;
+  work.told.kept.resize(work.unknowns.size());
+  for (std::size_t k = 0; k < work.unknowns.size(); ++k) work.told.kept[k] = static_cast<int>(k);
+  const auto residual = whitenedResidual(work.start, work.unknowns, work.fitted, *weights, VectorXd::Zero(n), true);
+  if (!residual.ok) return false;
+  holdUntold(work, residual.jacobian, 1);
+  VectorXd x = VectorXd::Zero(static_cast<Index>(work.told.kept.size()));
+  for (int round = 0; round < 4; ++round) {
+    work.fit = fitFromStarts(work, x, result);
+    if (work.fit.solution.status == LeastSquaresStatus::kFailed || !work.fit.residual.ok) return false;
+    const double noise =
+        wideningOf(work.fit.solution.chi2, work.fit.weights.degrees_of_freedom - static_cast<int>(work.told.kept.size()));
+    const auto before = work.told.kept;
+    if (!holdUntold(work, work.fit.residual.jacobian, noise)) break;
+    VectorXd next = VectorXd::Zero(static_cast<Index>(work.told.kept.size()));
+    for (std::size_t k = 0; k < work.told.kept.size(); ++k)
+      next[static_cast<Index>(k)] =
+          work.fit.solution.x[std::find(before.begin(), before.end(), work.told.kept[k]) - before.begin()];
+    x = next;
+  }
+  return true;
+}
+
+std::string namesOf(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  return text;
+}
+
+void sayHeld(const Work& work, Identification& result) {
+  for (const HeldUnknown& held : work.told.held) {
+    auto& number = result.numbers[static_cast<std::size_t>(held.unknown)];
+    number.is_held = true;
+    number.value = number.unknown.start;
+    number.told = held.is_seen && !held.with.empty() ? Told::kWith : Told::kNo;
+    for (const int other : held.with) {
+      number.with.push_back(work.unknowns[static_cast<std::size_t>(other)].name);
+      auto& partner = result.numbers[static_cast<std::size_t>(other)];
+      if (held.with.size() > 3 || partner.unknown.owner == Unknown::Owner::kBase) continue;
+      partner.told = Told::kWith;
+      partner.with.push_back(number.unknown.name);
+    }
+    if (number.told == Told::kNo)
+      number.note = "the readings do not depend on it enough to tell it: held at its start";
+    else
+      number.note = "told only in a combination with " + namesOf(number.with) + ": held at its start";
+  }
+}
+
+void sayFitted(const Work& work, Identification& result) {
+  for (std::size_t i = 0; i < work.told.kept.size(); ++i) {
+    auto& number = result.numbers[static_cast<std::size_t>(work.told.kept[i])];
+    const Unknown& unknown = number.unknown;
+    const auto k = static_cast<Index>(i);
+    const double x = work.fit.solution.x[k];
+    const double sigma = std::sqrt(result.covariance(k, k)) * result.widening;
+    number.told = number.with.empty() ? Told::kYes : Told::kWith;
+    number.value = valueAt(unknown, x);
+    number.sigma = sigma * std::abs(slopeAt(unknown, x));
+    double lower = x - 1.959964 * sigma, upper = x + 1.959964 * sigma;
+    const bool is_logarithm = unknown.scale == Unknown::Scale::kLogarithm;
+    const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
+    if (work.options.intervals_by_profile && is_logarithm && sigma > kPoorNormal) {
+      const auto profile = profileInterval(work.start, work.kept(), work.fitted, work.fit, static_cast<int>(k), sigma,
+                                           result.widening, work.options.solver);
+      lower = profile.lower, upper = profile.upper;
+      number.is_profile = true;
+    }
+    number.lower = valueAt(unknown, is_compliance ? upper : lower);
+    number.upper = valueAt(unknown, is_compliance ? std::max(lower, unknown.lower) : upper);
+    const double margin = 1e-4 * unknown.typical;
+    number.is_at_bound = x <= unknown.lower + margin || x >= unknown.upper - margin;
+    if ((is_logarithm && (number.is_at_bound || x > std::log(300.))) || (is_compliance && number.is_at_bound))
+      number.note = "the readings ask for no give at all, or less than none, which no part has: take it as rigid, or look "
+                    "for a missing effect";
+    else if (number.is_at_bound)
+      number.note = "at its bound: the readings ask for more than is physical";
+    else if ((is_logarithm && sigma > 0.5) || (is_compliance && x < 2 * sigma))
+      number.note = "its compliance is within two sigmas of none: the readings hardly need it";
+  }
+}
+
+void listCorrelations(const Work& work, Identification& result) {
+  const VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
+  for (Index i = 0; i < sigma.size(); ++i)
+    for (Index j = i + 1; j < sigma.size(); ++j) {
+      const double value = result.covariance(i, j) / (sigma[i] * sigma[j]);
+      if (std::abs(value) > kStrongCorrelation)
+        result.correlations.push_back({work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(i)])].name,
+                                       work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(j)])].name,
+                                       value});
+    }
+}
+
+/// Each reading against the fit without it: r^T (I - H)^-1 r, H its block of the projection on what was fitted.
+void findOutliers(const Work& work, Identification& result) {
+  const auto& weights = work.fit.weights;
+  const auto& J = work.fit.residual.jacobian;
+  std::vector<MatrixXd> point_block(work.fitted.size());
+  for (const auto& point : weights.points)
+    for (std::size_t i = 0; i < point.readings.size(); ++i)
+      point_block[static_cast<std::size_t>(point.readings[i])] = point.Q.middleRows(3 * static_cast<Index>(i), 3);
+  VectorXd square(static_cast<Index>(work.fitted.size()));
+  std::vector<VectorXd> alone(work.fitted.size());
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < work.fitted.size(); ++k) {
+    const Index row = weights.first_row[k], rows = rowsOf(work.fitted[k]);
+    MatrixXd left = MatrixXd::Identity(rows, rows);
+    if (J.cols()) left -= J.middleRows(row, rows) * result.covariance * J.middleRows(row, rows).transpose();
+    if (point_block[k].size()) left -= point_block[k] * point_block[k].transpose();
+    alone[k] = left.completeOrthogonalDecomposition().solve(work.fit.residual.r.segment(row, rows));
+    square[static_cast<Index>(k)] = work.fit.residual.r.segment(row, rows).dot(alone[k]);
+    sizes.push_back(std::sqrt(std::max(0., square[static_cast<Index>(k)]) / static_cast<double>(rows)));
+  }
+  std::vector<double> sorted = sizes;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
+  const double spread = std::max(1., sorted[sorted.size() / 2] / 0.89);
+  for (std::size_t k = 0; k < work.fitted.size(); ++k) {
+    const double level = work.options.outlier_level / static_cast<double>(work.fitted.size());
+    const double limit = boost::math::quantile(
+        boost::math::complement(boost::math::chi_squared(static_cast<double>(rowsOf(work.fitted[k]))), level));
+    if (square[static_cast<Index>(k)] <= limit * spread * spread) continue;
+    const VectorXd size = weights.covariance[k] * (weights.whitener[k].transpose() * alone[k]);
+    result.outliers.push_back({result.used[k], size.norm(), std::sqrt(square[static_cast<Index>(k)])});
+  }
+  std::stable_sort(result.outliers.begin(), result.outliers.end(),
+                   [](const Outlier& a, const Outlier& b) { return a.sigmas > b.sigmas; });
+}
+
+void judgeHeldOut(const Work& work, const std::vector<Measurement>& held_out, Identification& result) {
+  if (!held_out.empty()) {
+    result.heldout_before = judge(result.start, held_out);
+    result.heldout = judge(result.fitted, held_out);
+    return;
+  }
+  if (work.options.folds < 2) return;
+  const auto folds = foldsOf(work.fitted, work.options.folds, work.options.seed);
+  std::vector<Unknown> bases;
+  for (const auto& unknown : work.kept())
+    if (unknown.owner == Unknown::Owner::kBase) bases.push_back(unknown);
+  result.heldout_before =
+      crossValidate(work.start, bases, work.fitted, VectorXd::Zero(static_cast<Index>(bases.size())), folds,
+                    work.options.solver, work.options.loss);
+  result.heldout = crossValidate(work.start, work.kept(), work.fitted, work.fit.solution.x, folds, work.options.solver,
+                                 work.options.loss);
+}
+
+void summarize(Work& work, Identification& result) {
+  result.fitted_numbers = work.told.kept;
+  result.singular_values = work.told.singular_values;
+  result.fitted = applied(work.start, work.kept(), work.fit.solution.x);
+  result.start = work.start;
+  result.chi2 = work.fit.solution.chi2;
+  result.degrees_of_freedom = work.fit.weights.degrees_of_freedom - static_cast<int>(work.told.kept.size());
+  result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
+  result.widening = wideningOf(result.chi2, result.degrees_of_freedom);
+  result.after = errorSize(work.fitted, work.fit.weights, work.fit.residual.error);
+  result.errors = errorLengths(work.fitted, work.fit.weights, work.fit.residual.error);
+  result.noise_floor = noiseFloor(work.fitted, work.fit.weights);
+  const MatrixXd& J = work.fit.residual.jacobian;
+  result.covariance = (J.transpose() * J).ldlt().solve(MatrixXd::Identity(J.cols(), J.cols()));
+  for (const auto& unknown : work.unknowns) {
+    result.numbers.emplace_back();
+    result.numbers.back().unknown = unknown;
+  }
+  sayHeld(work, result);
+  sayFitted(work, result);
+  listCorrelations(work, result);
+  findOutliers(work, result);
+}
+
+void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted, ErrorSize& size, double* chi2) {
+  const auto weights = weighReadings(placed, fitted);
+  if (!weights) return;
+  const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
+  if (!residual.ok) return;
+  size = errorSize(fitted, *weights, residual.error);
+  if (chi2) *chi2 = residual.r.squaredNorm();
+}
+
+}  // namespace
+
+Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+                        const IdentificationOptions& options) {
+  Identification result;
+  const auto fitted = readingsOf(readings, false, &result.used);
+  const auto held_out = readingsOf(readings, true, nullptr);
+  Work work{fitted, options, start, {}, {}, {}};
+  auto unknowns = chooseUnknowns(work.start, options.free);
+  result.problems = unknowns.problems;
+  work.unknowns = std::move(unknowns.list);
+  if (result.problems.empty() && work.unknowns.empty()) result.reason = "nothing is free: name a parameter to find";
+  if (!result.problems.empty()) result.reason = result.problems.front().found;
+  if (result.reason.empty()) result.reason = findReadingProblem(fitted, work.unknowns);
+  if (!result.reason.empty()) {
+    result.status = IdentificationStatus::kRefused;
+    return result;
+  }
+  measureStart(start, fitted, result.before, &result.chi2_before);
+  fitBases(work, result);
+  measureStart(work.start, fitted, result.after_base, nullptr);
+  if (!fitTold(work, result)) {
+    result.status = IdentificationStatus::kNotConverged;
+    result.reason = work.fit.solution.reason.empty() ? "the model cannot be evaluated at the readings"
+                                                     : work.fit.solution.reason;
+    return result;
+  }
+  summarize(work, result);
+  judgeHeldOut(work, held_out, result);
+  const bool converged = work.fit.solution.status == LeastSquaresStatus::kConverged;
+  result.status = converged ? IdentificationStatus::kDone : IdentificationStatus::kNotConverged;
+  if (!converged) result.reason = work.fit.solution.reason;
+  return result;
+}
+
+Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
+                        const std::vector<Measurement>& readings, const IdentificationOptions& options) {
+  return identify(placeForReadings(arm, X_WB, base_known, readings), readings, options);
+}
+
+}  // namespace tubeplan::calibration

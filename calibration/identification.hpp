@@ -1,0 +1,101 @@
+// The numbers of the model found from readings, each with its uncertainty and a word on whether the readings can tell
+// it (Calkins 1994, chapter 3).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/identifiability.hpp"
+#include "calibration/least_squares.hpp"
+#include "calibration/whitened_residual.hpp"
+
+namespace tubeplan::calibration {
+
+enum class RobustLoss { kNone, kHuber, kCauchy };
+
+struct IdentificationOptions {
+  FreeChoice free;
+  LeastSquaresOptions solver;
+  RobustLoss loss = RobustLoss::kNone;
+  int starts = 1;                ///< the first as given, the others drawn around it
+  std::uint64_t seed = 1;        ///< of the drawn starts and the folds
+  int folds = 5;                 ///< of the cross-validation by pose, where no reading is marked held-out; 0: none
+  double outlier_level = 0.01;   ///< chance of naming any reading an outlier where there is none
+  double drop_level = 0;         ///< above 0: numbers that the readings do not need at this level are given up
+  bool intervals_by_profile = true;
+};
+
+enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged };
+
+/// How far a number can be told.
+enum class Told { kYes, kWith, kNo };
+
+struct IdentifiedNumber {
+  Unknown unknown;
+  double value = 0;  ///< of the parameter; of a base component: of its step
+  double sigma = std::numeric_limits<double>::quiet_NaN();
+  double lower = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval
+  double upper = std::numeric_limits<double>::quiet_NaN();
+  bool is_profile = false;  ///< the interval is by profile, not by sigma
+  Told told = Told::kNo;
+  std::vector<std::string> with;  ///< names of the unknowns it is tied to
+  bool is_held = false;           ///< it kept its start
+  bool is_at_bound = false;
+  std::string note;  ///< one plain sentence where there is something to say
+};
+
+struct Outlier {
+  int reading = -1;
+  double size = 0;    ///< m, how far the reading is off by the fit without it
+  double sigmas = 0;  ///< the same in noise sigmas
+};
+
+struct StrongCorrelation {
+  std::string a, b;
+  double value = 0;
+};
+
+/// Errors of a set of readings: root mean square and mean of their lengths [m].
+struct ErrorSize {
+  double rms = std::numeric_limits<double>::quiet_NaN();
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  double max = std::numeric_limits<double>::quiet_NaN();
+  int readings = 0;
+};
+
+struct Identification {
+  IdentificationStatus status = IdentificationStatus::kNotRun;
+  std::string reason;
+  std::vector<FreeProblem> problems;  ///< why refused
+  PlacedArm start, fitted;
+  std::vector<IdentifiedNumber> numbers;
+  std::vector<int> fitted_numbers;  ///< those that were not held: the order of the covariance
+  Eigen::MatrixXd covariance;       ///< of the fitted variables (logarithms of stiffnesses)
+  std::vector<StrongCorrelation> correlations;
+  ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
+  ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
+  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
+  double chi2_before = std::numeric_limits<double>::quiet_NaN();
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
+  int degrees_of_freedom = 0;
+  double p_value = std::numeric_limits<double>::quiet_NaN();
+  double widening = 1;  ///< factor on every sigma where the misfit is larger than the stated noise allows
+  std::vector<Outlier> outliers;
+  Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
+  std::vector<int> used;   ///< readings that were fitted
+  Eigen::VectorXd singular_values;
+  int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
+  int starts_agreeing = 1;
+};
+
+/// Finds the free numbers and the placings that are not known. Readings marked held-out are not fitted but judged.
+[[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
+                                      const std::vector<Measurement>& readings, const IdentificationOptions& options);
+
+/// The same from a state with a placing for every set-up.
+[[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                      const IdentificationOptions& options);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,215 @@
+#include "calibration/placed_arm.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "calibration/base_residual.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using deflection::Parameter, deflection::Quantity;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kStiffnessRange = 1e4;  // a fit may make an axis that much softer or stiffer
+constexpr double kHardlyGives = 1e-5;    // rad under the arm's whole weight at its reach: the start of a rigid axis
+constexpr double kMayGive = 0.02;        // rad under the same: what a rigid axis may typically turn out to give
+
+bool isStiffness(Quantity quantity) {
+  return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
+         quantity == Quantity::kLengthToTheFourth;
+}
+
+double weightOf(const deflection::Arm& arm) {
+  double weight = 0;
+  for (const auto& row : arm.rows) {
+    weight += row.weight.end + row.weight.distributed * deflection::reachOf(arm) / static_cast<double>(arm.rows.size());
+    for (const auto& lump : row.weight.lumps) weight += lump.weight;
+  }
+  return weight > 0 ? weight : 100;
+}
+
+/// How far a number may well be from the drawing: a few parts in a thousand of the arm for lengths, a degree for
+/// angles, a factor for stiffnesses, a tenth for the rest.
+double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
+  switch (parameter.quantity) {
+    case Quantity::kLength:
+      return 0.005 * deflection::reachOf(arm);
+    case Quantity::kAngle:
+      return 0.02;
+    case Quantity::kForce:
+      return 0.1 * weightOf(arm);
+    case Quantity::kForcePerLength:
+      return 0.1 * weightOf(arm) / deflection::reachOf(arm);
+    default:
+      return isStiffness(parameter.quantity) ? 1 : std::max(0.1 * std::abs(parameter.value), 1e-3);
+  }
+}
+
+Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool was_rigid) {
+  Unknown unknown;
+  unknown.name = parameter.name;
+  unknown.quantity = parameter.quantity;
+  unknown.path = parameter.path;
+  unknown.start = parameter.value;
+  unknown.typical = typicalOf(parameter, arm);
+  if (was_rigid) {
+    unknown.scale = Unknown::Scale::kCompliance;
+    unknown.typical = kMayGive / kHardlyGives / parameter.value;
+    unknown.lower = -0.99 / parameter.value;
+    unknown.upper = kInfinity;
+  } else if (isStiffness(parameter.quantity)) {
+    unknown.scale = Unknown::Scale::kLogarithm;
+    unknown.lower = -std::log(kStiffnessRange);
+    unknown.upper = std::log(kStiffnessRange);
+  } else {
+    unknown.lower = parameter.lower - parameter.value;
+    unknown.upper = parameter.upper - parameter.value;
+  }
+  return unknown;
+}
+
+void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
+  static constexpr const char* kNames[] = {"base.shift.x", "base.shift.y", "base.shift.z",
+                                           "base.turn.x",  "base.turn.y",  "base.turn.z"};
+  for (int p = 0; p < static_cast<int>(placed.placings.size()); ++p) {
+    const Placing& placing = placed.placings[static_cast<std::size_t>(p)];
+    if (placing.is_known) continue;
+    for (int k = 0; k < 6; ++k) {
+      Unknown unknown;
+      unknown.owner = Unknown::Owner::kBase;
+      unknown.name = kNames[k] + (placing.setup.empty() ? "" : "@" + placing.setup);
+      unknown.quantity = k < 3 ? Quantity::kLength : Quantity::kAngle;
+      unknown.placing = p;
+      unknown.component = k;
+      unknown.typical = k < 3 ? deflection::reachOf(placed.arm) : 1;
+      unknown.lower = -kInfinity;
+      unknown.upper = kInfinity;
+      list.push_back(unknown);
+    }
+  }
+}
+
+/// Rows' numbers that say where things are, in the order in which they are kept: the tip, joint offsets, then frames.
+bool isGeometry(const Parameter& parameter) {
+  const std::string& name = parameter.name;
+  return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
+         name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
+}
+
+/// A stiffness that is rigid is no parameter yet: makes it finite, hardly giving under the arm's weight.
+bool soften(deflection::Arm& arm, const std::string& name) {
+  const std::size_t dot = name.find(".joint_stiffness.");
+  if (dot == std::string::npos || name.size() != dot + 18) return false;
+  const auto axis = std::string_view("xyz").find(name.back());
+  if (axis == std::string_view::npos) return false;
+  for (auto& row : arm.rows) {
+    if (row.name != name.substr(0, dot)) continue;
+    auto& stiffness = row.joint_stiffness[static_cast<Eigen::Index>(axis)];
+    if (std::isfinite(stiffness)) return false;
+    stiffness = weightOf(arm) * deflection::reachOf(arm) / kHardlyGives;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
+                           const std::vector<Measurement>& readings) {
+  PlacedArm placed{arm, {}};
+  for (const auto& reading : readings) {
+    const bool is_there = std::any_of(placed.placings.begin(), placed.placings.end(),
+                                      [&](const Placing& p) { return p.setup == reading.setup; });
+    if (!is_there) placed.placings.push_back({reading.setup, X_WB, is_known});
+  }
+  if (placed.placings.empty()) placed.placings.push_back({"", X_WB, is_known});
+  return placed;
+}
+
+int placingOf(const PlacedArm& placed, const Measurement& reading) {
+  const auto found = std::find_if(placed.placings.begin(), placed.placings.end(),
+                                  [&](const Placing& p) { return p.setup == reading.setup; });
+  assert(found != placed.placings.end());
+  return static_cast<int>(found - placed.placings.begin());
+}
+
+std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
+  if (name == "tool.tip") return {"tool.tip.x", "tool.tip.y", "tool.tip.z"};
+  if (name != "geometry") return {name};
+  std::vector<std::string> names;
+  for (const auto& parameter : deflection::parametersOf(arm))
+    if (isGeometry(parameter)) names.push_back(parameter.name);
+  return names;
+}
+
+Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
+  Unknowns result;
+  if (choice.base) addBase(placed, result.list);
+  const auto is_free = [&](const std::string& name) {
+    return std::any_of(result.list.begin(), result.list.end(), [&](const Unknown& u) { return u.name == name; });
+  };
+  for (const bool geometry : {false, true})
+    for (const auto& group : choice.names) {
+      if ((group == "geometry") != geometry) continue;
+      for (const auto& name : namesBehind(placed.arm, group)) {
+        if (geometry && is_free(name)) continue;
+        const bool softened = soften(placed.arm, name);
+        const auto parameter = deflection::findParameter(placed.arm, name);
+        if (!parameter)
+          result.problems.push_back(
+              {group, "no number '" + name + "' in the arm", "a number of the arm file by its path"});
+        else if (is_free(name))
+          result.problems.push_back({group, "'" + name + "' again", "every parameter freed once"});
+        else {
+          result.list.push_back(armUnknown(*parameter, placed.arm, softened));
+          result.list.back().is_geometry = geometry;
+        }
+      }
+    }
+  return result;
+}
+
+double valueAt(const Unknown& unknown, double x) {
+  switch (unknown.scale) {
+    case Unknown::Scale::kLogarithm:
+      return unknown.start * std::exp(x);
+    case Unknown::Scale::kCompliance:
+      return 1 / (1 / unknown.start + x);
+    case Unknown::Scale::kLinear:
+      break;
+  }
+  return unknown.start + x;
+}
+
+double slopeAt(const Unknown& unknown, double x) {
+  const double value = valueAt(unknown, x);
+  switch (unknown.scale) {
+    case Unknown::Scale::kLogarithm:
+      return value;
+    case Unknown::Scale::kCompliance:
+      return -value * value;
+    case Unknown::Scale::kLinear:
+      break;
+  }
+  return 1;
+}
+
+PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) {
+  PlacedArm placed = start;
+  std::vector<BaseStep> steps(placed.placings.size(), BaseStep::Zero());
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    const Unknown& unknown = unknowns[k];
+    const double value = x[static_cast<Eigen::Index>(k)];
+    if (unknown.owner == Unknown::Owner::kBase)
+      steps[static_cast<std::size_t>(unknown.placing)][unknown.component] = value;
+    else
+      deflection::locate(placed.arm, unknown.path) = valueAt(unknown, value);
+  }
+  for (std::size_t p = 0; p < steps.size(); ++p) placed.placings[p].X_WB = moved(start.placings[p].X_WB, steps[p]);
+  return placed;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,78 @@
+// The arm where it stands, and the numbers of both that a fit may change.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "deflection/parameters.hpp"
+
+namespace tubeplan::calibration {
+
+/// One placing of the base: every set-up of a session has its own.
+struct Placing {
+  std::string setup;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  bool is_known = false;
+};
+
+struct PlacedArm {
+  deflection::Arm arm;
+  std::vector<Placing> placings;
+};
+
+/// The arm placed at X_WB for every set-up that the readings name, in their order.
+[[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
+                                         const std::vector<Measurement>& readings);
+
+/// Index of the placing a reading was made at; the set-up must be one of them.
+[[nodiscard]] int placingOf(const PlacedArm& placed, const Measurement& reading);
+
+/// One number that a fit may change: of the arm, or one of the six of a placing (a shift [m] along, then a turn [rad]
+/// about, the world's axes, from where the placing started). Stiffnesses change by their logarithm, so that they stay
+/// positive; those of an axis that was rigid by its compliance, which starts next to nothing.
+struct Unknown {
+  enum class Owner { kArm, kBase };
+  std::string name;  ///< "tool.joint_stiffness.z", "base.shift.x", "base.turn.z@SETUP"
+  deflection::Quantity quantity = deflection::Quantity::kNone;
+  Owner owner = Owner::kArm;
+  deflection::ParameterPath path;
+  int placing = -1, component = -1;
+  enum class Scale { kLinear, kLogarithm, kCompliance };
+  Scale scale = Scale::kLinear;
+  bool is_geometry = false;  ///< freed by `geometry`
+  double typical = 1;  ///< how far the variable may well be from its start; the yardstick of what data tell
+  double start = 0;  ///< of the parameter
+  double lower = 0, upper = 0;  ///< of the variable x (0 at the start)
+};
+
+/// Why the names cannot be freed; empty where they can.
+struct FreeProblem {
+  std::string name, found, expected;
+};
+
+struct FreeChoice {
+  std::vector<std::string> names;  ///< dotted names, "tool.tip", "geometry"
+  bool base = true;                ///< also every placing that is not known
+};
+
+/// The unknowns of a choice: placings first, then names in their order, `geometry` last. Axes that are rigid and named
+/// become finite in `placed`. Every variable is 0 at the start.
+struct Unknowns {
+  std::vector<FreeProblem> problems;
+  std::vector<Unknown> list;
+};
+[[nodiscard]] Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice);
+
+/// Adds a prefix-free list of dotted names that stand for `name`: itself, the three of "tool.tip", all of "geometry".
+[[nodiscard]] std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name);
+
+/// The placed arm with these variables applied to its start.
+[[nodiscard]] PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x);
+
+/// The value of a parameter for its variable, and the slope between them.
+[[nodiscard]] double valueAt(const Unknown& unknown, double x);
+[[nodiscard]] double slopeAt(const Unknown& unknown, double x);
+
+}  // namespace tubeplan::calibration

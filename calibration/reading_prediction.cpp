@@ -1,0 +1,108 @@
+#include "calibration/reading_prediction.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace tubeplan::calibration {
+
+using deflection::Variable;
+using Eigen::Matrix3d, Eigen::Matrix3Xd, Eigen::MatrixXd, Eigen::Vector3d;
+
+namespace {
+
+constexpr double kLeastSigma = 1e-6;  // m
+
+Matrix3d crossMatrix(const Vector3d& v) {
+  Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+/// The tip's place and its derivatives, in the world.
+Prediction placeTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
+                    const PredictionRequest& request) {
+  std::vector<Variable> variables = request.numbers;
+  const auto numbers = static_cast<Eigen::Index>(variables.size());
+  if (request.by_base)
+    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
+  if (request.by_joints)
+    for (const auto& joint : deflection::jointVariables(arm)) variables.push_back(joint);
+  Prediction tip;
+  const Matrix3d R = X_WB.linear();
+  if (variables.empty()) {
+    const auto shape = deflection::solveFlexibleKinematics(arm, posture);
+    tip.ok = shape.status == deflection::KinematicsStatus::kConverged;
+    tip.value = X_WB * shape.X_BD.p;
+    return tip;
+  }
+  const auto derivatives = deflection::differentiateTip(arm, posture, variables);
+  tip.ok = derivatives.kinematics.status == deflection::KinematicsStatus::kConverged;
+  const Vector3d r_W = R * derivatives.kinematics.X_BD.p;
+  tip.value = X_WB.translation() + r_W;
+  tip.by_numbers = R * derivatives.position_B.leftCols(numbers);
+  if (request.by_base) {
+    tip.by_base.resize(3, 6);
+    tip.by_base.leftCols<3>().setIdentity();
+    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
+    tip.by_base.rightCols<3>() =
+        -crossMatrix(r_W) - R * derivatives.position_B.middleCols<3>(numbers) * R.transpose();
+  }
+  if (request.by_joints)
+    tip.by_joints = R * derivatives.position_B.rightCols(posture.q.size());
+  return tip;
+}
+
+void subtract(Prediction& a, const Prediction& b) {
+  a.ok = a.ok && b.ok;
+  a.value -= b.value;
+  if (a.by_numbers.size()) a.by_numbers -= b.by_numbers;
+  if (a.by_base.size()) a.by_base -= b.by_base;
+  if (a.by_joints.size()) a.by_joints -= b.by_joints;
+}
+
+/// From the tip's place to its distance from the anchor.
+void measureFrom(const Vector3d& anchor, Prediction& tip) {
+  const Vector3d line = tip.value - anchor;
+  const Eigen::RowVector3d direction = line.normalized().transpose();
+  tip.value = Eigen::VectorXd::Constant(1, line.norm());
+  if (tip.by_numbers.size()) tip.by_numbers = direction * tip.by_numbers;
+  if (tip.by_base.size()) tip.by_base = direction * tip.by_base;
+  if (tip.by_joints.size()) tip.by_joints = direction * tip.by_joints;
+}
+
+}  // namespace
+
+int rowsOf(const Measurement& reading) { return reading.kind == MeasurementKind::kDistance ? 1 : 3; }
+
+deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
+                              const Eigen::Isometry3d& X_WB) {
+  return {reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
+}
+
+Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                          const PredictionRequest& request) {
+  deflection::Posture posture = postureOf(reading, arm, X_WB);
+  Prediction prediction = placeTip(arm, X_WB, posture, request);
+  if (reading.kind == MeasurementKind::kDeflection) {
+    posture.load = 0;
+    subtract(prediction, placeTip(arm, X_WB, posture, request));
+  }
+  if (reading.kind == MeasurementKind::kDistance) measureFrom(*reading.p_W, prediction);
+  return prediction;
+}
+
+MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading, const MatrixXd& by_joints) {
+  const Eigen::Index rows = rowsOf(reading);
+  const double sigma = std::isfinite(reading.sigma) ? std::max(reading.sigma, kLeastSigma) : kLeastSigma;
+  MatrixXd covariance = MatrixXd::Identity(rows, rows) * sigma * sigma;
+  const auto active = deflection::activeRows(arm);
+  assert(by_joints.cols() == static_cast<Eigen::Index>(active.size()));
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const Eigen::VectorXd column =
+        by_joints.col(static_cast<Eigen::Index>(k)) * arm.rows[static_cast<std::size_t>(active[k])].joint.encoder_sigma;
+    covariance += column * column.transpose();
+  }
+  return covariance;
+}
+
+}  // namespace tubeplan::calibration

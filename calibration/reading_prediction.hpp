@@ -1,0 +1,43 @@
+// What the model expects a reading to be, whatever its kind, with exact derivatives.
+#pragma once
+
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "calibration/placed_arm.hpp"
+#include "deflection/tip_derivatives.hpp"
+
+namespace tubeplan::calibration {
+
+/// What is asked for beside the value.
+struct PredictionRequest {
+  std::vector<deflection::Variable> numbers;  ///< of the arm; also any other variable of the tip
+  bool by_base = false;
+  bool by_joints = false;
+};
+
+/// The place of the tip (position, touch), its displacement by the load (deflection), or its distance from the anchor:
+/// 3 or 1 rows, m.
+struct Prediction {
+  bool ok = false;  ///< whether the deflected shape settled; the rest is not to be used otherwise
+  Eigen::VectorXd value;
+  Eigen::MatrixXd by_numbers, by_base, by_joints;  ///< rows x numbers; rows x 6, at a zero step; rows x joints
+};
+
+/// 3, or 1 for a distance.
+[[nodiscard]] int rowsOf(const Measurement& reading);
+
+/// The posture of a reading at a placing.
+[[nodiscard]] deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
+                                            const Eigen::Isometry3d& X_WB);
+
+/// `arm` stands at `X_WB`.
+[[nodiscard]] Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                        const Measurement& reading, const PredictionRequest& request = {});
+
+/// Covariance [m^2] of a reading: its own noise on every coordinate, and the encoders' through `by_joints`. Readings
+/// that state no sigma count as exact to a micrometre.
+[[nodiscard]] Eigen::MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading,
+                                                const Eigen::MatrixXd& by_joints);
+
+}  // namespace tubeplan::calibration

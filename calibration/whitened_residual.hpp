@@ -1,0 +1,60 @@
+// The misfit of a whole campaign in units of its noise: every kind of reading, any number of set-ups, the touched
+// points that nobody measured eliminated exactly.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "calibration/placed_arm.hpp"
+#include "deflection/tip_derivatives.hpp"
+
+namespace tubeplan::calibration {
+
+/// Where each reading's rows stand, how they are weighted, and which readings touched one unknown point.
+///
+/// Elimination: whitened readings of one unknown point P are W_i p_i with Q an orthonormal basis of the stacked W_i; the
+/// best P leaves (I - Q Q^T) W p. So the point costs 3 degrees of freedom and no variable.
+struct ReadingWeights {
+  struct UnknownPoint {
+    std::string name;
+    std::vector<int> readings;
+    Eigen::MatrixXd Q;         ///< 3 n x 3
+    Eigen::MatrixXd estimate;  ///< 3 x 3 n: takes the stacked tip places to the point
+  };
+  std::vector<int> first_row;             ///< of each reading
+  std::vector<Eigen::MatrixXd> whitener;  ///< L^-1 of the covariance L L^T, times the root of its weight
+  std::vector<Eigen::MatrixXd> covariance;
+  std::vector<UnknownPoint> points;
+  int rows = 0;
+  int degrees_of_freedom = 0;  ///< rows less those of the points
+};
+
+/// Weights at a state of the arm: the covariance of each reading with its encoders' noise. `factors`, where given, are
+/// the weights of a robust fit, one for each reading. Nothing where the model cannot be evaluated.
+[[nodiscard]] std::optional<ReadingWeights> weighReadings(const PlacedArm& placed,
+                                                          const std::vector<Measurement>& readings,
+                                                          const Eigen::VectorXd& factors = {});
+
+struct WhitenedResidual {
+  bool ok = false;
+  Eigen::VectorXd r;         ///< whitened, predicted less measured; rows of `weights`
+  Eigen::MatrixXd jacobian;  ///< by the unknowns' variables, where asked for
+  Eigen::VectorXd error;     ///< the same in metres, not whitened; of an unknown point: from its estimate
+};
+
+/// The residual at variables x of the unknowns, from the state `start`.
+[[nodiscard]] WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                                const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                                const Eigen::VectorXd& x, bool with_jacobian);
+
+/// Length of each reading's error [m].
+[[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                           const Eigen::VectorXd& error);
+
+/// What noise alone leaves: root mean square over the readings of the error's length [m], with the touched points'
+/// estimates taken off.
+[[nodiscard]] double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights& weights);
+
+}  // namespace tubeplan::calibration
