@@ -1,0 +1,193 @@
+#include "calibration/diagnosis/score_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <cassert>
+#include <cmath>
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kAbsorbed = 1e-4;    // kept share of a column below which it is the fit's own
+constexpr double kBeyondBand = 2;     // sigmas by which a size may pass the plausible band
+constexpr double kSingular = 1e-8;    // of the largest eigenvalue
+
+constexpr std::size_t kMostColumns = 8;
+
+/// -log10 of the chance of a fall that large by noise alone.
+double evidenceOf(double fall, double degrees, bool one_sided) {
+  double p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), std::max(0., fall)));
+  if (one_sided) p /= 2;
+  return -std::log10(std::max(p, 1e-300));
+}
+
+/// Empty where the block is singular.
+MatrixXd inverseOf(const MatrixXd& block) {
+  if (block.rows() == 1) return block(0, 0) > 0 ? MatrixXd::Constant(1, 1, 1 / block(0, 0)) : MatrixXd();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(block);
+  const VectorXd& values = eigen.eigenvalues();
+  if (!(values[0] > kSingular * values[values.size() - 1])) return {};
+  return eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// All non-empty choices of sizes; with more than four only single ones and all of them.
+std::vector<std::vector<int>> choicesOf(int sizes) {
+  std::vector<std::vector<int>> choices;
+  for (unsigned mask = 1; mask < (1u << sizes); ++mask) {
+    std::vector<int> choice;
+    for (int k = 0; k < sizes; ++k)
+      if (mask & (1u << k)) choice.push_back(k);
+    if (sizes <= 4 || choice.size() == 1 || static_cast<int>(choice.size()) == sizes) choices.push_back(choice);
+  }
+  return choices;
+}
+
+}  // namespace
+
+ScoreSpace::ScoreSpace(const Catalogue& catalogue, const MatrixXd& jacobian, const VectorXd& r) : catalogue_(catalogue) {
+  Index count = 0;
+  for (const auto& entry : catalogue.columns) count += entry.columns.cols();
+  MatrixXd S(r.size(), count);
+  Index column = 0;
+  for (const auto& entry : catalogue.columns) {
+    const Candidate& candidate = catalogue.candidates[static_cast<std::size_t>(entry.candidate)];
+    const Index first = column;
+    for (Index k = 0; k < entry.columns.cols(); ++k, ++column) {
+      S.col(column) = entry.columns.col(k);
+      length_.push_back(S.col(column).norm());
+      const int value = candidate.sizes[static_cast<std::size_t>(k)];
+      const double unit = candidate.unit[static_cast<std::size_t>(value)];
+      const double neutral = candidate.neutral.values[static_cast<std::size_t>(value)];
+      lower_.push_back(std::max(-1., (candidate.lower[static_cast<std::size_t>(value)] - neutral) / unit));
+      upper_.push_back(std::min(1., (candidate.upper[static_cast<std::size_t>(value)] - neutral) / unit));
+    }
+    for (const auto& choice : choicesOf(static_cast<int>(entry.columns.cols()))) {
+      Variant variant{
+          entry.candidate, entry.level, choice, {}, static_cast<int>(choice.size()) + (candidate.shape >= 0), {}};
+      for (const int size : choice) variant.columns.push_back(static_cast<int>(first) + size);
+      variants_.push_back(std::move(variant));
+    }
+  }
+  VectorXd rest = -r;
+  if (jacobian.cols() > 0) {
+    const Eigen::HouseholderQR<MatrixXd> qr(jacobian);
+    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(jacobian.rows(), jacobian.cols());
+    S -= (Q * (Q.transpose() * S)).eval();
+    rest -= (Q * (Q.transpose() * rest)).eval();
+  }
+  G_ = S.transpose() * S;
+  b_ = S.transpose() * rest;
+  std::erase_if(variants_, [&](const Variant& variant) {
+    return std::any_of(variant.columns.begin(), variant.columns.end(), [&](int c) {
+      return !(std::sqrt(G_(c, c)) > kAbsorbed * length_[static_cast<std::size_t>(c)]);
+    });
+  });
+  for (Variant& variant : variants_) variant.inverse = inverseOf(G_(variant.columns, variant.columns));
+}
+
+Score ScoreSpace::solved(const std::vector<int>& columns, const MatrixXd& inverse, const VectorXd& b) const {
+  Score score;
+  if (inverse.size() == 0) {
+    score.is_physical = false;
+    return score;
+  }
+  const VectorXd right = b(columns);
+  score.sizes = inverse * right;
+  score.sigma = inverse.diagonal().cwiseSqrt();
+  for (Index k = 0; k < right.size(); ++k) {
+    const auto c = static_cast<std::size_t>(columns[static_cast<std::size_t>(k)]);
+    const double slack = kBeyondBand * score.sigma[k];
+    // A hard bound (a gap below none) ends an effect; the plausible band may be passed by what noise explains.
+    if ((lower_[c] == 0 && score.sizes[k] < 0) || (upper_[c] == 0 && score.sizes[k] > 0) ||
+        score.sizes[k] < lower_[c] - slack || score.sizes[k] > upper_[c] + slack)
+      score.is_physical = false;
+  }
+  if (score.is_physical) score.fall = right.dot(score.sizes);
+  return score;
+}
+
+Score ScoreSpace::score(const std::vector<int>& variants) const {
+  if (variants.size() == 1) {
+    const Variant& only = variants_[static_cast<std::size_t>(variants.front())];
+    return solved(only.columns, only.inverse, b_);
+  }
+  std::vector<int> columns;
+  for (const int v : variants) {
+    const auto& some = variants_[static_cast<std::size_t>(v)].columns;
+    columns.insert(columns.end(), some.begin(), some.end());
+  }
+  return solved(columns, inverseOf(G_(columns, columns)), b_);
+}
+
+bool ScoreSpace::isOneSided(int variant) const {
+  const Variant& v = variants_[static_cast<std::size_t>(variant)];
+  const auto c = static_cast<std::size_t>(v.columns.front());
+  return v.columns.size() == 1 && (lower_[c] == 0 || upper_[c] == 0);
+}
+
+double ScoreSpace::evidence(int variant, const Score& score) const {
+  if (!score.is_physical || score.fall <= 0) return 0;
+  const auto degrees = static_cast<double>(variants_[static_cast<std::size_t>(variant)].columns.size());
+  return evidenceOf(score.fall, degrees, isOneSided(variant));
+}
+
+double ScoreSpace::keptFraction(int variant) const {
+  const Variant& v = variants_[static_cast<std::size_t>(variant)];
+  double best = 0;
+  for (const int c : v.columns)
+    if (length_[static_cast<std::size_t>(c)] > 0)
+      best = std::max(best, std::sqrt(G_(c, c)) / length_[static_cast<std::size_t>(c)]);
+  return best;
+}
+
+double ScoreSpace::visibility(int variant) const {
+  const int c = variants_[static_cast<std::size_t>(variant)].columns.front();
+  return std::sqrt(G_(c, c));
+}
+
+double ScoreSpace::correlation(int a, int b) const {
+  const auto& A = variants_[static_cast<std::size_t>(a)].columns;
+  const auto& B = variants_[static_cast<std::size_t>(b)].columns;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> left(MatrixXd(G_(A, A))), right(MatrixXd(G_(B, B)));
+  const MatrixXd cross = left.operatorInverseSqrt() * G_(A, B) * right.operatorInverseSqrt();
+  return std::min(1., cross.jacobiSvd().singularValues()[0]);
+}
+
+double ScoreSpace::familyThreshold(double level, int draws, std::uint64_t seed) const {
+  if (variants_.empty()) return 0;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(G_);
+  const MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  boost::random::mt19937_64 random(seed);
+  boost::random::normal_distribution<double> normal;
+  std::vector<double> best;
+  VectorXd z(root.cols());
+  // Within variants of as many columns, the largest fall is the largest evidence: only that one needs its tail.
+  std::vector<std::array<double, 2>> most(kMostColumns + 1);
+  for (int n = 0; n < draws; ++n) {
+    for (double& value : z) value = normal(random);
+    const VectorXd b = root * z;
+    for (auto& falls : most) falls = {0, 0};
+    for (int v = 0; v < static_cast<int>(variants_.size()); ++v) {
+      const Variant& variant = variants_[static_cast<std::size_t>(v)];
+      double& fall = most[variant.columns.size()][isOneSided(v)];
+      fall = std::max(fall, solved(variant.columns, variant.inverse, b).fall);
+    }
+    double evidence = 0;
+    for (std::size_t degrees = 1; degrees < most.size(); ++degrees)
+      for (const bool one_sided : {false, true})
+        if (most[degrees][one_sided] > 0)
+          evidence = std::max(evidence, evidenceOf(most[degrees][one_sided], static_cast<double>(degrees), one_sided));
+    best.push_back(evidence);
+  }
+  const auto at = static_cast<long>((1 - level) * static_cast<double>(draws));
+  std::nth_element(best.begin(), best.begin() + at, best.end());
+  return best[static_cast<std::size_t>(at)];
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,80 @@
+// Levenberg-Marquardt with bounds: damped Gauss-Newton steps in the variables that no bound holds (Marquardt 1963; the
+// damping of Nielsen 1999). Cheap to start, so it is what repeated refits use.
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/scaled_problem.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double kFirstDamping = 1e-6;  // of the largest diagonal of the normal equations
+constexpr double kLargestDamping = 1e12;
+
+/// Variables at a bound that the gradient presses against take no part in a step.
+std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
+  std::vector<Index> free;
+  for (Index k = 0; k < x.size(); ++k) {
+    const bool is_pressed = (x[k] <= problem.lower()[k] && gradient[k] > 0) ||
+                            (x[k] >= problem.upper()[k] && gradient[k] < 0);
+    if (!is_pressed && problem.lower()[k] < problem.upper()[k]) free.push_back(k);
+  }
+  return free;
+}
+
+VectorXd dampedStep(const MatrixXd& normal, const VectorXd& gradient, const std::vector<Index>& free, double damping) {
+  MatrixXd some = normal(free, free);
+  some.diagonal() += damping * normal(free, free).diagonal().cwiseMax(1e-30);
+  const VectorXd part = some.ldlt().solve(-gradient(free));
+  VectorXd step = VectorXd::Zero(gradient.size());
+  for (std::size_t k = 0; k < free.size(); ++k) step[free[k]] = part[static_cast<Index>(k)];
+  return step;
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  using Status = LeastSquaresStatus;
+  ScaledProblem scaled(problem);
+  VectorXd x = scaled.start(), r;
+  MatrixXd jacobian;
+  if (!scaled.linearizeAt(x, r, jacobian)) return scaled.failureAtStart();
+  double chi2 = r.squaredNorm(), damping = kFirstDamping, growth = 2;
+  for (int iterations = 0;; ++iterations) {
+    const MatrixXd normal = jacobian.transpose() * jacobian;
+    const VectorXd gradient = jacobian.transpose() * r;
+    const auto free = movable(scaled, x, gradient);
+    if (free.empty()) return scaled.resultAt(x, chi2, Status::kConverged, "every variable rests on a bound", iterations);
+    if (iterations == stop.max_iterations)
+      return scaled.resultAt(x, chi2, Status::kIterationLimit, "stopped at the iteration limit", iterations);
+    double fall = 0, expected = 0;
+    while (true) {
+      const VectorXd next = scaled.withinBounds(x + dampedStep(normal, gradient, free, damping));
+      const VectorXd step = next - x;
+      expected = -2 * gradient.dot(step) - step.dot(normal * step);
+      if (!(expected > stop.tolerance * (1 + chi2)))
+        return scaled.resultAt(x, chi2, Status::kConverged, "no step would lower chi2 by more than the tolerance",
+                               iterations);
+      const double tried = scaled.chi2At(next);
+      fall = chi2 - tried;
+      if (fall > 0) {
+        x = next;
+        break;
+      }
+      damping = std::max(damping, kFirstDamping) * growth;
+      growth *= 2;
+      if (damping > kLargestDamping)
+        return scaled.resultAt(x, chi2, Status::kConverged, "chi2 falls no further than by rounding", iterations);
+    }
+    damping *= std::max(1. / 9, 1 - std::pow(2 * fall / expected - 1, 3));
+    growth = 2;
+    if (!scaled.linearizeAt(x, r, jacobian))
+      return scaled.resultAt(x, chi2, Status::kFailed, "the model could not be differentiated", iterations);
+    chi2 = r.squaredNorm();
+  }
+}
+
+}  // namespace tubeplan::calibration
