@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deflection/chain.hpp"
+#include "deflection/effects/effect.hpp"
+
 namespace tubeplan::deflection {
 
 namespace {
@@ -33,7 +36,16 @@ Arm rigidCopy(const Arm& arm) {
     row.joint_stiffness.setConstant(kRigid);
     row.beam.reset();
   }
+  std::erase_if(rigid.effects, [](const Effect& effect) {
+    return effectKinds().at(effect.kind).stage == EffectStage::kFlexibility;
+  });
   return rigid;
+}
+
+Eigen::Vector3d undeflectedMember(const Arm& arm, int row) {
+  if (arm.rows.at(row).joint.type == JointType::kPrismatic) return Eigen::Vector3d::UnitZ();
+  if (row + 1 == static_cast<int>(arm.rows.size())) return arm.p_LT;
+  return offsetInPreviousAxes<double>(arm.rows[row + 1]);
 }
 
 double reachOf(const Arm& arm) {

@@ -9,12 +9,14 @@
 // joint says.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "deflection/effects/placed_effect.hpp"
 #include "deflection/scalar.hpp"
 
 namespace tubeplan::deflection {
@@ -74,6 +76,21 @@ struct Weight {
   std::vector<Lump<S>> lumps;
 };
 
+/// What effects add to a row while a shape is solved; no file has such numbers. What is there at all (`joint_gives`,
+/// `member_gives`, `bends`, `has_gap`) is structure: it is the same whatever the values are, zero included.
+template <class S>
+struct Addition {
+  bool joint_gives = false, member_gives = false;
+  std::array<bool, 3> bends{}, has_gap{};
+  Vector3<S> compliance = Vector3<S>::Zero();            ///< rad/(N m), at the origin, about the row's axes
+  Vector3<S> softness = Vector3<S>::Zero();              ///< see elements/joint_stiffness.hpp ...
+  Vector3<S> knee = Vector3<S>::Zero();                  ///< ... up to this moment [N m]
+  Vector3<S> gap = Vector3<S>::Zero();                   ///< clearance [rad], see elements/clearance.hpp
+  Vector3<S> bending_compliance = Vector3<S>::Zero();    ///< 1/(N m^2), of the member, about the row's axes
+  S torsion_compliance{0};                               ///< 1/(N m^2), of the member
+  Vector3<S> pull = Vector3<S>::Zero();                  ///< N, at the member's end, in base axes
+};
+
 template <class S>
 struct Row {
   std::string name;
@@ -82,6 +99,14 @@ struct Row {
   Vector3<S> joint_stiffness = Vector3<S>::Constant(S(kRigid));  ///< N m/rad about the row's axes, acting at its origin
   std::optional<Beam<S>> beam;
   Weight<S> weight;
+  std::optional<Addition<S>> addition;
+};
+
+/// What effects do to the loads at the tip while a shape is solved; no file has such numbers.
+template <class S>
+struct TipLoad {
+  Vector3<S> payload_offset = Vector3<S>::Zero();  ///< where the hung load acts [m], in the deflected tool frame
+  S contact_force{0};                              ///< at the tip, against gravity [N]
 };
 
 template <class S>
@@ -92,6 +117,8 @@ struct ArmOf {
   Vector3<S> p_LT = Vector3<S>::Zero();          ///< the tip in the last row's frame
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
   double reference_temperature = 293.15;         ///< K, where lengths are nominal
+  std::vector<EffectOf<S>> effects;              ///< what the arm does beyond the model above
+  std::optional<TipLoad<S>> tip_load;
 };
 
 using Arm = ArmOf<double>;
@@ -99,8 +126,12 @@ using Arm = ArmOf<double>;
 /// Indices of the rows that carry a revolute or prismatic joint, in order: the order of every joint vector.
 std::vector<int> activeRows(const Arm& arm);
 
-/// The same arm without any flexibility.
+/// The same arm without any flexibility, that of its effects included.
 Arm rigidCopy(const Arm& arm);
+
+/// The member of a row in its axes [m], joints at zero: to the next row's origin or the tip. Of a prismatic row the
+/// direction of its bar, a unit vector.
+Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 
 /// The largest distance the tip can have from the base, joints at their longest [m]; the yardstick of tolerances.
 double reachOf(const Arm& arm);
@@ -113,7 +144,7 @@ struct ArmProblem {
 };
 
 /// Every problem of an arm, in file order: no rows, double names, a negative or zero stiffness, a flexible beam of no
-/// length, limits the wrong way round, numbers that are not finite. Empty means usable.
+/// length, limits the wrong way round, numbers that are not finite, effects where they cannot be. Empty means usable.
 std::vector<ArmProblem> findProblems(const Arm& arm);
 
 }  // namespace tubeplan::deflection

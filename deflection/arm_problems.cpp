@@ -4,7 +4,7 @@
 #include <string>
 
 #include "deflection/arm.hpp"
-#include "deflection/chain.hpp"
+#include "deflection/effects/effect.hpp"
 #include "deflection/parameters.hpp"
 
 namespace tubeplan::deflection {
@@ -58,11 +58,7 @@ void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
   const std::string path = row.name + ".beam";
   if (row.beam->segments < 1 || row.beam->segments > 1000)
     out.push_back({path + ".segments", std::to_string(row.beam->segments), "1 to 1000"});
-  const bool slides = row.joint.type == JointType::kPrismatic;
-  const bool last = index + 1 == static_cast<int>(arm.rows.size());
-  const Eigen::Vector3d member = slides ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
-                                 : last ? arm.p_LT
-                                        : offsetInPreviousAxes<double>(arm.rows[index + 1]);
+  const Eigen::Vector3d member = undeflectedMember(arm, index);
   if (member.norm() < 1e-9) {
     out.push_back({path, "a flexible member of length zero", "a next row (or tip) away from this row's origin"});
     return;
@@ -94,6 +90,7 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
   if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9)
     out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
   if (joints.empty()) out.push_back({"links", "no joint", "at least one revolute or prismatic row"});
+  for (auto& problem : findEffectProblems(arm)) out.push_back(std::move(problem));
   return out;
 }
 

@@ -38,6 +38,7 @@ template <class S>
 struct Chain {
   std::vector<ChainLink<S>> links;
   std::vector<ComponentStateOf<S>> components;
+  int clearances = 0;  ///< axes with an open gap
 };
 
 /// Translation from a row's origin to the next row's (its bearing, when that one slides), in the row's axes.
@@ -78,6 +79,7 @@ inline int segmentsOf(const Row<double>& values) {
 template <class S>
 void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   const auto before = chain.components.size();
+  if (values.addition) chain.clearances += static_cast<int>((values.addition->gap.array() > 0).count());
   addElements<S>(chain, values, row, ElementPlace::kOrigin, 1);
   if (chain.components.size() == before) return;
   ChainLink<S> link{ChainLinkType::kFlexJoint, row};

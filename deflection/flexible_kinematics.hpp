@@ -10,12 +10,16 @@
 namespace tubeplan::deflection {
 
 /// Where the arm is asked to be: joint readings (rad, m; one per active row), load hung on the tip [N], and the
-/// direction of gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone.
+/// direction of gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone. What
+/// follows matters to some effects only.
 template <class S>
 struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
+  std::vector<int> senses = {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
+  double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN: the arm's reference temperature
+  double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN: now, after any slip and without drift
 };
 using Posture = PostureOf<double>;
 
@@ -48,6 +52,7 @@ struct ComponentStateOf {
   int segment = 0;
   Vector3<S> displacement = Vector3<S>::Zero();  ///< m, in the element's near-end axes
   Vector3<S> rotation = Vector3<S>::Zero();      ///< rad
+  Vector3<S> gap = Vector3<S>::Zero();           ///< rad, the part of the rotation that is clearance
 };
 
 template <class S>
@@ -65,6 +70,7 @@ using FlexibleKinematics = FlexibleKinematicsOf<double>;
 /// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put
 /// together again, until the tip rests. For dual numbers the derivatives are iterated to rest as well, from the values'
 /// fixed point, so they are exact derivatives of the converged shape. `posture.q` must have one entry per active row.
+/// Effects of the arm take part: the result is that of the arm as it really is, in the axes of the base as named.
 [[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
                                                          const FlexibleKinematicsOptions& options = {});
 [[nodiscard]] FlexibleKinematicsOf<Dual> solveFlexibleKinematics(const ArmOf<Dual>& arm, const PostureOf<Dual>& posture,

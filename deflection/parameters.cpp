@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "deflection/effects/effect.hpp"
+
 namespace tubeplan::deflection {
 
 namespace {
@@ -132,6 +134,7 @@ int toolAxis(const ParameterField& f) { return f.name[4] - 'x'; }
 
 template <class S>
 S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
+  if (path.effect >= 0) return arm.effects.at(path.effect).values.at(path.value);
   const ParameterField& f = parameterFields().at(path.field);
   if (f.of_tool) return arm.p_LT[toolAxis(f)];
   S* found = nullptr;
@@ -150,6 +153,21 @@ To castScalar(const From& x) {
 template <class To, class From>
 Vector3<To> castVector(const Vector3<From>& v) {
   return valuesOf(v).template cast<To>();
+}
+
+template <class To, class From>
+Addition<To> castAddition(const Addition<From>& a) {
+  return {a.joint_gives,
+          a.member_gives,
+          a.bends,
+          a.has_gap,
+          castVector<To>(a.compliance),
+          castVector<To>(a.softness),
+          castVector<To>(a.knee),
+          castVector<To>(a.gap),
+          castVector<To>(a.bending_compliance),
+          castScalar<To>(a.torsion_compliance),
+          castVector<To>(a.pull)};
 }
 
 template <class To, class From>
@@ -174,6 +192,7 @@ Row<To> castRow(const Row<From>& row) {
   out.weight.end = castScalar<To>(row.weight.end);
   for (const auto& lump : row.weight.lumps)
     out.weight.lumps.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
+  if (row.addition) out.addition = castAddition<To>(*row.addition);
   return out;
 }
 
@@ -196,6 +215,23 @@ void appendRowParameters(Arm& arm, int row, std::vector<Parameter>& out) {
   }
 }
 
+template <class To, class From>
+EffectOf<To> castEffect(const EffectOf<From>& effect) {
+  EffectOf<To> out{effect.kind, effect.place, {}};
+  for (const From& value : effect.values) out.values.push_back(castScalar<To>(value));
+  return out;
+}
+
+void appendEffectParameters(const Arm& arm, int index, std::vector<Parameter>& out) {
+  const Effect& effect = arm.effects[index];
+  const auto& numbers = effectKinds().at(effect.kind).parameters;
+  for (int k = 0; k < static_cast<int>(numbers.size()); ++k) {
+    const EffectNumber number = numberOf(arm, effect, k);
+    out.push_back({textOf(arm, effect) + "." + numbers[k].name, number.quantity, ParameterPath{-1, -1, -1, index, k},
+                   effect.values.at(k), number.lower, number.upper});
+  }
+}
+
 }  // namespace
 
 template <class To, class From>
@@ -207,6 +243,10 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   out.p_LT = castVector<To>(arm.p_LT);
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
   out.reference_temperature = arm.reference_temperature;
+  for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
+  if (arm.tip_load)
+    out.tip_load =
+        TipLoad<To>{castVector<To>(arm.tip_load->payload_offset), castScalar<To>(arm.tip_load->contact_force)};
   return out;
 }
 
@@ -223,6 +263,7 @@ std::vector<Parameter> parametersOf(const Arm& arm) {
   const auto& fields = parameterFields();
   for (int f = 0; f < static_cast<int>(fields.size()); ++f)
     if (fields[f].of_tool) parameters.push_back(makeParameter(copy, {-1, f, -1}));
+  for (int e = 0; e < static_cast<int>(arm.effects.size()); ++e) appendEffectParameters(arm, e, parameters);
   return parameters;
 }
 

@@ -11,13 +11,31 @@
 namespace tubeplan::deflection {
 
 /// What kind of number a parameter is; readers and printers find its unit from it.
-enum class Quantity { kNone, kLength, kAngle, kForce, kForcePerLength, kTorquePerAngle, kPressure, kLengthToTheFourth };
+enum class Quantity {
+  kNone,  ///< a plain number
+  kLength,
+  kAngle,
+  kForce,
+  kForcePerLength,
+  kTorquePerAngle,
+  kPressure,
+  kLengthToTheFourth,
+  kTorque,
+  kAnglePerTorque,
+  kPerBendingStiffness,  ///< 1/(N m^2)
+  kPerTemperature,       ///< 1/K
+  kSpeed,                ///< m/s
+  kTime,
+};
 
-/// Where a parameter lives: `row` -1 is the tool; `field` indexes parameterFields(); `lump` counts the row's lumps.
+/// Where a parameter lives: `row` -1 is the tool; `field` indexes parameterFields(); `lump` counts the row's lumps. A
+/// number of an effect has only the effect's index in the arm and the value's index in the effect.
 struct ParameterPath {
   int row = -1;
   int field = -1;
   int lump = -1;
+  int effect = -1;
+  int value = -1;
   bool operator==(const ParameterPath&) const = default;
 };
 
@@ -34,14 +52,14 @@ struct ParameterField {
 const std::vector<ParameterField>& parameterFields();
 
 struct Parameter {
-  std::string name;  ///< dotted path in the arm file: "tool.joint_stiffness.z", "tool.tip.x"
+  std::string name;  ///< dotted path in the arm file: "tool.joint_stiffness.z", "tool.tip.x", "backlash@tool.z.gap"
   Quantity quantity = Quantity::kNone;
   ParameterPath path;
   double value = 0;
   double lower = 0, upper = 0;
 };
 
-/// All finite numbers of the arm, in file order; rigid axes are not among them.
+/// All finite numbers of the arm, in file order, then those of its effects; rigid axes are not among them.
 std::vector<Parameter> parametersOf(const Arm& arm);
 
 /// The parameter of that dotted name, or nothing.

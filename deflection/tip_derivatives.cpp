@@ -30,7 +30,9 @@ void seedVariable(Seeded& seeded, Vector3<Dual>& gravity_turn, const Variable& v
 /// Columns of one pass: at most kDualSize variables from `first` on.
 void differentiateSome(const ArmOf<Dual>& arm, const Posture& posture, const std::vector<Variable>& variables,
                        int first, const FlexibleKinematicsOptions& options, TipDerivatives& out) {
-  Seeded seeded{arm, {posture.q.cast<Dual>(), Dual(posture.load), posture.gravity_B.cast<Dual>()}};
+  Seeded seeded{arm,
+                {posture.q.cast<Dual>(), Dual(posture.load), posture.gravity_B.cast<Dual>(), posture.senses,
+                 posture.temperature, posture.time}};
   Vector3<Dual> gravity_turn = Vector3<Dual>::Zero();
   const int count = std::min<int>(kDualSize, static_cast<int>(variables.size()) - first);
   for (int k = 0; k < count; ++k) seedVariable(seeded, gravity_turn, variables[first + k], k);

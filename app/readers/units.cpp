@@ -88,6 +88,18 @@ Dimension dimensionOf(deflection::Quantity quantity) {
       return dimension::kPressure;
     case Q::kLengthToTheFourth:
       return dimension::kLengthToTheFourth;
+    case Q::kTorque:
+      return dimension::kTorque;
+    case Q::kAnglePerTorque:
+      return dimension::kAnglePerTorque;
+    case Q::kPerBendingStiffness:
+      return dimension::kPerBendingStiffness;
+    case Q::kPerTemperature:
+      return dimension::kPerTemperature;
+    case Q::kSpeed:
+      return dimension::kSpeed;
+    case Q::kTime:
+      return dimension::kTime;
   }
   return dimension::kNone;
 }
@@ -109,7 +121,9 @@ Units::Units(const YamlNode& node) : Units() {
 }
 
 double Units::factor(Dimension d) const {
-  return std::pow(length_->factor, d.length) * std::pow(angle_->factor, d.angle) * std::pow(force_->factor, d.force);
+  const double mechanical =
+      std::pow(length_->factor, d.length) * std::pow(angle_->factor, d.angle) * std::pow(force_->factor, d.force);
+  return mechanical * std::pow(temperature_->factor, d.temperature) * std::pow(time_->factor, d.time);
 }
 
 double Units::toInternal(double value, Dimension dimension) const { return value * factor(dimension); }
@@ -127,6 +141,8 @@ std::string Units::nameOf(Dimension d) const {
   appendPower(over, under, force_->name, d.force);
   appendPower(over, under, length_->name, d.length);
   appendPower(over, under, angle_->name, d.angle);
+  appendPower(over, under, temperature_->name, d.temperature);
+  appendPower(over, under, time_->name, d.time);
   if (over.empty()) over = "1";
   return under.empty() ? over : over + "/" + under;
 }

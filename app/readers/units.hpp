@@ -32,10 +32,11 @@ struct Unit {
 /// The names of a kind: in, mm, m, ft.
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
-/// A quantity by its exponents. Speeds and accelerations have none for time: in the arm file they are per second
-/// whatever the unit of time is (6 is 6 deg/s in a file whose time unit is the minute).
+/// A quantity by its exponents; a temperature is a difference of two. Joint speeds and accelerations have none for time:
+/// in the arm file they are per second whatever the unit of time is (6 is 6 deg/s in a file whose time unit is the
+/// minute). The rates of effects follow the unit of time.
 struct Dimension {
-  int length = 0, angle = 0, force = 0;
+  int length = 0, angle = 0, force = 0, temperature = 0, time = 0;
 };
 
 namespace dimension {
@@ -47,6 +48,12 @@ inline constexpr Dimension kForcePerLength{-1, 0, 1};
 inline constexpr Dimension kTorquePerAngle{1, -1, 1};
 inline constexpr Dimension kPressure{-2, 0, 1};
 inline constexpr Dimension kLengthToTheFourth{4, 0, 0};
+inline constexpr Dimension kTorque{1, 0, 1};
+inline constexpr Dimension kAnglePerTorque{-1, 1, -1};
+inline constexpr Dimension kPerBendingStiffness{-2, 0, -1};
+inline constexpr Dimension kPerTemperature{0, 0, 0, -1};
+inline constexpr Dimension kSpeed{1, 0, 0, 0, -1};
+inline constexpr Dimension kTime{0, 0, 0, 0, 1};
 }  // namespace dimension
 
 /// The offset of a prismatic joint is a length although its quantity says angle: that is for the caller to see.

@@ -1,0 +1,42 @@
+// Clearance of a joint, crossed in the sense of the moment.
+//
+// Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
+// Symbols: g gap [rad].
+// Validity: at rest, without friction; at axes that give, and at the joint axis of every turning row.
+// Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::backlash {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  Addition<S>& addition = additionOf(situation, effect.place.row);
+  addition.joint_gives = true;
+  addition.has_gap[effect.place.axis] = true;
+  addition.gap[effect.place.axis] += effect.values[0];
+}
+
+inline bool hasPlace(const Arm& arm, int row, int axis) {
+  const Row<double>& r = arm.rows[row];
+  return std::isfinite(r.joint_stiffness[axis]) || (axis == 2 && r.joint.type == JointType::kRevolute);
+}
+
+inline EffectKind kind() {
+  return {.name = "backlash",
+          .law = "rotation = half the gap in the sense of the moment, free where the moment is zero",
+          .validity = "at rest, without friction",
+          .source = "complementarity; Harmonic Drive catalogues, backlash",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kRowAxis,
+          .needs = {},
+          .parameters = {{"gap", Quantity::kAngle, 0, 0, 1.6, 0.02}},
+          .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::backlash

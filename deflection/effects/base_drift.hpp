@@ -1,0 +1,38 @@
+// A base that creeps.
+//
+// Law: the base stands shifted by rate * time.
+// Symbols: rate [m/s] in base axes, time [s] counted from the measurements' zero.
+// Validity: creep in proportion to time. A reading without a time counts as undrifted.
+// Source: rigid body.
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::base_drift {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  if (std::isnan(situation.asked.time)) return;
+  for (int k = 0; k < 3; ++k) situation.X_BM.p[k] += effect.values[k] * situation.asked.time;
+}
+
+inline EffectKind kind() {
+  return {.name = "base-drift",
+          .law = "the base stands shifted by (x, y, z) * time",
+          .validity = "creep in proportion to time",
+          .source = "rigid body",
+          .stage = EffectStage::kBase,
+          .at = PlaceRule::kWord,
+          .word = "base",
+          .needs = {.time = true},
+          .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5},
+                         {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5},
+                         {"z", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::base_drift

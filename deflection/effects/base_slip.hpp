@@ -1,0 +1,39 @@
+// A base that steps once.
+//
+// Law: from the slip's time on the base stands shifted by (x, y, z) and turned by yaw about its own z axis.
+// Symbols: x, y, z [m] in the axes of the base before, yaw [rad], t slip time [s].
+// Validity: one step. A reading without a time counts as after it.
+// Source: rigid body.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::base_slip {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  if (situation.asked.time < valueOf(effect.values[4])) return;
+  for (int k = 0; k < 3; ++k) situation.X_BM.p[k] += effect.values[k];
+  situation.X_BM.R = situation.X_BM.R * rotationZ<S>(effect.values[3]);
+}
+
+inline EffectKind kind() {
+  return {.name = "base-slip",
+          .law = "from a time on the base stands shifted by (x, y, z) and turned by yaw about its z axis",
+          .validity = "one step",
+          .source = "rigid body",
+          .stage = EffectStage::kBase,
+          .at = PlaceRule::kWord,
+          .word = "base",
+          .needs = {.time = true},
+          .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
+                         {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
+                         {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
+                         {"yaw", Quantity::kAngle, 0, -3.2, 3.2, 0.02},
+                         {"time", Quantity::kTime, 0, -kUnbounded, kUnbounded, kUnbounded, true}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::base_slip

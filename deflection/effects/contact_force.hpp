@@ -1,0 +1,33 @@
+// What is touched pushes back.
+//
+// Law: a constant force at the tip, against gravity.
+// Symbols: f [N], positive upwards.
+// Validity: a probe or rest of constant force; the same in every reading.
+// Source: statics.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::contact_force {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  tipLoadOf(situation).contact_force += effect.values[0];
+}
+
+inline EffectKind kind() {
+  return {.name = "contact-force",
+          .law = "a constant force at the tip, against gravity",
+          .validity = "the same in every reading",
+          .source = "statics",
+          .stage = EffectStage::kLoad,
+          .at = PlaceRule::kWord,
+          .word = "tip",
+          .needs = {},
+          .parameters = {{"force", Quantity::kForce, 0, -kUnbounded, kUnbounded, 200}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::contact_force

@@ -1,0 +1,94 @@
+// The catalogue of physical effects: what an arm may do that its file does not say. Each is a law in one file and a row
+// of the table in effects.cpp; nothing else names it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deflection/effects/situation.hpp"
+#include "deflection/parameters.hpp"
+
+namespace tubeplan::deflection {
+
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// One number of an effect, in internal units. On a prismatic joint the angles of reading effects are lengths.
+struct EffectParameter {
+  const char* name;
+  Quantity quantity;
+  double neutral;       ///< where the effect does nothing (with all others neutral)
+  double lower, upper;  ///< hard physical bounds
+  double plausible;     ///< largest size that a real machine has: what goes beyond is not an explanation
+  bool is_shape = false;  ///< has a meaning only while the effect is not neutral, and must be scanned
+  double (*least)(const Arm&, const Place&) = nullptr;  ///< in the place of `lower`, where the arm decides it
+};
+
+/// What an effect acts on.
+enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasurement };
+
+/// How a place is written: `theta2`, `theta3<-theta2`, `forearm`, `tool.z`, or the kind's fixed word.
+enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kWord };
+
+/// What measurements must hold for an effect to be seen: columns of them, or a hung load.
+struct EffectNeeds {
+  bool senses = false, temperature = false, time = false, load = false;
+};
+
+/// One row of the effect table.
+struct EffectKind {
+  const char* name;
+  const char* law;  ///< one line
+  const char* validity;
+  const char* source;
+  EffectStage stage;
+  PlaceRule at;
+  const char* word = "";  ///< the only place's name, for PlaceRule::kWord
+  EffectNeeds needs;
+  std::vector<EffectParameter> parameters;
+  std::vector<Place> (*places)(const Arm&);  ///< every place of an arm where the effect can be
+  void (*apply)(const EffectOf<double>&, Situation<double>&);
+  void (*applyDual)(const EffectOf<Dual>&, Situation<Dual>&);
+};
+
+const std::vector<EffectKind>& effectKinds();
+
+/// Index of the kind of that name, or nothing.
+[[nodiscard]] std::optional<int> findEffectKind(std::string_view name);
+
+/// A place as it is written in files and reports.
+[[nodiscard]] std::string textOf(const Arm& arm, const EffectKind& kind, const Place& place);
+
+/// Every place of an arm where the effect can be, as text.
+[[nodiscard]] std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind);
+
+[[nodiscard]] std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text);
+
+/// `backlash@tool.z`
+[[nodiscard]] std::string textOf(const Arm& arm, const Effect& effect);
+
+enum class EffectStatus { kNotRun, kMade, kUnknownEffect, kUnknownPlace };
+
+struct MadeEffect {
+  EffectStatus status = EffectStatus::kNotRun;
+  std::string reason;              ///< why not made
+  std::vector<std::string> known;  ///< the names that would have been understood, where one was not
+  Effect effect;                   ///< at neutral values
+};
+
+/// An effect at its neutral values, from its name and place: ("backlash", "tool.z").
+[[nodiscard]] MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at);
+
+/// An effect's number as it is at its place: its quantity there and the bounds that the arm gives it.
+struct EffectNumber {
+  Quantity quantity;
+  double lower, upper;
+};
+[[nodiscard]] EffectNumber numberOf(const Arm& arm, const Effect& effect, int value);
+
+/// Problems of the arm's effects: unknown kinds, places that the arm does not have, one effect twice at a place, numbers
+/// missing or out of their bounds.
+[[nodiscard]] std::vector<ArmProblem> findEffectProblems(const Arm& arm);
+
+}  // namespace tubeplan::deflection

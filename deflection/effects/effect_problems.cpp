@@ -1,0 +1,60 @@
+// What is wrong with the effects of an arm.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+bool isOneOf(const Arm& arm, const EffectKind& kind, const Place& place) {
+  const auto all = kind.places(arm);
+  return std::find(all.begin(), all.end(), place) != all.end();
+}
+
+void checkValues(const Arm& arm, const Effect& effect, std::vector<ArmProblem>& out) {
+  const auto& parameters = effectKinds()[effect.kind].parameters;
+  const std::string name = textOf(arm, effect);
+  if (effect.values.size() != parameters.size()) {
+    out.push_back({name, std::to_string(effect.values.size()) + " numbers", std::to_string(parameters.size())});
+    return;
+  }
+  for (int k = 0; k < static_cast<int>(parameters.size()); ++k) {
+    const EffectNumber number = numberOf(arm, effect, k);
+    const double value = effect.values[k];
+    const std::string path = name + "." + parameters[k].name;
+    if (!std::isfinite(value))
+      out.push_back({path, std::to_string(value), "a finite number"});
+    else if (value < number.lower || value > number.upper)
+      out.push_back({path, value < 0 && number.lower == 0 ? "a negative number" : std::to_string(value),
+                     number.lower == 0 ? "zero or more, in its physical range" : "a value in its physical range"});
+  }
+}
+
+}  // namespace
+
+std::vector<ArmProblem> findEffectProblems(const Arm& arm) {
+  std::vector<ArmProblem> out;
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < arm.effects.size(); ++k) {
+    const Effect& effect = arm.effects[k];
+    const std::string path = std::string("effects.") + std::to_string(k + 1);
+    if (effect.kind < 0 || effect.kind >= static_cast<int>(effectKinds().size())) {
+      out.push_back({path, "an effect of no kind", "one of the catalogue"});
+      continue;
+    }
+    const EffectKind& kind = effectKinds()[effect.kind];
+    if (!isOneOf(arm, kind, effect.place)) {
+      out.push_back({path, std::string(kind.name) + " where it cannot be", "a place that this arm has for it"});
+      continue;
+    }
+    const std::string name = textOf(arm, effect);
+    if (!names.insert(name).second) out.push_back({name, "the same effect twice at one place", "one of it"});
+    checkValues(arm, effect, out);
+  }
+  return out;
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,92 @@
+// The effect table. A new effect is a file that states its law, and one row here.
+#include <algorithm>
+
+#include "deflection/effects/backlash.hpp"
+#include "deflection/effects/base_drift.hpp"
+#include "deflection/effects/base_slip.hpp"
+#include "deflection/effects/contact_force.hpp"
+#include "deflection/effects/encoder_eccentricity.hpp"
+#include "deflection/effects/gravity_tilt.hpp"
+#include "deflection/effects/hose_pull.hpp"
+#include "deflection/effects/hysteresis.hpp"
+#include "deflection/effects/joint_compliance.hpp"
+#include "deflection/effects/joint_coupling.hpp"
+#include "deflection/effects/joint_offset.hpp"
+#include "deflection/effects/joint_scale.hpp"
+#include "deflection/effects/link_bending.hpp"
+#include "deflection/effects/link_length.hpp"
+#include "deflection/effects/link_torsion.hpp"
+#include "deflection/effects/link_twist.hpp"
+#include "deflection/effects/link_weight.hpp"
+#include "deflection/effects/payload_offset.hpp"
+#include "deflection/effects/scale_error.hpp"
+#include "deflection/effects/stiffening.hpp"
+#include "deflection/effects/thermal_growth.hpp"
+#include "deflection/effects/tool_offset.hpp"
+#include "deflection/effects/tool_weight.hpp"
+#include "deflection/effects/transmission_error.hpp"
+
+namespace tubeplan::deflection {
+
+const std::vector<EffectKind>& effectKinds() {
+  static const std::vector<EffectKind> kKinds{
+      joint_offset::kind(),     joint_scale::kind(),  encoder_eccentricity::kind(), transmission_error::kind(),
+      hysteresis::kind(),       joint_coupling::kind(),
+      link_length::kind(),      link_twist::kind(),   tool_offset::kind(),          thermal_growth::kind(),
+      link_weight::kind(),      tool_weight::kind(),  payload_offset::kind(),       gravity_tilt::kind(),
+      hose_pull::kind(),        contact_force::kind(),
+      joint_compliance::kind(), link_bending::kind(), link_torsion::kind(),         stiffening::kind(),
+      backlash::kind(),
+      base_slip::kind(),        base_drift::kind(),
+      scale_error::kind(),
+  };
+  return kKinds;
+}
+
+std::optional<int> findEffectKind(std::string_view name) {
+  const auto& kinds = effectKinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind& kind) { return kind.name == name; });
+  if (found == kinds.end()) return std::nullopt;
+  return static_cast<int>(found - kinds.begin());
+}
+
+std::string textOf(const Arm& arm, const Effect& effect) {
+  const EffectKind& kind = effectKinds().at(effect.kind);
+  return std::string(kind.name) + "@" + textOf(arm, kind, effect.place);
+}
+
+MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at) {
+  MadeEffect made;
+  const auto index = findEffectKind(name);
+  if (!index) {
+    made.status = EffectStatus::kUnknownEffect;
+    made.reason = "there is no effect of that name";
+    for (const EffectKind& kind : effectKinds()) made.known.emplace_back(kind.name);
+    return made;
+  }
+  const EffectKind& kind = effectKinds()[*index];
+  const auto place = findPlace(arm, kind, at);
+  if (!place) {
+    made.status = EffectStatus::kUnknownPlace;
+    made.known = placeTexts(arm, kind);
+    made.reason = made.known.empty() ? "this arm has no place for it" : "it has no such place on this arm";
+    return made;
+  }
+  made.status = EffectStatus::kMade;
+  made.effect = {*index, *place, {}};
+  for (const auto& parameter : kind.parameters) made.effect.values.push_back(parameter.neutral);
+  return made;
+}
+
+EffectNumber numberOf(const Arm& arm, const Effect& effect, int value) {
+  const EffectKind& kind = effectKinds().at(effect.kind);
+  const EffectParameter& parameter = kind.parameters.at(value);
+  EffectNumber number{parameter.quantity, parameter.lower, parameter.upper};
+  if (parameter.least) number.lower = parameter.least(arm, effect.place);
+  const bool of_slide = kind.stage == EffectStage::kReading &&
+                        arm.rows.at(effect.place.row).joint.type == JointType::kPrismatic;
+  if (of_slide && number.quantity == Quantity::kAngle) number.quantity = Quantity::kLength;
+  return number;
+}
+
+}  // namespace tubeplan::deflection

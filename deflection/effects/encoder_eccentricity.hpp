@@ -1,0 +1,38 @@
+// An encoder disc off its axis: an error once per turn.
+//
+// Law: true joint angle = reading + A sin(q) + B cos(q).
+// Symbols: q reading [rad], A, B amplitudes [rad], about eccentricity over disc radius.
+// Validity: amplitudes far below one radian; turning joints only.
+// Source: the centring errors of telescope pointing (Wallace, TPOINT: HCES, HCEC, DCES, DCEC).
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::encoder_eccentricity {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  using std::cos, std::sin;
+  const int joint = jointIndexOf(situation.given, effect.place.row);
+  const S& q = situation.asked.q[joint];
+  situation.posture.q[joint] += effect.values[0] * sin(q) + effect.values[1] * cos(q);
+}
+
+inline EffectKind kind() {
+  return {.name = "encoder-eccentricity",
+          .law = "true joint angle = reading + sine * sin(reading) + cosine * cos(reading)",
+          .validity = "amplitudes far below a radian; turning joints",
+          .source = "Wallace, TPOINT: centring errors",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .needs = {},
+          .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.01},
+                         {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
+          .places = places::ofRevoluteJoints,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::encoder_eccentricity

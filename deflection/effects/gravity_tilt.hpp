@@ -1,0 +1,34 @@
+// Gravity that leans against where the base is said to stand.
+//
+// Law: gravity's direction is turned by the rotation vector (wx, wy, 0) in base axes; the geometry stays.
+// Symbols: wx, wy [rad].
+// Validity: angles far below one radian, where their order does not matter; the turn about gravity itself does nothing.
+// Source: statics; the tilt of an instrument's vertical axis in levelling.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::gravity_tilt {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  situation.gravity_turn.x() += effect.values[0];
+  situation.gravity_turn.y() += effect.values[1];
+}
+
+inline EffectKind kind() {
+  return {.name = "gravity-tilt",
+          .law = "gravity turned by the rotation vector (x, y, 0) in base axes",
+          .validity = "angles far below a radian",
+          .source = "statics",
+          .stage = EffectStage::kLoad,
+          .at = PlaceRule::kWord,
+          .word = "base",
+          .needs = {},
+          .parameters = {{"x", Quantity::kAngle, 0, -0.5, 0.5, 0.05}, {"y", Quantity::kAngle, 0, -0.5, 0.5, 0.05}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::gravity_tilt

@@ -1,0 +1,35 @@
+// A hose or cable that pulls on a link.
+//
+// Law: a constant force at the link's end, in base axes.
+// Symbols: f [N].
+// Validity: a hose so long that neither the posture nor the deflection changes its pull.
+// Source: statics.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::hose_pull {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  Addition<S>& addition = additionOf(situation, effect.place.row);
+  for (int k = 0; k < 3; ++k) addition.pull[k] += effect.values[k];
+}
+
+inline EffectKind kind() {
+  return {.name = "hose-pull",
+          .law = "a constant force (x, y, z) at the link's end, in base axes",
+          .validity = "a long hose: the posture does not change its pull",
+          .source = "statics",
+          .stage = EffectStage::kLoad,
+          .at = PlaceRule::kLink,
+          .needs = {},
+          .parameters = {{"x", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100},
+                         {"y", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100},
+                         {"z", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100}},
+          .places = [](const Arm& arm) { return places::ofRows(arm); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::hose_pull

@@ -1,0 +1,38 @@
+// Lost motion: the joint rests on one side or the other of its reading, by the way it came.
+//
+// Law: true joint value = reading + h s.
+// Symbols: h half width [rad; m on a slide], s sense of the joint's last motion, -1, 0 or +1.
+// Validity: the joint has moved further than its lost motion before it stopped. A sense that is not known counts as 0.
+// Source: Coulomb friction before a spring; lost motion in Harmonic Drive's catalogues.
+#pragma once
+
+#include <cassert>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::hysteresis {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const auto& senses = situation.asked.senses;
+  if (senses.empty()) return;
+  const int joint = jointIndexOf(situation.given, effect.place.row);
+  assert(joint < static_cast<int>(senses.size()));
+  situation.posture.q[joint] += effect.values[0] * static_cast<double>(senses[joint]);
+}
+
+inline EffectKind kind() {
+  return {.name = "hysteresis",
+          .law = "true joint value = reading + half_width * sense of the last motion",
+          .validity = "the last motion was longer than the lost motion",
+          .source = "Coulomb friction; Harmonic Drive catalogues, lost motion",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .needs = {.senses = true},
+          .parameters = {{"half_width", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
+          .places = places::ofJoints,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::hysteresis

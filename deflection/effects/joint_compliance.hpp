@@ -1,0 +1,38 @@
+// A joint axis that was taken as rigid gives.
+//
+// Law: rotation = c M about the axis, at the row's origin (elements/joint_stiffness.hpp).
+// Symbols: c [rad/(N m)], M moment about the axis [N m].
+// Validity: linear.
+// Source: Calkins 1994, eq. 2.17.
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::joint_compliance {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  Addition<S>& addition = additionOf(situation, effect.place.row);
+  addition.joint_gives = true;
+  addition.compliance[effect.place.axis] += effect.values[0];
+}
+
+inline bool hasPlace(const Arm& arm, int row, int axis) { return !std::isfinite(arm.rows[row].joint_stiffness[axis]); }
+
+inline EffectKind kind() {
+  return {.name = "joint-compliance",
+          .law = "rotation = compliance * moment about an axis taken as rigid",
+          .validity = "linear",
+          .source = "Calkins 1994, eq. 2.17",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kRowAxis,
+          .needs = {},
+          .parameters = {{"compliance", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
+          .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::joint_compliance

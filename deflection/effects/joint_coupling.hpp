@@ -1,0 +1,34 @@
+// A joint that another one drags along, as through a belt or a differential.
+//
+// Law: true value of the one = its reading + share * reading of the other.
+// Symbols: share [1].
+// Validity: two joints of one type; readings counted from the encoders' zeros.
+// Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::joint_coupling {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const int to = jointIndexOf(situation.given, effect.place.row);
+  const int from = jointIndexOf(situation.given, effect.place.other);
+  situation.posture.q[to] += effect.values[0] * situation.asked.q[from];
+}
+
+inline EffectKind kind() {
+  return {.name = "joint-coupling",
+          .law = "true joint value = reading + share * reading of another joint",
+          .validity = "two joints of one type",
+          .source = "Craig, Introduction to Robotics: actuator and joint space",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJointPair,
+          .needs = {},
+          .parameters = {{"share", Quantity::kNone, 0, -1, 1, 0.05}},
+          .places = places::ofJointPairs,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::joint_coupling

@@ -1,0 +1,32 @@
+// A joint whose zero is elsewhere.
+//
+// Law: true joint value = reading + d.
+// Symbols: d offset [rad; m on a slide].
+// Validity: the same for every reading.
+// Source: Craig, Introduction to Robotics; the first of the geometric errors in Klimchik et al. (arXiv 1211.5739).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::joint_offset {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  situation.posture.q[jointIndexOf(situation.given, effect.place.row)] += effect.values[0];
+}
+
+inline EffectKind kind() {
+  return {.name = "joint-offset",
+          .law = "true joint value = reading + offset",
+          .validity = "the same for every reading",
+          .source = "Klimchik et al., arXiv 1211.5739",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .needs = {},
+          .parameters = {{"offset", Quantity::kAngle, 0, -3.2, 3.2, 0.035}},
+          .places = places::ofJoints,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::joint_offset

@@ -1,0 +1,33 @@
+// A gear ratio that is not the nominal one.
+//
+// Law: true joint value = reading (1 + e).
+// Symbols: e relative error of the ratio [1].
+// Validity: readings counted from the encoder's zero; a joint that also has another zero is joint-offset as well.
+// Source: Mooring, Roth and Driels, Fundamentals of Manipulator Calibration (1991), joint transducer gains.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::joint_scale {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const int joint = jointIndexOf(situation.given, effect.place.row);
+  situation.posture.q[joint] += effect.values[0] * situation.asked.q[joint];
+}
+
+inline EffectKind kind() {
+  return {.name = "joint-scale",
+          .law = "true joint value = reading * (1 + scale)",
+          .validity = "readings counted from the encoder's zero",
+          .source = "Mooring, Roth and Driels 1991",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .needs = {},
+          .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.01}},
+          .places = places::ofJoints,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::joint_scale

@@ -1,0 +1,45 @@
+// A member that was taken as rigid about an axis bends about it.
+//
+// Law: curvature = b M about the row's axis made square to the member (elements/beam.hpp); b = 1/(E I).
+// Symbols: b [1/(N m^2)], M moment about that axis [N m].
+// Validity: that of the beam. A member bends about two axes: the one nearest to it has no place.
+// Source: Calkins 1994, eq. 2.8 to 2.16.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+#include "deflection/elements/beam.hpp"
+
+namespace tubeplan::deflection::link_bending {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  Addition<S>& addition = additionOf(situation, effect.place.row);
+  addition.member_gives = true;
+  addition.bends[effect.place.axis] = true;
+  addition.bending_compliance[effect.place.axis] += effect.values[0];
+}
+
+inline bool hasPlace(const Arm& arm, int row, int axis) {
+  const auto& beam_of_row = arm.rows[row].beam;
+  const Eigen::Vector3d member = undeflectedMember(arm, row);
+  if (member.norm() < 1e-9 || (beam_of_row && beam::bends(*beam_of_row, axis))) return false;
+  int nearest = 0;
+  member.cwiseAbs().maxCoeff(&nearest);
+  return axis != nearest;
+}
+
+inline EffectKind kind() {
+  return {.name = "link-bending",
+          .law = "curvature = compliance * moment about an axis in which the member was taken as rigid",
+          .validity = "slender and linear; two axes of each member",
+          .source = "Calkins 1994, eq. 2.8 to 2.16",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kRowAxis,
+          .needs = {},
+          .parameters = {{"compliance", Quantity::kPerBendingStiffness, 0, 0, kUnbounded, 5e-3}},
+          .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::link_bending

@@ -1,0 +1,49 @@
+// A link longer or shorter than drawn.
+//
+// Law: a to the next frame = a drawn + dL; a row placed as URDF does is moved along its own position vector.
+// Symbols: dL [m].
+// Validity: geometry only; a distributed weight goes with the length. The last row has none: its end is tool-offset.
+// Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::link_length {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  using std::sqrt;
+  const Row<S>& given = situation.given.rows[effect.place.row + 1];
+  Row<S>& next = situation.arm.rows[effect.place.row + 1];
+  if (auto* dh = std::get_if<DenavitHartenberg<S>>(&next.placement)) {
+    dh->a += effect.values[0];
+    return;
+  }
+  const Vector3<S>& drawn = std::get<Origin<S>>(given.placement).position;
+  std::get<Origin<S>>(next.placement).position += drawn * S(effect.values[0] / sqrt(drawn.squaredNorm()));
+}
+
+/// A frame in the place of the one before it has no direction to grow along.
+inline bool hasPlace(const Arm& arm, int row) {
+  if (row + 1 == static_cast<int>(arm.rows.size())) return false;
+  const auto* origin = std::get_if<Origin<double>>(&arm.rows[row + 1].placement);
+  return !origin || origin->position.norm() > 1e-9;
+}
+
+inline EffectKind kind() {
+  return {.name = "link-length",
+          .law = "distance a to the next frame = as drawn + length",
+          .validity = "geometry only; every link but the last",
+          .source = "Denavit and Hartenberg 1955; Klimchik et al., arXiv 1211.5739",
+          .stage = EffectStage::kGeometry,
+          .at = PlaceRule::kLink,
+          .needs = {},
+          .parameters = {{"length", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.005}},
+          .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::link_length

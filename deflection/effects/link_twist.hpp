@@ -1,0 +1,40 @@
+// A link whose far joint axis is twisted.
+//
+// Law: alpha to the next frame = alpha drawn + dalpha; of a row placed as URDF does, its roll.
+// Symbols: dalpha [rad].
+// Validity: geometry only; every link but the last.
+// Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::link_twist {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  Row<S>& next = situation.arm.rows[effect.place.row + 1];
+  if (auto* dh = std::get_if<DenavitHartenberg<S>>(&next.placement))
+    dh->alpha += effect.values[0];
+  else
+    std::get<Origin<S>>(next.placement).rpy[0] += effect.values[0];
+}
+
+inline EffectKind kind() {
+  return {.name = "link-twist",
+          .law = "twist alpha to the next frame = as drawn + twist",
+          .validity = "geometry only; every link but the last",
+          .source = "Denavit and Hartenberg 1955; Klimchik et al., arXiv 1211.5739",
+          .stage = EffectStage::kGeometry,
+          .at = PlaceRule::kLink,
+          .needs = {},
+          .parameters = {{"twist", Quantity::kAngle, 0, -3.2, 3.2, 0.02}},
+          .places =
+              [](const Arm& arm) {
+                return places::ofRows(
+                    arm, [](const Arm& a, int row) { return row + 1 < static_cast<int>(a.rows.size()); });
+              },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::link_twist

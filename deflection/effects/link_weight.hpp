@@ -1,0 +1,46 @@
+// A link heavier or lighter than stated, at its end.
+//
+// Law: weight at the link's end = as stated + w.
+// Symbols: w [N]; not below what the link weighs in all.
+// Validity: at rest.
+// Source: Calkins 1994, section 2.3 (end weights).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::link_weight {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  situation.arm.rows[effect.place.row].weight.end += effect.values[0];
+}
+
+/// A link cannot lose more than it has: its end weight, lumps and distributed weight.
+inline double least(const Arm& arm, const Place& place) {
+  const Weight<double>& weight = arm.rows.at(place.row).weight;
+  double own = weight.end + weight.distributed * undeflectedMember(arm, place.row).norm();
+  for (const auto& lump : weight.lumps) own += lump.weight;
+  return -own;
+}
+
+inline EffectKind kind() {
+  return {.name = "link-weight",
+          .law = "weight at the link's end = as stated + weight",
+          .validity = "at rest",
+          .source = "Calkins 1994, section 2.3",
+          .stage = EffectStage::kLoad,
+          .at = PlaceRule::kLink,
+          .needs = {},
+          .parameters = {{.name = "weight",
+                          .quantity = Quantity::kForce,
+                          .neutral = 0,
+                          .lower = -kUnbounded,
+                          .upper = kUnbounded,
+                          .plausible = 100,
+                          .least = least}},
+          .places = [](const Arm& arm) { return places::ofRows(arm); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::link_weight

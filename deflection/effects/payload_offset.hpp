@@ -1,0 +1,36 @@
+// A hung load whose centre is off the tip.
+//
+// Law: the load acts at tip + v, which turns with the deflected tool: a couple (R v) x F beside the force.
+// Symbols: v [m] in the last row's axes as carried to the tip, R the tool frame as deflected, F the hung load [N].
+// Validity: the load is rigidly held; the tool's own weight stays where it is.
+// Source: statics.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::payload_offset {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  TipLoad<S>& load = tipLoadOf(situation);
+  for (int k = 0; k < 3; ++k) load.payload_offset[k] += effect.values[k];
+}
+
+inline EffectKind kind() {
+  return {.name = "payload-offset",
+          .law = "the hung load acts at tip + (x, y, z) in the tool's frame",
+          .validity = "a load rigidly held; the tool's own weight stays",
+          .source = "statics",
+          .stage = EffectStage::kLoad,
+          .at = PlaceRule::kWord,
+          .word = "payload",
+          .needs = {.load = true},
+          .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},
+                         {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},
+                         {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::payload_offset

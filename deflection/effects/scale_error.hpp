@@ -1,0 +1,33 @@
+// A measuring instrument whose scale is off.
+//
+// Law: measured coordinate = (1 + e) * true world coordinate.
+// Symbols: e [1].
+// Validity: one instrument in the world frame; the arm itself does not change.
+// Source: the calibration of length measuring instruments.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::scale_error {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  situation.measurement_scale += effect.values[0];
+}
+
+inline EffectKind kind() {
+  return {.name = "scale-error",
+          .law = "measured coordinate = true one * (1 + scale)",
+          .validity = "one instrument in the world frame; nothing of the arm",
+          .source = "calibration of length measuring instruments",
+          .stage = EffectStage::kMeasurement,
+          .at = PlaceRule::kWord,
+          .word = "measurement",
+          .needs = {},
+          .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.005}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::scale_error

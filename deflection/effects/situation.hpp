@@ -1,0 +1,53 @@
+// One posture of an arm with all its effects applied: what the solver is given instead of the bare arm.
+//
+// Every effect reads the arm and the posture as given and adds to the copies, so effects compose in any number and in
+// any order.
+#pragma once
+
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::deflection {
+
+template <class S>
+struct Situation {
+  const ArmOf<S>& given;          ///< as the file has it: what effects read
+  const PostureOf<S>& asked;      ///< readings as the encoders show them, gravity in the base as named
+  ArmOf<S> arm;                   ///< what effects add to; carries no effects itself
+  PostureOf<S> posture;           ///< true joint values, gravity as the moved base sees it
+  Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector that turns gravity, base axes [rad]
+  PoseOf<S> X_BM;                 ///< the base as moved, M, in the base as named
+  S measurement_scale{1};         ///< measured coordinates per true one
+};
+
+/// The arm's effects applied at a posture. `arm` and `posture` must outlive the result.
+template <class S>
+[[nodiscard]] Situation<S> situationOf(const ArmOf<S>& arm, const PostureOf<S>& posture);
+
+/// Measured coordinates per true one: 1 without a scale error.
+[[nodiscard]] double measurementScale(const Arm& arm);
+[[nodiscard]] Dual measurementScale(const ArmOf<Dual>& arm);
+
+/// Which entry of the joint vector belongs to a row with a joint.
+template <class S>
+int jointIndexOf(const ArmOf<S>& arm, int row) {
+  int index = 0;
+  for (int i = 0; i < row; ++i) index += arm.rows[i].joint.type != JointType::kPassive;
+  return index;
+}
+
+/// The additions of a row, begun where there are none.
+template <class S>
+Addition<S>& additionOf(Situation<S>& situation, int row) {
+  auto& addition = situation.arm.rows[row].addition;
+  if (!addition) addition.emplace();
+  return *addition;
+}
+
+template <class S>
+TipLoad<S>& tipLoadOf(Situation<S>& situation) {
+  auto& load = situation.arm.tip_load;
+  if (!load) load.emplace();
+  return *load;
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,42 @@
+// A joint soft under small moments and stiff beyond: the torsional stiffness of a harmonic drive.
+//
+// Law: rotation = (M + s clamp(M, -M1, M1)) / K, K the axis's own stiffness, which is that of the stiff branch
+//      (elements/joint_stiffness.hpp). The soft branch has K1 = K / (1 + s).
+// Symbols: s softness [1], M1 knee [N m], M moment about the axis [N m].
+// Validity: two branches; elastic, the same both ways. Where the moment is always beyond the knee, only a constant turn
+//      is left of it.
+// Source: Harmonic Drive catalogues, torsional stiffness K1, K2 and T1.
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::stiffening {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  Addition<S>& addition = additionOf(situation, effect.place.row);
+  addition.joint_gives = true;
+  addition.softness[effect.place.axis] += effect.values[0];
+  addition.knee[effect.place.axis] += effect.values[1];
+}
+
+inline bool hasPlace(const Arm& arm, int row, int axis) { return std::isfinite(arm.rows[row].joint_stiffness[axis]); }
+
+inline EffectKind kind() {
+  return {.name = "stiffening",
+          .law = "rotation = (moment + softness * clamp(moment, -knee, knee)) / joint_stiffness",
+          .validity = "two elastic branches, the same both ways",
+          .source = "Harmonic Drive catalogues: K1, K2, T1",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kRowAxis,
+          .needs = {},
+          .parameters = {{"softness", Quantity::kNone, 0, 0, kUnbounded, 10},
+                         {"knee", Quantity::kTorque, 20, 0, kUnbounded, 500, true}},
+          .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::stiffening

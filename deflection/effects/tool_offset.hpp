@@ -1,0 +1,35 @@
+// A tip elsewhere in the tool's frame.
+//
+// Law: tip = tip drawn + v, in the last row's frame.
+// Symbols: v [m].
+// Validity: geometry only; a distributed weight goes along to the new tip.
+// Source: Klimchik et al. (arXiv 1211.5739), tool transformation.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::tool_offset {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  for (int k = 0; k < 3; ++k) situation.arm.p_LT[k] += effect.values[k];
+}
+
+inline EffectKind kind() {
+  return {.name = "tool-offset",
+          .law = "tip = as drawn + (x, y, z) in the last row's frame",
+          .validity = "geometry only",
+          .source = "Klimchik et al., arXiv 1211.5739",
+          .stage = EffectStage::kGeometry,
+          .at = PlaceRule::kWord,
+          .word = "tool",
+          .needs = {},
+          .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
+                         {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
+                         {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::tool_offset

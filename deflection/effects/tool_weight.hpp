@@ -1,0 +1,38 @@
+// A tool heavier or lighter than stated, everywhere alike.
+//
+// Law: every weight of the last row = as stated (1 + e).
+// Symbols: e [1], not below -1.
+// Validity: at rest; the hung load is none of it.
+// Source: Calkins 1994, section 2.3 (weight per length, end weights).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::tool_weight {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const Weight<S>& given = situation.given.rows.back().weight;
+  Weight<S>& weight = situation.arm.rows.back().weight;
+  const S& e = effect.values[0];
+  weight.distributed += given.distributed * e;
+  weight.end += given.end * e;
+  for (std::size_t k = 0; k < weight.lumps.size(); ++k) weight.lumps[k].weight += given.lumps[k].weight * e;
+}
+
+inline EffectKind kind() {
+  return {.name = "tool-weight",
+          .law = "weights of the last row = as stated * (1 + scale)",
+          .validity = "at rest; the hung load is none of it",
+          .source = "Calkins 1994, section 2.3",
+          .stage = EffectStage::kLoad,
+          .at = PlaceRule::kWord,
+          .word = "tool",
+          .needs = {},
+          .parameters = {{"scale", Quantity::kNone, 0, -1, kUnbounded, 0.5}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::tool_weight

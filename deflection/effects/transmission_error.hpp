@@ -1,0 +1,38 @@
+// A gear that errs twice per turn, as an elliptic wave generator or an oval ring does.
+//
+// Law: true joint angle = reading + A sin(2 q) + B cos(2 q).
+// Symbols: q reading [rad], A, B amplitudes [rad].
+// Validity: amplitudes far below one radian; turning joints only; the purely kinematic part.
+// Source: Ghorbel, Gandhi and Alpeter, On the kinematic error in harmonic drive gears (J. Mech. Des. 123, 2001).
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::transmission_error {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  using std::cos, std::sin;
+  const int joint = jointIndexOf(situation.given, effect.place.row);
+  const S twice = situation.asked.q[joint] * 2.;
+  situation.posture.q[joint] += effect.values[0] * sin(twice) + effect.values[1] * cos(twice);
+}
+
+inline EffectKind kind() {
+  return {.name = "transmission-error",
+          .law = "true joint angle = reading + sine * sin(2 reading) + cosine * cos(2 reading)",
+          .validity = "amplitudes far below a radian; turning joints",
+          .source = "Ghorbel, Gandhi and Alpeter 2001",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .needs = {},
+          .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
+                         {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},
+          .places = places::ofRevoluteJoints,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::transmission_error
