@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/least_squares.hpp"
+#include "calibration/scaled_problem.hpp"
 
 namespace tubeplan::calibration {
 
@@ -15,14 +15,14 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 using Ipopt::Index, Ipopt::Number;
 constexpr double kUnbounded = 2e19;  // what Ipopt takes for infinity
 
-/// Half the squared residual in scaled variables; one evaluation serves objective, gradient and Hessian at a point.
-class ScaledProblem : public Ipopt::TNLP {
+/// Half the squared residual as Ipopt asks for it. Trial points are asked for values alone; the Jacobian of a point
+/// that was accepted serves its gradient and its Hessian.
+class NonlinearProgram : public Ipopt::TNLP {
  public:
-  explicit ScaledProblem(const LeastSquaresProblem& problem) : problem_(problem), n_(problem.start.size()) {}
+  explicit NonlinearProgram(ScaledProblem& problem) : problem_(problem), n_(problem.lower().size()) {}
 
   VectorXd solution;
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  int evaluations = 0;
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian, IndexStyleEnum& style) override {
     n = static_cast<Index>(n_);
@@ -33,26 +33,23 @@ class ScaledProblem : public Ipopt::TNLP {
   }
 
   bool get_bounds_info(Index n, Number* lower, Number* upper, Index, Number*, Number*) override {
-    for (Index k = 0; k < n; ++k) {
-      lower[k] = std::max(problem_.lower[k] / problem_.scale[k], -kUnbounded);
-      upper[k] = std::min(problem_.upper[k] / problem_.scale[k], kUnbounded);
-    }
+    Eigen::Map<VectorXd>(lower, n) = problem_.lower().cwiseMax(-kUnbounded);
+    Eigen::Map<VectorXd>(upper, n) = problem_.upper().cwiseMin(kUnbounded);
     return true;
   }
 
   bool get_starting_point(Index n, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
-    for (Index k = 0; k < n; ++k) x[k] = problem_.start[k] / problem_.scale[k];
+    Eigen::Map<VectorXd>(x, n) = problem_.start();
     return true;
   }
 
   bool eval_f(Index, const Number* x, bool, Number& value) override {
-    if (!update(x)) return false;
-    value = r_.squaredNorm() / 2;
+    value = chi2At(x) / 2;
     return std::isfinite(value);
   }
 
   bool eval_grad_f(Index n, const Number* x, bool, Number* gradient) override {
-    if (!update(x)) return false;
+    if (!linearize(x)) return false;
     Eigen::Map<VectorXd>(gradient, n) = J_.transpose() * r_;
     return true;
   }
@@ -62,7 +59,7 @@ class ScaledProblem : public Ipopt::TNLP {
 
   bool eval_h(Index n, const Number* x, bool, Number factor, Index, const Number*, bool, Index, Index* rows,
               Index* columns, Number* values) override {
-    if (values && !update(x)) return false;
+    if (values && !linearize(x)) return false;
     const MatrixXd H = values ? MatrixXd(factor * J_.transpose() * J_) : MatrixXd();
     for (Index i = 0, k = 0; i < n; ++i)
       for (Index j = 0; j <= i; ++j, ++k) {
@@ -86,83 +83,103 @@ class ScaledProblem : public Ipopt::TNLP {
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index,
                          const Number*, const Number*, Number value, const Ipopt::IpoptData*,
                          Ipopt::IpoptCalculatedQuantities*) override {
-    solution = Eigen::Map<const VectorXd>(x, n).cwiseProduct(problem_.scale);
+    solution = Eigen::Map<const VectorXd>(x, n);
     chi2 = 2 * value;
   }
 
  private:
-  bool update(const Number* scaled) {
-    const VectorXd x = Eigen::Map<const VectorXd>(scaled, n_).cwiseProduct(problem_.scale);
-    if (x_.size() == x.size() && x_ == x) return ok_;
+  double chi2At(const Number* at) {
+    const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
+    if (isAt(x, linearized_x_)) return linearized_ ? r_.squaredNorm() : std::numeric_limits<double>::infinity();
+    if (isAt(x, x_)) return chi2_;
+    static const int mode = getenv("MODE") ? atoi(getenv("MODE")) : 1;
+    if (mode == 0 || (mode == 2 && accepted_)) {
+      accepted_ = false;
+      linearize(at, false);
+      return chi2At(at);
+    }
     x_ = x;
-    ++evaluations;
-    ok_ = problem_.evaluate(x_, r_, &J_);
-    if (ok_) J_ = J_ * problem_.scale.asDiagonal();
-    return ok_;
+    return chi2_ = problem_.chi2At(x);
   }
 
-  const LeastSquaresProblem& problem_;
+  bool linearize(const Number* at, bool accept = true) {
+    if (accept) accepted_ = true;
+    const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
+    if (isAt(x, linearized_x_)) return linearized_;
+    linearized_x_ = x;
+    return linearized_ = problem_.linearizeAt(x, r_, J_);
+  }
+
+  static bool isAt(const VectorXd& x, const VectorXd& known) { return known.size() == x.size() && known == x; }
+  bool accepted_ = true;
+
+  ScaledProblem& problem_;
   Eigen::Index n_;
-  VectorXd x_, r_;
+  VectorXd x_;  // where chi2_ was asked
+  double chi2_ = std::numeric_limits<double>::quiet_NaN();
+  VectorXd linearized_x_, r_;  // where r_ and J_ were asked
   MatrixXd J_;
-  bool ok_ = false;
+  bool linearized_ = false;
   double last_value_ = std::numeric_limits<double>::quiet_NaN();
   int resting_ = 0;
 };
 
-Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver(const LeastSquaresOptions& options) {
+Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver(const LeastSquaresStop& stop) {
   Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = IpoptApplicationFactory();
   auto settings = solver->Options();
   settings->SetIntegerValue("print_level", 0);
   settings->SetStringValue("sb", "yes");
-  settings->SetNumericValue("tol", options.tolerance);
-  settings->SetIntegerValue("max_iter", options.max_iterations);
+  settings->SetNumericValue("tol", stop.tolerance);
+  settings->SetIntegerValue("max_iter", stop.max_iterations);
   // Whitened residuals need no second scaling, and a least-squares start should not be pushed off its bounds.
   settings->SetStringValue("nlp_scaling_method", "none");
   settings->SetNumericValue("bound_relax_factor", 0);
-  settings->SetNumericValue("acceptable_tol", options.tolerance * 1e3);
+  settings->SetNumericValue("acceptable_tol", stop.tolerance * 1e3);
   settings->SetStringValue("mu_strategy", "adaptive");
   return solver;
 }
 
-const char* reasonOf(Ipopt::ApplicationReturnStatus status) {
+struct Meaning {
+  LeastSquaresStatus status;
+  const char* reason;
+};
+
+Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
+  using Status = LeastSquaresStatus;
   switch (status) {
+    case Ipopt::Solve_Succeeded:
+    case Ipopt::Solved_To_Acceptable_Level:
+      return {Status::kConverged, "the gradient is within tolerance"};
+    case Ipopt::User_Requested_Stop:
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+      return {Status::kConverged, "chi2 falls no further than by rounding"};
     case Ipopt::Maximum_Iterations_Exceeded:
-      return "stopped at the iteration limit";
+      return {Status::kIterationLimit, "stopped at the iteration limit"};
     case Ipopt::Restoration_Failed:
-      return "no step lowers the error";
+      return {Status::kFailed, "no step lowers the error"};
     case Ipopt::Error_In_Step_Computation:
-      return "the steps have become too small";
+      return {Status::kFailed, "the steps have become too small"};
     case Ipopt::Invalid_Number_Detected:
-      return "the model could not be evaluated";
+      return {Status::kFailed, "the model could not be evaluated"};
     default:
-      return "the solver failed";
+      return {Status::kFailed, "the solver failed"};
   }
 }
 
 }  // namespace
 
-LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, const LeastSquaresOptions& options) {
-  LeastSquaresResult result;
-  Ipopt::SmartPtr<ScaledProblem> scaled = new ScaledProblem(problem);
-  auto solver = makeSolver(options);
-  if (solver->Initialize("") != Ipopt::Solve_Succeeded) {
-    result.status = LeastSquaresStatus::kFailed;
-    result.reason = "Ipopt could not start";
-    return result;
-  }
-  const auto status = solver->OptimizeTNLP(scaled);
-  const bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level ||
-                    status == Ipopt::Search_Direction_Becomes_Too_Small || status == Ipopt::User_Requested_Stop;
-  result.status = good                                           ? LeastSquaresStatus::kConverged
-                  : status == Ipopt::Maximum_Iterations_Exceeded ? LeastSquaresStatus::kIterationLimit
-                                                                 : LeastSquaresStatus::kFailed;
-  if (!good) result.reason = reasonOf(status);
-  result.x = scaled->solution.size() ? scaled->solution : problem.start;
-  result.chi2 = scaled->chi2;
-  if (Ipopt::IsValid(solver->Statistics())) result.iterations = solver->Statistics()->IterationCount();
-  result.evaluations = scaled->evaluations;
-  return result;
+LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  using Status = LeastSquaresStatus;
+  ScaledProblem scaled(problem);
+  Ipopt::SmartPtr<NonlinearProgram> program = new NonlinearProgram(scaled);
+  auto solver = makeSolver(stop);
+  if (solver->Initialize("") != Ipopt::Solve_Succeeded)
+    return scaled.resultAt(scaled.start(), program->chi2, Status::kFailed, "Ipopt could not start");
+  const auto ended = solver->OptimizeTNLP(program);
+  const auto [status, reason] = meaningOf(ended);
+  const int iterations = Ipopt::IsValid(solver->Statistics()) ? solver->Statistics()->IterationCount() : 0;
+  return scaled.resultAt(program->solution.size() ? program->solution : scaled.start(), program->chi2, status, reason,
+                         iterations);
 }
 
 }  // namespace tubeplan::calibration

@@ -1,40 +1,75 @@
-// Nonlinear least squares with bounds: the one question every calibration asks of a solver.
+// Nonlinear least squares with bounds: the one question every calibration asks of a solver, and the table of solvers.
 #pragma once
 
 #include <Eigen/Dense>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace tubeplan::calibration {
 
 /// Minimise half the squared length of r(x) within lower <= x <= upper. Residuals are whitened, so that 1 is one sigma.
+/// A variable with lower == upper is fixed; a start outside the bounds is moved to the nearest point within them.
 struct LeastSquaresProblem {
   Eigen::VectorXd start, lower, upper;
-  Eigen::VectorXd scale;  ///< typical size of each variable; the solver works in x / scale
-  /// Fills r, and the Jacobian (residuals x variables) where it is not null; false: cannot be evaluated here.
+  Eigen::VectorXd scale;  ///< typical size of each variable, above zero; the solver works in x / scale
+  /// Fills r, and the Jacobian (residuals x variables) where it is not null; false: cannot be evaluated here. Asked
+  /// within the bounds only.
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian)> evaluate;
 };
 
+enum class LeastSquaresMethod { kInteriorPoint, kLevenbergMarquardt, kHookeJeeves, kSteepestDescent };
+
+/// When a method rests. What the tolerance is measured on is the method's own affair: see leastSquaresMethods().
+struct LeastSquaresStop {
+  double tolerance;
+  int max_iterations;
+};
+
+/// Tolerance and iteration limit are the method's own where they are not stated.
 struct LeastSquaresOptions {
-  double tolerance = 1e-10;
-  int max_iterations = 200;
+  std::optional<double> tolerance = std::nullopt;
+  std::optional<int> max_iterations = std::nullopt;
+  LeastSquaresMethod method = LeastSquaresMethod::kInteriorPoint;
 };
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed };
 
+/// x, and chi2 where the model could be evaluated at all, are the best found whatever the status.
 struct LeastSquaresResult {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
-  std::string reason;
+  std::string reason;  ///< why the method stopped
   Eigen::VectorXd x;
   double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< r . r at x
   int iterations = 0;
-  int evaluations = 0;
-  int jacobian_evaluations = 0;
+  int evaluations = 0;           ///< calls of `evaluate` for r alone
+  int jacobian_evaluations = 0;  ///< calls of `evaluate` for r and the Jacobian together
 };
 
-/// Solved by Ipopt with exact gradients and the Gauss-Newton Hessian.
+/// A way of minimising: one row of the table.
+struct LeastSquaresMethodKind {
+  LeastSquaresMethod method;
+  std::string_view name;     ///< on the command line
+  std::string_view summary;  ///< one line: how it works and what its tolerance is measured on
+  LeastSquaresStop stop;     ///< where the caller states none
+  LeastSquaresResult (*minimize)(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+};
+
+/// The open table: a new method is its file and its row.
+[[nodiscard]] std::span<const LeastSquaresMethodKind> leastSquaresMethods();
+
+/// Solved by the method asked for. Bounds the wrong way round are refused (kFailed), and where every variable is fixed
+/// only chi2 is found.
 [[nodiscard]] LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem,
                                                       const LeastSquaresOptions& options = {});
+
+// Declared here, each defined in the file of its name; the interior point in ipopt_adapter.cpp.
+LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
 
 }  // namespace tubeplan::calibration
