@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/base_residual.hpp"
+#include "deflection/effects/effect.hpp"
 
 namespace tubeplan::calibration {
 
@@ -34,6 +35,13 @@ double weightOf(const deflection::Arm& arm) {
 /// How far a number may well be from the drawing: a few parts in a thousand of the arm for lengths, a degree for
 /// angles, a factor for stiffnesses, a tenth for the rest.
 double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
+  if (parameter.path.effect >= 0) {
+    const auto& effect = arm.effects.at(static_cast<std::size_t>(parameter.path.effect));
+    return deflection::effectKinds()
+        .at(static_cast<std::size_t>(effect.kind))
+        .parameters.at(static_cast<std::size_t>(parameter.path.value))
+        .plausible;
+  }
   switch (parameter.quantity) {
     case Quantity::kLength:
       return 0.005 * deflection::reachOf(arm);
@@ -60,7 +68,7 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
     unknown.typical = kMayGive / kHardlyGives / parameter.value;
     unknown.lower = -0.99 / parameter.value;
     unknown.upper = kInfinity;
-  } else if (isStiffness(parameter.quantity)) {
+  } else if (isStiffness(parameter.quantity) && parameter.path.effect < 0) {
     unknown.scale = Unknown::Scale::kLogarithm;
     unknown.lower = -std::log(kStiffnessRange);
     unknown.upper = std::log(kStiffnessRange);

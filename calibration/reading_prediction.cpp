@@ -1,5 +1,7 @@
 #include "calibration/reading_prediction.hpp"
 
+#include "deflection/effects/effect.hpp"
+
 #include <cassert>
 #include <cmath>
 
@@ -52,6 +54,28 @@ Prediction placeTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, c
   return tip;
 }
 
+bool isMeasurementScale(const deflection::Arm& arm, const Variable& variable) {
+  if (variable.type != Variable::Type::kParameter || variable.parameter.effect < 0) return false;
+  const auto& effect = arm.effects.at(static_cast<std::size_t>(variable.parameter.effect));
+  return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).stage ==
+         deflection::EffectStage::kMeasurement;
+}
+
+/// True coordinates to measured ones, where the arm carries an error of the measuring scale. Touches of unknown points
+/// measure nothing in the world.
+void scaleCoordinates(const deflection::Arm& arm, const PredictionRequest& request, Prediction& prediction) {
+  const double scale = deflection::measurementScale(arm);
+  for (std::size_t k = 0; k < request.numbers.size(); ++k)
+    if (isMeasurementScale(arm, request.numbers[k]))
+      prediction.by_numbers.col(static_cast<Eigen::Index>(k)) = prediction.value;
+    else if (scale != 1)
+      prediction.by_numbers.col(static_cast<Eigen::Index>(k)) *= scale;
+  if (scale == 1) return;
+  prediction.value *= scale;
+  if (prediction.by_base.size()) prediction.by_base *= scale;
+  if (prediction.by_joints.size()) prediction.by_joints *= scale;
+}
+
 void subtract(Prediction& a, const Prediction& b) {
   a.ok = a.ok && b.ok;
   a.value -= b.value;
@@ -83,11 +107,17 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
                           const PredictionRequest& request) {
   deflection::Posture posture = postureOf(reading, arm, X_WB);
   Prediction prediction = placeTip(arm, X_WB, posture, request);
+  const bool is_length = reading.kind == MeasurementKind::kDistance;
+  if (reading.p_W && !is_length) scaleCoordinates(arm, request, prediction);
   if (reading.kind == MeasurementKind::kDeflection) {
     posture.load = 0;
-    subtract(prediction, placeTip(arm, X_WB, posture, request));
+    Prediction unloaded = placeTip(arm, X_WB, posture, request);
+    scaleCoordinates(arm, request, unloaded);
+    subtract(prediction, unloaded);
   }
-  if (reading.kind == MeasurementKind::kDistance) measureFrom(*reading.p_W, prediction);
+  if (!is_length) return prediction;
+  measureFrom(*reading.p_W, prediction);
+  scaleCoordinates(arm, request, prediction);
   return prediction;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/input_error.hpp"
+#include "app/readers/effects_reader.hpp"
 #include "app/readers/quantities.hpp"
 #include "app/readers/scene_reader.hpp"
 #include "app/readers/sheet_reader.hpp"
@@ -93,12 +94,13 @@ Cell readCell(const std::string& path) {
   cell.source = readYamlFile(path);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"},
-                  {"name", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance"});
+                  {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), cell);
   cell.arm = source.arm;
   cell.units = source.units;
   readBase(root.at("base"), cell);
+  if (const YamlNode* effects = root.find("effects")) cell.arm.effects = readEffects(*effects, cell.arm, cell.units);
   if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);
   const auto folder = std::filesystem::path(path).parent_path();
   if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);

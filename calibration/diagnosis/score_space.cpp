@@ -50,7 +50,7 @@ std::vector<std::vector<int>> choicesOf(int sizes) {
 
 }  // namespace
 
-ScoreSpace::ScoreSpace(const Catalogue& catalogue, const MatrixXd& jacobian, const VectorXd& r) : catalogue_(catalogue) {
+ScoreSpace::ScoreSpace(const Catalogue& catalogue, const MatrixXd& jacobian, const VectorXd& r) {
   Index count = 0;
   for (const auto& entry : catalogue.columns) count += entry.columns.cols();
   MatrixXd S(r.size(), count);

@@ -31,6 +31,8 @@ struct Score {
 
 class ScoreSpace {
  public:
+  ScoreSpace() = default;
+
   /// `jacobian` is that of the fitted unknowns, `r` the whitened residual at the fit.
   ScoreSpace(const Catalogue& catalogue, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& r);
 
@@ -59,7 +61,6 @@ class ScoreSpace {
                              const Eigen::VectorXd& b) const;
   [[nodiscard]] bool isOneSided(int variant) const;
 
-  const Catalogue& catalogue_;
   std::vector<Variant> variants_;
   std::vector<double> length_;  ///< of each column before projection
   Eigen::MatrixXd G_;

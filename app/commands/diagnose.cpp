@@ -1,0 +1,58 @@
+// tubeplan diagnose: which physical effect the model lacks.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/diagnosis_json.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/cell_reader.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct DiagnoseOptions {
+  std::string cell, measurements, json;
+  double sigma = 0;
+  int effects = 2;
+  std::uint64_t seed = 1;
+};
+
+int run(const DiagnoseOptions& options) {
+  const Cell cell = readCell(options.cell);
+  auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  stateSigma(readings, cell, options.measurements, options.sigma);
+  checkJsonTarget(options.json);
+  calibration::DiagnosisOptions diagnosis;
+  diagnosis.baseline.free = {cell.identify, !cell.base_known};
+  diagnosis.seed = options.seed;
+  diagnosis.most_effects = options.effects;
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  const auto result = calibration::diagnose(start, readings, diagnosis);
+  if (result.verdict == calibration::Verdict::kNotRun)
+    throw InputError(options.measurements, result.reason, "readings that tell the free parameters", "");
+  writeJson(options.json, diagnosisJson(result, readings, cell.units));
+  if (printsText(options.json)) fmt::print("{}", diagnosisText(result, readings, cell.units));
+  return kDone;
+}
+
+}  // namespace
+
+Run configureDiagnose(CLI::App& cli) {
+  const auto options = std::make_shared<DiagnoseOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("--effects", options->effects, "the most effects in one explanation")->check(CLI::Range(1, 2));
+  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none, in the cell's length unit");
+  cli.add_option("--seed", options->seed, "seed of the simulated noise and the folds");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

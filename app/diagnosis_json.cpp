@@ -1,0 +1,199 @@
+#include "app/diagnosis_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect, calibration::FoundNumber,
+    calibration::Measurement, calibration::RankedEffect, calibration::Verdict;
+
+nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
+
+nlohmann::json lengthJson(double metres, const Units& units) {
+  return finite(metres / units.factor(dimension::kLength));
+}
+
+nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.quantity);
+  return {{"name", number.name},
+          {"value", finite(number.value / units.factor(unit))},
+          {"sigma", finite(number.sigma / units.factor(unit))},
+          {"unit", units.nameOf(unit)}};
+}
+
+nlohmann::json effectJson(const FoundEffect& effect, const Units& units) {
+  nlohmann::json parameters = nlohmann::json::object();
+  for (const auto& number : effect.numbers) {
+    parameters[number.name] = numberJson(number, units);
+    parameters[number.name].erase("name");
+  }
+  return {{"effect", effect.effect}, {"at", effect.at}, {"parameters", parameters}};
+}
+
+nlohmann::json rankedJson(const RankedEffect& entry, const Units& units) {
+  return {{"effect", entry.effect},
+          {"at", entry.at},
+          {"probability", finite(entry.probability)},
+          {"p_value", finite(entry.p_value)},
+          {"chi2_fall", finite(entry.fall)},
+          {"size", numberJson(entry.size, units)},
+          {"kept_fraction", finite(entry.kept_fraction)},
+          {"correlation_with_leader", finite(entry.correlation)},
+          {"heldout_rms",
+           {{"before", lengthJson(entry.heldout_before.rms, units)},
+            {"after", lengthJson(entry.heldout_after.rms, units)}}}};
+}
+
+std::string numberText(const FoundNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.quantity);
+  const std::string name = units.nameOf(unit) == "1" ? "" : " " + units.nameOf(unit);
+  if (std::isnan(number.sigma)) return fmt::format("{} {:.3g}{}", number.name, number.value / units.factor(unit), name);
+  return fmt::format("{} {:.3g} ± {:.2g}{}", number.name, number.value / units.factor(unit),
+                     number.sigma / units.factor(unit), name);
+}
+
+std::string effectText(const FoundEffect& effect, const Units& units) {
+  std::vector<std::string> numbers;
+  for (const auto& number : effect.numbers)
+    if (std::isfinite(number.sigma) || number.quantity == deflection::Quantity::kTime)
+      numbers.push_back(numberText(number, units));
+  return fmt::format("{}@{} ({})", effect.effect, effect.at, fmt::join(numbers, ", "));
+}
+
+std::string explanationText(const Explanation& explanation, const Units& units) {
+  std::vector<std::string> effects;
+  for (const auto& effect : explanation.effects) effects.push_back(effectText(effect, units));
+  return fmt::format("{}", fmt::join(effects, " with "));
+}
+
+std::string lengthText(double metres, const Units& units) {
+  return fmt::format("{:.4g} {}", metres / units.factor(dimension::kLength), units.length().name);
+}
+
+}  // namespace
+
+const char* nameOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNotRun:
+      return "not-run";
+    case Verdict::kAdequate:
+      return "adequate";
+    case Verdict::kExplained:
+      return "explained";
+    case Verdict::kAmbiguous:
+      return "ambiguous";
+    case Verdict::kUnexplained:
+      return "unexplained";
+    case Verdict::kInconclusive:
+      return "inconclusive";
+  }
+  return "";
+}
+
+std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
+  std::vector<std::string> names;
+  for (const auto& alternative : result.alternatives) names.push_back(explanationText(alternative, units));
+  switch (result.verdict) {
+    case Verdict::kNotRun:
+      return "Not diagnosed: " + result.reason + ".";
+    case Verdict::kAdequate:
+      return fmt::format("Nothing is missing: the error of {} is what noise leaves ({}).",
+                         lengthText(result.before.rms, units), lengthText(result.noise_floor, units));
+    case Verdict::kExplained:
+      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; noise alone leaves {}.",
+                         names.front(), lengthText(result.heldout_before.rms, units),
+                         lengthText(result.heldout_after.rms, units), lengthText(result.noise_floor, units));
+    case Verdict::kAmbiguous:
+      return fmt::format("Missing: {}. These readings cannot tell which.", fmt::join(names, "; or "));
+    case Verdict::kUnexplained: {
+      std::string nearest;
+      if (!result.closest.empty())
+        nearest = fmt::format(" The closest, {}, leaves {} where noise leaves {}.",
+                              explanationText(result.closest.front(), units),
+                              lengthText(result.closest.front().after.rms, units), lengthText(result.noise_floor, units));
+      return "Something is missing, and it is none of the effects that are known." + nearest;
+    }
+    case Verdict::kInconclusive:
+      return "The readings hint at something missing, but are too few or too noisy to say what.";
+  }
+  return "";
+}
+
+nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
+  nlohmann::json json = {{"verdict", nameOf(result.verdict)},
+                         {"sentence", diagnosisSentence(result, units)},
+                         {"units", unitsJson(units)}};
+  json["alternatives"] = nlohmann::json::array();
+  for (const auto& alternative : result.alternatives) {
+    nlohmann::json effects = nlohmann::json::array();
+    for (const auto& effect : alternative.effects) effects.push_back(effectJson(effect, units));
+    json["alternatives"].push_back(effects);
+  }
+  json["closest"] = nlohmann::json::array();
+  for (const auto& explanation : result.closest) {
+    nlohmann::json effects = nlohmann::json::array();
+    for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
+    json["closest"].push_back({{"effects", effects},
+                               {"chi2", finite(explanation.chi2)},
+                               {"criterion", finite(explanation.criterion)},
+                               {"p_value", finite(explanation.p_value)},
+                               {"rms", lengthJson(explanation.after.rms, units)},
+                               {"heldout_rms", lengthJson(explanation.heldout.rms, units)}});
+  }
+  json["ranking"] = nlohmann::json::array();
+  for (const auto& entry : result.ranking) json["ranking"].push_back(rankedJson(entry, units));
+  json["rms"] = {{"noise_floor", lengthJson(result.noise_floor, units)},
+                 {"before", lengthJson(result.before.rms, units)},
+                 {"after", lengthJson(result.after.rms, units)},
+                 {"heldout_before", lengthJson(result.heldout_before.rms, units)},
+                 {"heldout_after", lengthJson(result.heldout_after.rms, units)}};
+  json["chi2_per_dof"] = finite(result.chi2 / std::max(1, result.degrees_of_freedom));
+  json["degrees_of_freedom"] = result.degrees_of_freedom;
+  json["p_value"] = finite(result.p_value);
+  json["evidence"] = {{"best", finite(result.evidence)}, {"noise_reaches", finite(result.threshold)}};
+  json["detectable"] = nlohmann::json::array();
+  for (const auto& entry : result.detectable)
+    json["detectable"].push_back({{"effect", entry.effect},
+                                  {"at", entry.at},
+                                  {"number", entry.number},
+                                  {"size", finite(entry.size / units.factor(dimensionOf(entry.quantity)))},
+                                  {"unit", units.nameOf(dimensionOf(entry.quantity))},
+                                  {"beyond_plausible", entry.is_beyond_plausible}});
+  json["not_tried"] = result.not_tried;
+  json["set_aside"] = nlohmann::json::array();
+  for (const int reading : result.set_aside) json["set_aside"].push_back(readings.at(static_cast<std::size_t>(reading)).id);
+  json["next_readings"] = nlohmann::json::array();
+  return json;
+}
+
+std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
+  std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
+  if (result.verdict == Verdict::kNotRun) return text;
+  text += fmt::format("chi-square {:.1f} for {} degrees of freedom (p = {:.3g}); evidence {:.1f}, noise reaches {:.1f}\n",
+                      result.chi2, result.degrees_of_freedom, result.p_value, result.evidence, result.threshold);
+  text += "  effect                                  probability   chi-square falls by   size\n";
+  for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
+    const auto& entry = result.ranking[k];
+    text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability, entry.fall,
+                        numberText(entry.size, units));
+  }
+  for (std::size_t k = 0; k < result.closest.size() && k < 6; ++k)
+    text += fmt::format("  fitted: {}: chi-square {:.1f}, p = {:.3g}, rms {}\n",
+                        explanationText(result.closest[k], units), result.closest[k].chi2, result.closest[k].p_value,
+                        lengthText(result.closest[k].after.rms, units));
+  for (const int reading : result.set_aside)
+    text += fmt::format("  set aside as an outlier: reading {}\n", readings.at(static_cast<std::size_t>(reading)).id);
+  for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
+  return text;
+}
+
+}  // namespace tubeplan::app

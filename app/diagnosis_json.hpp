@@ -1,0 +1,24 @@
+// A diagnosis as JSON and as a few lines for people.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/readers/units.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+
+namespace tubeplan::app {
+
+/// The one plain sentence of a diagnosis.
+[[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
+
+[[nodiscard]] nlohmann::json diagnosisJson(const calibration::Diagnosis& result,
+                                           const std::vector<calibration::Measurement>& readings, const Units& units);
+
+[[nodiscard]] std::string diagnosisText(const calibration::Diagnosis& result,
+                                        const std::vector<calibration::Measurement>& readings, const Units& units);
+
+/// "adequate", "explained", ...
+[[nodiscard]] const char* nameOf(calibration::Verdict verdict);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,30 @@
+// The effects a cell's arm has beyond its file: what was added after a diagnosis, or hidden for practice.
+//
+//   effects:
+//     - {effect: backlash, at: tool.z, gap: 0.12}
+//
+// Numbers have the units of the cell; those left out are neutral.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/readers/units.hpp"
+#include "app/readers/yaml_node.hpp"
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::app {
+
+/// Throws InputError for an unknown effect, place or number, one twice, or a number out of its bounds.
+[[nodiscard]] std::vector<deflection::Effect> readEffects(const YamlNode& node, const deflection::Arm& arm,
+                                                          const Units& units);
+
+/// The list in flow style, as readEffects takes it.
+[[nodiscard]] std::string effectsText(const deflection::Arm& arm, const Units& units);
+
+/// An effect by its name and place as on the command line: "backlash@tool.z". Throws InputError, `where` naming the
+/// argument.
+[[nodiscard]] deflection::Effect parseEffect(const std::string& text, const deflection::Arm& arm,
+                                             const std::string& where);
+
+}  // namespace tubeplan::app
