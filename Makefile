@@ -1,5 +1,6 @@
 # make demo   installs what is missing, builds, and plans the mock-up's tubes
 # make test   the same, and runs every test
+# make bench  the same, and times the least-squares methods on the thesis's identification, with Ceres as a yardstick
 TUBES   ?= spread:60
 TOUCHES ?= auto
 SEED    ?= 1
@@ -7,9 +8,10 @@ OUT     ?= out/demo
 JOBS    ?= $(shell nproc)
 
 BUILD := build
+BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test program packages format clean
+.PHONY: demo test bench program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -19,6 +21,9 @@ test: $(BUILD)/build.ninja
 	cmake --build $(BUILD) -j $(JOBS)
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
 
+bench: $(BENCH)/build.ninja
+	@cmake --build $(BENCH) -j $(JOBS) --target bench
+
 program: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) -j $(JOBS) --target tubeplan
 
@@ -26,11 +31,18 @@ $(BUILD)/build.ninja: $(BUILD)/.packages CMakePresets.json
 	cmake --preset release
 	@touch $@
 
+$(BENCH)/build.ninja: $(BENCH)/.packages CMakePresets.json
+	cmake --preset release -B $(BENCH) -DTUBEPLAN_BENCHMARKS=ON -DTUBEPLAN_TESTS=OFF
+	@touch $@
+
 packages: $(BUILD)/.packages
 
-# The stamp stands for "all of packages.txt is installed"; only what is missing is fetched.
 $(BUILD)/.packages: packages.txt
-	@missing=; for package in $$(grep -v '^#' packages.txt); do \
+$(BENCH)/.packages: packages.txt packages-bench.txt
+
+# The stamp stands for "all of its lists is installed"; only what is missing is fetched.
+$(BUILD)/.packages $(BENCH)/.packages:
+	@missing=; for package in $$(grep -hv '^#' $^); do \
 	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$package"; \
 	done; \
 	if [ -n "$$missing" ]; then \
@@ -38,10 +50,10 @@ $(BUILD)/.packages: packages.txt
 	  $(SUDO) apt-get update && \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $$missing || exit 1; \
 	fi
-	@mkdir -p $(BUILD) && touch $@
+	@mkdir -p $(@D) && touch $@
 
 format:
 	clang-format -i $$(git ls-files '*.cpp' '*.hpp')
 
 clean:
-	rm -rf $(BUILD) build-dev build-asan
+	rm -rf $(BUILD) $(BENCH) build-dev build-asan

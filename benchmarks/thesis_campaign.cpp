@@ -3,7 +3,6 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 #include "deflection/rigid_branches.hpp"
@@ -96,26 +95,31 @@ std::vector<Reading> measure(const Arm& arm) {
 class Misfit {
  public:
   explicit Misfit(const Arm& truth) : truth_(truth), readings_(measure(truth)) {
-    for (const char* name : kUnknowns) paths_.push_back(deflection::findParameter(truth, name).value().path);
+    for (const char* name : kUnknowns) {
+      paths_.push_back(deflection::findParameter(truth, name).value().path);
+      variables_.push_back(deflection::Variable::number(paths_.back()));
+    }
   }
 
   bool operator()(const VectorXd& x, VectorXd& r, MatrixXd* jacobian) const {
     const Arm arm = armAt(x);
     r.resize(3 * static_cast<Eigen::Index>(readings_.size()));
     if (jacobian) jacobian->resize(r.size(), kCount);
-    Eigen::Index row = 0;
-    for (const auto& reading : readings_) {
-      const auto tip = deflection::differentiateTip(arm, reading.posture, jacobian ? variables() : kNone, kKinematics);
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const Eigen::Index row = 3 * static_cast<Eigen::Index>(k);
+      const auto tip = tipOf(arm, readings_[k].posture, jacobian != nullptr);
       if (tip.kinematics.status != deflection::KinematicsStatus::kConverged) return false;
-      r.segment<3>(row) = (tip.kinematics.X_BD.p - reading.p_BT) / kSigma;
+      r.segment<3>(row) = (tip.kinematics.X_BD.p - readings_[k].p_BT) / kSigma;
       if (jacobian) jacobian->middleRows<3>(row) = tip.position_B * valuesIn(arm).asDiagonal() / kSigma;
-      row += 3;
     }
     return true;
   }
 
  private:
-  inline static const std::vector<deflection::Variable> kNone;
+  deflection::TipDerivatives tipOf(const Arm& arm, const deflection::Posture& posture, bool derive) const {
+    if (derive) return deflection::differentiateTip(arm, posture, variables_, kKinematics);
+    return {deflection::solveFlexibleKinematics(arm, posture, kKinematics), {}, {}};
+  }
 
   Arm armAt(const VectorXd& x) const {
     Arm arm = truth_;
@@ -132,15 +136,10 @@ class Misfit {
     return values;
   }
 
-  std::vector<deflection::Variable> variables() const {
-    std::vector<deflection::Variable> variables;
-    for (const auto& path : paths_) variables.push_back(deflection::Variable::number(path));
-    return variables;
-  }
-
   Arm truth_;
   std::vector<Reading> readings_;
   std::vector<deflection::ParameterPath> paths_;
+  std::vector<deflection::Variable> variables_;
 };
 
 }  // namespace

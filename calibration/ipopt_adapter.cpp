@@ -81,29 +81,22 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index,
-                         const Number*, const Number*, Number value, const Ipopt::IpoptData*,
+                         const Number*, const Number*, Number, const Ipopt::IpoptData*,
                          Ipopt::IpoptCalculatedQuantities*) override {
     solution = Eigen::Map<const VectorXd>(x, n);
-    chi2 = 2 * value;
+    chi2 = chi2At(x);  // Ipopt's own value means nothing after a failed evaluation
   }
 
  private:
   double chi2At(const Number* at) {
     const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
-    if (isAt(x, linearized_x_)) return linearized_ ? r_.squaredNorm() : std::numeric_limits<double>::infinity();
+    if (linearized_ && isAt(x, linearized_x_)) return r_.squaredNorm();
     if (isAt(x, x_)) return chi2_;
-    static const int mode = getenv("MODE") ? atoi(getenv("MODE")) : 1;
-    if (mode == 0 || (mode == 2 && accepted_)) {
-      accepted_ = false;
-      linearize(at, false);
-      return chi2At(at);
-    }
     x_ = x;
     return chi2_ = problem_.chi2At(x);
   }
 
-  bool linearize(const Number* at, bool accept = true) {
-    if (accept) accepted_ = true;
+  bool linearize(const Number* at) {
     const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
     if (isAt(x, linearized_x_)) return linearized_;
     linearized_x_ = x;
@@ -111,7 +104,6 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
   static bool isAt(const VectorXd& x, const VectorXd& known) { return known.size() == x.size() && known == x; }
-  bool accepted_ = true;
 
   ScaledProblem& problem_;
   Eigen::Index n_;
@@ -148,8 +140,9 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
   using Status = LeastSquaresStatus;
   switch (status) {
     case Ipopt::Solve_Succeeded:
-    case Ipopt::Solved_To_Acceptable_Level:
       return {Status::kConverged, "the gradient is within tolerance"};
+    case Ipopt::Solved_To_Acceptable_Level:
+      return {Status::kConverged, "the gradient rests within a thousand tolerances"};
     case Ipopt::User_Requested_Stop:
     case Ipopt::Search_Direction_Becomes_Too_Small:
       return {Status::kConverged, "chi2 falls no further than by rounding"};
@@ -175,11 +168,10 @@ LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, c
   auto solver = makeSolver(stop);
   if (solver->Initialize("") != Ipopt::Solve_Succeeded)
     return scaled.resultAt(scaled.start(), program->chi2, Status::kFailed, "Ipopt could not start");
-  const auto ended = solver->OptimizeTNLP(program);
-  const auto [status, reason] = meaningOf(ended);
+  const auto [status, reason] = meaningOf(solver->OptimizeTNLP(program));
+  if (!std::isfinite(program->chi2)) return scaled.failureAtStart();
   const int iterations = Ipopt::IsValid(solver->Statistics()) ? solver->Statistics()->IterationCount() : 0;
-  return scaled.resultAt(program->solution.size() ? program->solution : scaled.start(), program->chi2, status, reason,
-                         iterations);
+  return scaled.resultAt(program->solution, program->chi2, status, reason, iterations);
 }
 
 }  // namespace tubeplan::calibration

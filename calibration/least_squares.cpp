@@ -69,8 +69,10 @@ LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, cons
   const auto kinds = leastSquaresMethods();
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.method == options.method; });
   assert(kind != kinds.end());
-  return kind->minimize(problem, {options.tolerance.value_or(kind->stop.tolerance),
-                                  options.max_iterations.value_or(kind->stop.max_iterations)});
+  const LeastSquaresStop stop{options.tolerance.value_or(kind->stop.tolerance),
+                              options.max_iterations.value_or(kind->stop.max_iterations)};
+  assert(stop.tolerance > 0 && stop.max_iterations >= 0);
+  return kind->minimize(problem, stop);
 }
 
 }  // namespace tubeplan::calibration

@@ -38,7 +38,7 @@ struct LeastSquaresOptions {
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed };
 
-/// x, and chi2 where the model could be evaluated at all, are the best found whatever the status.
+/// x is where the method stopped, whatever the status; chi2 stays NaN where the model could not be evaluated at all.
 struct LeastSquaresResult {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
   std::string reason;  ///< why the method stopped

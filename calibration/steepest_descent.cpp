@@ -14,8 +14,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double kShareOfCauchyStep = 0.8;
 constexpr double kArmijo = 1e-4;
-constexpr int kMaxTrials = 80;       // golden cuts down to 1e-17 of Cauchy's step
-constexpr double kRounding = 1e-13;  // share of chi2 that falls below the rounding of its sum
+constexpr int kMaxTrials = 80;      // golden cuts down to 1e-17 of Cauchy's step
+constexpr double kRounding = 1e-9;  // share of chi2 that rounding in the model may hide
 
 struct Place {
   VectorXd x, r;
@@ -39,7 +39,8 @@ bool searchLine(ScaledProblem& problem, const Place& from, const VectorXd& direc
   const VectorXd gradient = from.gradient();
   for (int trial = 0; trial < kMaxTrials; ++trial, stride /= std::numbers::phi) {
     x = problem.withinBounds(from.x + stride * direction);
-    if (problem.chi2At(x) <= from.chi2() + 2 * kArmijo * gradient.dot(x - from.x)) return true;
+    const double chi2 = problem.chi2At(x);
+    if (chi2 < from.chi2() && chi2 <= from.chi2() + 2 * kArmijo * gradient.dot(x - from.x)) return true;
   }
   return false;
 }
@@ -59,12 +60,12 @@ LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem,
     if (direction.lpNorm<Eigen::Infinity>() <= stop.tolerance)
       return stopped(Status::kConverged, "the gradient is within tolerance");
     const double cauchy = direction.squaredNorm() / (here.jacobian * direction).squaredNorm();
-    if (cauchy * direction.squaredNorm() <= kRounding * here.chi2())
-      return stopped(Status::kConverged, "chi2 falls no further than by rounding");
     if (iterations == stop.max_iterations) return stopped(Status::kIterationLimit, "stopped at the iteration limit");
     Place next;
     if (!searchLine(scaled, here, direction, kShareOfCauchyStep * cauchy, next.x))
-      return stopped(Status::kFailed, "no step lowers the error");
+      return cauchy * direction.squaredNorm() <= kRounding * here.chi2()
+                 ? stopped(Status::kConverged, "chi2 falls no further than by rounding")
+                 : stopped(Status::kFailed, "no step lowers the error");
     if (!scaled.linearizeAt(next.x, next.r, next.jacobian))
       return stopped(Status::kFailed, "the model could not be differentiated");
     here = next;
