@@ -46,6 +46,16 @@ WhitenedTouch whitenedTouch(const deflection::Arm& arm, const Isometry3d& X_WB, 
   return {tip.ok, whitener * (tip.p_WT - touch.p_WH), whitener * tip.by_base};
 }
 
+/// The misfit alone, NaN where the shape does not settle: what a solver asks at every trial point.
+Vector3d whitenedMisfit(const deflection::Arm& arm, const Isometry3d& X_WB, const Touch& touch,
+                        const Whitener& whitener) {
+  const auto shape = deflection::solveFlexibleKinematics(
+      arm, {touch.q, touch.load, deflection::gravityInBase(arm, X_WB)}, {1e-12, 100});
+  if (shape.status != deflection::KinematicsStatus::kConverged)
+    return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return whitener * (X_WB * shape.X_BD.p - touch.p_WH);
+}
+
 std::vector<Whitener> whitenersAt(const deflection::Arm& arm, const Isometry3d& X_WB, const std::vector<Touch>& touches,
                                   double model_sigma) {
   std::vector<Whitener> whiteners;
@@ -81,10 +91,13 @@ LeastSquaresProblem baseProblem(const deflection::Arm& arm, const std::vector<To
     if (jacobian) jacobian->resize(r.size(), 6);
     const Isometry3d X = moved(X_WB, x);
     for (std::size_t k = 0; k < touches.size(); ++k) {
+      if (!jacobian) {
+        r.segment<3>(3 * static_cast<Eigen::Index>(k)) = whitenedMisfit(arm, X, touches[k], whiteners[k]);
+        continue;
+      }
       const WhitenedTouch row = whitenedTouch(arm, X, touches[k], whiteners[k]);
       if (!row.ok) return false;
       r.segment<3>(3 * static_cast<Eigen::Index>(k)) = row.residual;
-      if (!jacobian) continue;
       jacobian->block<3, 3>(3 * static_cast<Eigen::Index>(k), 0) = row.jacobian.leftCols<3>();
       jacobian->block<3, 3>(3 * static_cast<Eigen::Index>(k), 3) =
           row.jacobian.rightCols<3>() * leftJacobian(x.tail<3>());
