@@ -100,7 +100,11 @@ int rowsOf(const Measurement& reading) { return reading.kind == MeasurementKind:
 
 deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
                               const Eigen::Isometry3d& X_WB) {
-  return {reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
+  deflection::Posture posture{reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
+  posture.senses = reading.senses;
+  posture.temperature = reading.temperature;
+  posture.time = reading.time;
+  return posture;
 }
 
 Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
