@@ -1,0 +1,126 @@
+"""What each effect of the catalogue does to the arm's numbers, as `law(numbers, arm, session, place, shape, size)`.
+
+Written from the catalogue's public description alone. Every law is linear in `size`. Conventions: true joint angle =
+reading + error; a force is in world axes, an offset in the tool's frame; a link's length and twist are those of the way
+to the next row's frame.
+"""
+import numpy as np
+
+from effect_shapes import DEG, row_and_axis
+from rotations import cross
+
+REFERENCE_TEMPERATURE = 68.     # degF
+SEATING_MOMENT = 5.             # lbf in: within it a clearance is being crossed
+
+
+def joint_index(arm, place):
+    return arm.joints.index(place)
+
+
+def reading_error(error):
+    """The law that adds size times error(q of the joint, its sense of motion, shape), in rad, to a reading."""
+    def law(numbers, arm, session, place, shape, size):
+        joint = joint_index(arm, place)
+        numbers.q[:, joint] += size * error(session.q[:, joint], session.direction[:, joint], shape)
+    return law
+
+
+offset = reading_error(lambda q, sense, sign: sign * DEG)
+scale = reading_error(lambda q, sense, sign: sign * q)
+eccentricity = reading_error(lambda q, sense, phase: np.sin(q + phase) * DEG)
+transmission = reading_error(lambda q, sense, phase: np.sin(2. * q + phase) * DEG)
+hysteresis = reading_error(lambda q, sense, sign: sign * sense * DEG)
+
+
+def couple_joints(numbers, arm, session, place, shape, size):
+    to, source = (joint_index(arm, name) for name in place.split("<-"))
+    numbers.q[:, to] += size * shape * session.q[:, source]
+
+
+def lengthen(numbers, arm, session, place, shape, size):
+    numbers.a[:, arm.row(place) + 1] += size * shape
+
+
+def twist(numbers, arm, session, place, shape, size):
+    numbers.alpha[:, arm.row(place) + 1] += size * shape * DEG
+
+
+def move_tip(numbers, arm, session, place, shape, size):
+    numbers.tip += size * shape
+
+
+def weigh_link(numbers, arm, session, place, shape, size):
+    numbers.end_weight[:, arm.row(place)] += size * shape
+
+
+def weigh_tool(numbers, arm, session, place, shape, size):
+    numbers.distributed[:, -1] *= 1. + size * shape
+
+
+def offset_payload(numbers, arm, session, place, shape, size):
+    numbers.payload_offset += size * shape
+
+
+def lean_gravity(numbers, arm, session, place, shape, size):
+    numbers.gravity_tilt += size * shape * DEG
+
+
+def pull(numbers, arm, session, place, shape, size):
+    numbers.end_force[:, arm.row(place)] += size * shape
+
+
+def press(numbers, arm, session, place, shape, size):
+    numbers.end_force[:, -1, 2] += size * shape
+
+
+def give(numbers, arm, session, place, shape, size):
+    """size: deg per 1,000 lbf in."""
+    row, axis = row_and_axis(arm, place)
+    numbers.spring[:, row, axis] += size * 1e-3 * DEG
+
+
+def bend(numbers, arm, session, place, shape, size):
+    """size: 1 / in^4, with the arm file's modulus."""
+    row, axis = row_and_axis(arm, place)
+    numbers.rod[:, row, axis] += size / arm.modulus
+
+
+def twist_rod(numbers, arm, session, place, shape, size):
+    """size: 1e-6 / (lbf in^2)."""
+    numbers.rod[:, arm.row(place), 0] += size * 1e-6
+
+
+def soften(numbers, arm, session, place, shape, size):
+    """Below the knee (shape, lbf in) the axis is softer by size: K1 = K2 / (1 + size)."""
+    row, axis = row_and_axis(arm, place)
+    numbers.soft[:, row, axis] = size * arm.spring[row, axis]
+    numbers.knee[:, row, axis] = shape
+
+
+def loosen(numbers, arm, session, place, shape, size):
+    """A gap of size deg, half of it crossed to each side."""
+    row, axis = row_and_axis(arm, place)
+    numbers.soft[:, row, axis] = .5 * size * DEG / SEATING_MOMENT
+    numbers.knee[:, row, axis] = SEATING_MOMENT
+
+
+def grow(numbers, arm, session, place, shape, size):
+    """The moving links' lengths, each standing in the row after its own, and the tool grow; size: 1e-6 per degF."""
+    growth = size * 1e-6 * (session.temperature - REFERENCE_TEMPERATURE)[:, None]
+    numbers.a[:, arm.joint_rows[0] + 1:] *= 1. + growth
+    numbers.tip *= 1. + growth
+
+
+def slip_base(numbers, arm, session, place, shape, size):
+    after = (session.elapsed > shape["at"])[:, None] * size
+    yaw = np.array([0., 0., shape["yaw"]])
+    numbers.base_position += after * (shape["shift"] + cross(yaw, numbers.base_position))
+    numbers.base_turn += after * yaw
+
+
+def creep_base(numbers, arm, session, place, shape, size):
+    numbers.base_position += size * session.elapsed[:, None] * shape
+
+
+def stretch_scale(numbers, arm, session, place, shape, size):
+    numbers.stretch += size * shape
