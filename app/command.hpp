@@ -37,6 +37,7 @@ Run configureMap(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
 Run configureScore(CLI::App& cli);
+Run configureSimulate(CLI::App& cli);
 Run configureVerify(CLI::App& cli);
 
 }  // namespace tubeplan::app

@@ -20,6 +20,10 @@ constexpr Command kCommands[] = {
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup-true.yaml --tubes spread:60\n"
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup.yaml --runs 100",
      configureScore},
+    {"simulate", "measurements of a cell to practise on, with the truth beside them",
+     "tubeplan simulate app/cells/bench.yaml --design bench --readings 120 --seed 1 --out out/practice\n"
+     "tubeplan simulate app/cells/bowl.yaml --design bowl --readings 90 --loads 0,30 --spread 0.1 --out out/practice",
+     configureSimulate},
 };
 
 }  // namespace
