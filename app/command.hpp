@@ -32,6 +32,7 @@ struct Command {
 [[nodiscard]] std::span<const Command> commands();
 
 // Declared here, defined in commands/<name>.cpp.
+Run configureAdd(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);
 Run configureDiagnose(CLI::App& cli);
 Run configureIdentify(CLI::App& cli);
@@ -39,6 +40,7 @@ Run configureMap(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
 Run configureScore(CLI::App& cli);
+Run configureSimulate(CLI::App& cli);
 Run configureVerify(CLI::App& cli);
 
 }  // namespace tubeplan::app

@@ -14,6 +14,8 @@ constexpr Command kCommands[] = {
      "tubeplan identify app/cells/bench.yaml readings.csv --out fitted.yaml\n"
      "tubeplan identify cell.yaml readings.csv --free tool.tip,geometry",
      configureIdentify},
+    {"add", "the cell with an effect switched on, to be fitted with the rest",
+     "tubeplan add app/cells/bench.yaml backlash@tool.z --out better.yaml", configureAdd},
     {"diagnose", "which effect the model lacks: one, one of several, none, or none that is known",
      "tubeplan diagnose app/cells/bench.yaml readings.csv --report diagnose.html", configureDiagnose},
     {"plan", "a proved, timed visit of a list of tubes",
@@ -26,6 +28,10 @@ constexpr Command kCommands[] = {
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup-true.yaml --tubes spread:60\n"
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup.yaml --runs 100",
      configureScore},
+    {"simulate", "measurements of a cell to practise on, with the truth beside them",
+     "tubeplan simulate app/cells/bench.yaml --design bench --readings 120 --seed 1 --out out/practice\n"
+     "tubeplan simulate app/cells/bowl.yaml --design bowl --readings 90 --loads 0,30 --spread 0.1 --out out/practice",
+     configureSimulate},
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <set>
 
-#include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
+#include "app/readers/measurements_writer.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -83,23 +83,19 @@ std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cel
 }
 
 std::string touchesCsv(const std::vector<Touch>& touches, const Cell& cell) {
-  const std::string length(cell.units.length().name), force(cell.units.force().name);
-  std::string text = "id,kind,point,load_" + force;
-  const auto active = deflection::activeRows(cell.arm);
-  for (int row : active) text += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
-  text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", length);
+  std::vector<Measurement> readings;
   for (const auto& touch : touches) {
-    text += fmt::format("{},touch,{},{}", touch.id, touch.hole,
-                        formatNumber(cell.units.toFile(touch.load, dimension::kForce)));
-    for (int k = 0; k < touch.q.size(); ++k)
-      text += "," +
-              formatNumber(cell.units.toFile(
-                  touch.q[k],
-                  jointDimension(cell.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint)));
-    for (int k = 0; k < 3; ++k) text += "," + formatNumber(cell.units.toFile(touch.p_WH[k], dimension::kLength));
-    text += "," + formatNumber(cell.units.toFile(touch.sigma, dimension::kLength)) + "\n";
+    Measurement reading;
+    reading.id = touch.id;
+    reading.kind = MeasurementKind::kTouch;
+    reading.point = touch.hole;
+    reading.load = touch.load;
+    reading.q = touch.q;
+    reading.p_W = touch.p_WH;
+    reading.sigma = touch.sigma;
+    readings.push_back(std::move(reading));
   }
-  return text;
+  return measurementsCsv(readings, cell.arm, cell.units);
 }
 
 }  // namespace tubeplan::app

@@ -1,5 +1,6 @@
 #include "calibration/reading_prediction.hpp"
 
+#include "calibration/measurement_posture.hpp"
 #include "deflection/effects/effect.hpp"
 
 #include <cassert>
@@ -100,11 +101,7 @@ int rowsOf(const Measurement& reading) { return reading.kind == MeasurementKind:
 
 deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
                               const Eigen::Isometry3d& X_WB) {
-  deflection::Posture posture{reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
-  posture.senses = reading.senses;
-  posture.temperature = reading.temperature;
-  posture.time = reading.time;
-  return posture;
+  return postureOf(reading, deflection::gravityInBase(arm, X_WB));
 }
 
 Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,

@@ -111,6 +111,24 @@ std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identi
   return files;
 }
 
+std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect) {
+  const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
+  std::vector<std::string> names;
+  for (const auto& parameter : kind.parameters)
+    if (parameter.quantity != deflection::Quantity::kTime)
+      names.push_back(deflection::textOf(arm, effect) + "." + parameter.name);
+  return names;
+}
+
+std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, const std::vector<std::string>& freed,
+                                const fs::path& out) {
+  std::vector<std::string> identify;
+  for (const auto& name : cell.identify) identify.push_back('"' + name + '"');
+  for (const auto& name : freed) identify.push_back('"' + name + '"');
+  std::string text = withYamlValue(cellTextAt(cell, out), "effects", effectsText(arm, cell.units));
+  return withYamlValue(text, "identify", fmt::format("[{}]", fmt::join(identify, ", ")));
+}
+
 std::string cellTextAt(const Cell& cell, const fs::path& out) {
   return moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
 }

@@ -32,6 +32,13 @@ struct TextFile {
 [[nodiscard]] std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result,
                                                    const std::filesystem::path& out);
 
+/// Names of an effect's numbers that a fit may free: all but a step's time, which has no derivative.
+[[nodiscard]] std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect);
+
+/// The cell with the arm's effects, and these names added to `identify`.
+[[nodiscard]] std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm,
+                                              const std::vector<std::string>& freed, const std::filesystem::path& out);
+
 /// The cell's text unchanged but for the names of its files, relative to `out`.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);
 

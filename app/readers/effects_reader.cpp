@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/input_error.hpp"
 #include "app/readers/quantities.hpp"
@@ -46,6 +47,51 @@ Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units&
   return effect;
 }
 
+/// "0.15deg": a number and, if it likes, the unit it must have.
+double readSize(const std::string& text, double lower, double upper, Dimension unit, const Units& units,
+                const std::string& where) {
+  std::size_t used = 0;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const std::string written = text.substr(used);
+  if (used == 0 || !std::isfinite(value) || (!written.empty() && written != units.nameOf(unit)))
+    throw InputError(where, inQuotes(text), "a number in " + units.nameOf(unit), "");
+  const double internal = units.toInternal(value, unit);
+  if (internal < lower || internal > upper)
+    throw InputError(where, inQuotes(text),
+                     fmt::format("a number from {} to {} {}", formatNumber(units.toFile(lower, unit)),
+                                 formatNumber(units.toFile(upper, unit)), units.nameOf(unit)),
+                     "");
+  return internal;
+}
+
+/// "0.15deg" or "softness=0.6,knee=200".
+void readSizes(const std::string& text, const deflection::Arm& arm, const Units& units, const std::string& where,
+               Effect& effect) {
+  std::vector<std::string> names;
+  for (const auto& parameter : kindOf(effect).parameters) names.emplace_back(parameter.name);
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::string part = text.substr(from, to - from);
+    const std::size_t equals = part.find('=');
+    const std::string name = equals == std::string::npos ? names.front() : part.substr(0, equals);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError(where, "no number " + inQuotes(name), fmt::format("one of {}", fmt::join(names, ", ")),
+                       suggestion(name, names));
+    const int value = static_cast<int>(found - names.begin());
+    const auto number = deflection::numberOf(arm, effect, value);
+    effect.values[static_cast<std::size_t>(value)] =
+        readSize(equals == std::string::npos ? part : part.substr(equals + 1), number.lower, number.upper,
+                 dimensionOf(number.quantity), units, where);
+    from = to + 1;
+  }
+}
+
 }  // namespace
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
@@ -75,17 +121,23 @@ std::string effectsText(const deflection::Arm& arm, const Units& units) {
   return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
-Effect parseEffect(const std::string& text, const deflection::Arm& arm, const std::string& where) {
+ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, const Units& units,
+                         const std::string& where) {
   const std::size_t at = text.find('@');
   if (at == std::string::npos)
     throw InputError(where, inQuotes(text), "EFFECT@AT, as backlash@tool.z", "`tubeplan effects CELL` lists them");
-  const auto made = deflection::makeEffect(arm, text.substr(0, at), text.substr(at + 1));
-  if (made.status == EffectStatus::kMade) return made.effect;
-  const bool is_effect = made.status == EffectStatus::kUnknownEffect;
-  throw InputError(where, inQuotes(text) + " (" + made.reason + ")",
-                   made.known.empty() ? "an effect this arm can have"
-                                      : fmt::format("one of {}", fmt::join(made.known, ", ")),
-                   suggestion(is_effect ? text.substr(0, at) : text.substr(at + 1), made.known));
+  const std::size_t colon = text.find(':', at);
+  const auto made = deflection::makeEffect(arm, text.substr(0, at), text.substr(at + 1, colon - at - 1));
+  if (made.status != EffectStatus::kMade) {
+    const bool is_effect = made.status == EffectStatus::kUnknownEffect;
+    throw InputError(where, inQuotes(text) + " (" + made.reason + ")",
+                     made.known.empty() ? "an effect this arm can have"
+                                        : fmt::format("one of {}", fmt::join(made.known, ", ")),
+                     suggestion(is_effect ? text.substr(0, at) : text.substr(at + 1, colon - at - 1), made.known));
+  }
+  ParsedEffect parsed{made.effect, colon != std::string::npos};
+  if (parsed.has_sizes) readSizes(text.substr(colon + 1), arm, units, where, parsed.effect);
+  return parsed;
 }
 
 }  // namespace tubeplan::app

@@ -22,9 +22,14 @@ namespace tubeplan::app {
 /// The list in flow style, as readEffects takes it.
 [[nodiscard]] std::string effectsText(const deflection::Arm& arm, const Units& units);
 
-/// An effect by its name and place as on the command line: "backlash@tool.z". Throws InputError, `where` naming the
-/// argument.
-[[nodiscard]] deflection::Effect parseEffect(const std::string& text, const deflection::Arm& arm,
-                                             const std::string& where);
+/// An effect as on the command line: "backlash@tool.z", "backlash@tool.z:0.15deg" (its first number),
+/// "stiffening@tool.z:softness=0.6,knee=200" (by name, in the cell's units; a unit that is written must be the cell's).
+/// Throws InputError, `where` naming the argument.
+struct ParsedEffect {
+  deflection::Effect effect;
+  bool has_sizes = false;
+};
+[[nodiscard]] ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, const Units& units,
+                                       const std::string& where);
 
 }  // namespace tubeplan::app

@@ -1,0 +1,132 @@
+#include "app/readers/campaign_reader.hpp"
+
+#include <array>
+#include <filesystem>
+
+#include "app/readers/measurements_writer.hpp"
+#include "app/readers/quantities.hpp"
+#include "app/readers/strict_yaml.hpp"
+#include "app/suggestion.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::CampaignDesign, calibration::CampaignPlace, calibration::MeasurementKind;
+
+constexpr std::array kKinds{MeasurementKind::kPosition, MeasurementKind::kTouch, MeasurementKind::kDeflection,
+                            MeasurementKind::kDistance};
+
+struct PlaceRow {
+  const char* name;
+  CampaignPlace place;
+};
+constexpr std::array<PlaceRow, 3> kPlaces{
+    {{"anywhere", CampaignPlace::kAnywhere}, {"plane", CampaignPlace::kPlane}, {"holes", CampaignPlace::kHoles}}};
+
+[[noreturn]] void refuseWord(const YamlNode& node, const std::vector<std::string>& words) {
+  node.fail(alternatives(words), suggestion(node.text(), words));
+}
+
+MeasurementKind readKind(const YamlNode& node) {
+  std::vector<std::string> names;
+  for (const auto kind : kKinds) {
+    names.emplace_back(measurementKindName(kind));
+    if (node.text() == names.back()) return kind;
+  }
+  refuseWord(node, names);
+}
+
+CampaignPlace readPlace(const YamlNode& node) {
+  std::vector<std::string> names;
+  for (const auto& row : kPlaces) {
+    names.emplace_back(row.name);
+    if (node.text() == row.name) return row.place;
+  }
+  refuseWord(node, names);
+}
+
+bool readPointsKnown(const YamlNode& node) {
+  if (node.text() != "known" && node.text() != "unknown") refuseWord(node, {"known", "unknown"});
+  return node.text() == "known";
+}
+
+std::vector<double> readLoads(const YamlNode& node, const Units& units) {
+  std::vector<double> loads;
+  for (const YamlNode& item : node.list()) {
+    loads.push_back(readQuantity(item, units, dimension::kForce));
+    if (loads.back() < 0) item.fail("a weight of zero or more");
+  }
+  if (loads.empty()) node.fail("one load or more", "write loads: [0] for none");
+  return loads;
+}
+
+Eigen::AlignedBox3d readRegion(const YamlNode& node, const Units& units) {
+  node.expectKeys({"from", "to"}, {});
+  const Eigen::Vector3d from = readVector(node.at("from"), units, dimension::kLength);
+  const Eigen::Vector3d to = readVector(node.at("to"), units, dimension::kLength);
+  if ((from.array() >= to.array()).any()) node.at("to").fail("a corner above `from` in all three coordinates");
+  return {from, to};
+}
+
+// A key that means nothing for this kind would be a wish unheard.
+void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
+  const bool is_touch = design.kind == MeasurementKind::kTouch;
+  for (const char* key : {"points", "postures_per_point"})
+    if (const YamlNode* node = root.find(key); node && !is_touch)
+      node->fail(std::string("`") + key + "` of a kind that touches nothing", "it with kind: touch", "remove it");
+  const YamlNode* anchor = root.find("anchor");
+  if (anchor && design.kind != MeasurementKind::kDistance)
+    anchor->fail("an anchor of a kind that measures no distance", "it with kind: distance", "remove it");
+  if (!anchor && design.kind == MeasurementKind::kDistance)
+    root.at("kind").fail("distances without an anchor", "the place they are measured from", "add anchor: [x, y, z]");
+}
+
+// What the keys that are not there stand for.
+CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
+  CampaignDesign design;
+  design.kind = readKind(root.at("kind"));
+  const bool is_touch = design.kind == MeasurementKind::kTouch;
+  if (const YamlNode* points = root.find("points")) design.points_known = readPointsKnown(*points);
+  if (is_touch && design.points_known) design.place = has_sheet ? CampaignPlace::kHoles : CampaignPlace::kPlane;
+  if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
+  design.loads = calibration::usualLoads();
+  if (!is_touch && design.place == CampaignPlace::kHoles) design.loads = {0};
+  if (design.kind == MeasurementKind::kDeflection) design.loads.erase(design.loads.begin());
+  design.sigma = is_touch ? calibration::kTouchSigma : calibration::kPositionSigma;
+  return design;
+}
+
+void readShare(const YamlNode& node, double& share) {
+  share = node.number();
+  if (share < 0 || share >= 1) node.fail("a share from 0 to below 1");
+}
+
+void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
+  CampaignDesign& design = file.design;
+  if (const YamlNode* node = root.find("postures")) file.postures = node->integer(1, calibration::kMostReadings);
+  if (const YamlNode* node = root.find("postures_per_point")) design.postures_per_point = node->integer(1, 100);
+  if (const YamlNode* node = root.find("setups")) design.setups = node->integer(1, 1000);
+  if (const YamlNode* node = root.find("loads")) design.loads = readLoads(*node, units);
+  if (const YamlNode* node = root.find("anchor")) design.anchor_W = readVector(*node, units, dimension::kLength);
+  if (const YamlNode* node = root.find("region")) design.region_W = readRegion(*node, units);
+  if (const YamlNode* node = root.find("split")) readShare(*node, design.held_out);
+  design.sigma = readQuantityOr(root, "sigma", units, dimension::kLength, design.sigma);
+  if (design.sigma < 0) root.at("sigma").fail("zero or more");
+}
+
+}  // namespace
+
+CampaignFile readCampaignFile(const std::string& path, const Units& units, bool has_sheet) {
+  const YamlFile source = readYamlFile(path);
+  source.root.expectKeys({"kind"}, {"name", "at", "points", "postures", "postures_per_point", "loads", "anchor",
+                                    "region", "setups", "split", "sigma"});
+  CampaignFile file{designOfKind(source.root, has_sheet), std::nullopt};
+  file.design.name = std::filesystem::path(path).stem().string();
+  if (const YamlNode* name = source.root.find("name")) file.design.name = name->text();
+  readNumbers(source.root, units, file);
+  checkBelongs(source.root, file.design);
+  return file;
+}
+
+}  // namespace tubeplan::app

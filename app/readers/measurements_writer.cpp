@@ -1,0 +1,145 @@
+#include "app/readers/measurements_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "app/command_inputs.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement, calibration::MeasurementKind;
+
+/// A column of the table: its name, and what a reading has there.
+struct Column {
+  std::string name;
+  std::function<std::string(const Measurement&)> field;
+};
+
+std::string numberOrNothing(double value) { return std::isnan(value) ? "" : formatNumber(value); }
+
+// A name that could be taken for two fields, or lose its blanks, goes in quotes.
+std::string quoted(const std::string& text) {
+  const bool is_plain = text.find_first_of(",\"\n\r#") == std::string::npos &&
+                        (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  if (is_plain) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+template <class Has>
+bool anyHas(const std::vector<Measurement>& readings, Has has) {
+  return std::any_of(readings.begin(), readings.end(), has);
+}
+
+class Table {
+ public:
+  Table(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units)
+      : readings_(readings), arm_(arm), units_(units), active_(deflection::activeRows(arm)) {}
+
+  std::string text() {
+    addNames();
+    addJoints();
+    addCoordinates();
+    addConditions();
+    std::vector<std::string> names;
+    for (const Column& column : columns_) names.push_back(column.name);
+    std::string text = fmt::format("{}\n", fmt::join(names, ","));
+    for (const Measurement& reading : readings_) {
+      std::vector<std::string> fields;
+      for (const Column& column : columns_) fields.push_back(column.field(reading));
+      text += fmt::format("{}\n", fmt::join(fields, ","));
+    }
+    return text;
+  }
+
+ private:
+  void add(const std::string& name, std::function<std::string(const Measurement&)> field) {
+    columns_.push_back({name, std::move(field)});
+  }
+
+  void addNames() {
+    add("id", [](const auto& m) { return quoted(m.id); });
+    add("kind", [](const auto& m) { return std::string(measurementKindName(m.kind)); });
+    add("point", [](const auto& m) { return quoted(m.point); });
+    if (anyHas(readings_, [](const auto& m) { return !m.setup.empty(); }))
+      add("setup", [](const auto& m) { return quoted(m.setup); });
+  }
+
+  [[nodiscard]] const deflection::Joint<double>& joint(std::size_t k) const {
+    return arm_.rows[static_cast<std::size_t>(active_[k])].joint;
+  }
+
+  void addJoints() {
+    add("load_" + std::string(units_.force().name),
+        [this](const auto& m) { return formatNumber(units_.toFile(m.load, dimension::kForce)); });
+    for (std::size_t k = 0; k < active_.size(); ++k)
+      add(jointColumn(joint(k), units_), [this, k](const auto& m) {
+        return formatNumber(units_.toFile(m.q[static_cast<Eigen::Index>(k)], jointDimension(joint(k))));
+      });
+  }
+
+  void addLength(const std::string& quantity, std::function<double(const Measurement&)> metres) {
+    add(quantity + "_" + std::string(units_.length().name), [this, metres = std::move(metres)](const Measurement& m) {
+      return numberOrNothing(units_.toFile(metres(m), dimension::kLength));
+    });
+  }
+
+  void addCoordinates() {
+    constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+    addLength("x", [](const auto& m) { return m.p_W ? m.p_W->x() : kNothing; });
+    addLength("y", [](const auto& m) { return m.p_W ? m.p_W->y() : kNothing; });
+    addLength("z", [](const auto& m) { return m.p_W ? m.p_W->z() : kNothing; });
+    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.distance); }))
+      addLength("distance", [](const auto& m) { return m.distance; });
+    addLength("sigma", [](const auto& m) { return m.sigma; });
+  }
+
+  void addConditions() {
+    if (anyHas(readings_, [](const auto& m) { return !m.senses.empty(); }))
+      for (std::size_t k = 0; k < active_.size(); ++k)
+        add(joint(k).name + "_dir", [k](const auto& m) { return std::to_string(m.senses.empty() ? 0 : m.senses[k]); });
+    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.temperature); }))
+      add("temperature_" + std::string(units_.temperature().name),
+          [this](const auto& m) { return numberOrNothing(units_.temperatureToFile(m.temperature)); });
+    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.time); }))
+      add("time_" + std::string(units_.time().name),
+          [this](const auto& m) { return numberOrNothing(m.time / units_.time().factor); });
+    if (anyHas(readings_, [](const auto& m) { return m.is_held_out; }))
+      add("split", [](const auto& m) { return std::string(m.is_held_out ? "held-out" : "fit"); });
+  }
+
+  const std::vector<Measurement>& readings_;
+  const deflection::Arm& arm_;
+  const Units& units_;
+  std::vector<int> active_;
+  std::vector<Column> columns_;
+};
+
+}  // namespace
+
+const char* measurementKindName(MeasurementKind kind) {
+  switch (kind) {
+    case MeasurementKind::kPosition:
+      return "position";
+    case MeasurementKind::kTouch:
+      return "touch";
+    case MeasurementKind::kDeflection:
+      return "deflection";
+    case MeasurementKind::kDistance:
+      return "distance";
+  }
+  return "";
+}
+
+std::string measurementsCsv(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units) {
+  return Table(readings, arm, units).text();
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,210 @@
+#include "calibration/campaign_station.hpp"
+
+#include <array>
+
+#include "calibration/measurement_posture.hpp"
+#include "deflection/effects/situation.hpp"
+#include "calibration/tip_placement.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::Vector3d, Eigen::VectorXd;
+
+/// What a reading is made of, once the arm is in place.
+struct Shot {
+  const deflection::Arm& arm;
+  const CampaignDesign& design;
+  const CampaignSite& site;
+  Vector3d tip_W;
+  std::optional<Vector3d> point_W;
+  Vector3d noise;
+};
+
+std::optional<Vector3d> tipInWorld(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
+  const auto tip = tipPlace(arm, postureOf(reading, site.gravity_B));
+  if (!tip) return std::nullopt;
+  return site.X_WB * *tip;
+}
+
+PostureRefusal measurePosition(const Shot& shot, Measurement& reading) {
+  reading.p_W = deflection::measurementScale(shot.arm) * shot.tip_W + shot.noise;
+  return PostureRefusal::kNone;
+}
+
+/// Its noise is in where the tip rests.
+PostureRefusal measureTouch(const Shot& shot, Measurement& reading) {
+  if (shot.design.points_known) reading.p_W = shot.point_W;
+  return PostureRefusal::kNone;
+}
+
+PostureRefusal measureDeflection(const Shot& shot, Measurement& reading) {
+  Measurement unloaded = reading;
+  unloaded.load = 0;
+  const auto rest_W = tipInWorld(shot.arm, shot.site, unloaded);
+  if (!rest_W) return PostureRefusal::kUnsettled;
+  reading.p_W = deflection::measurementScale(shot.arm) * (shot.tip_W - *rest_W) + shot.noise;
+  return PostureRefusal::kNone;
+}
+
+PostureRefusal measureDistance(const Shot& shot, Measurement& reading) {
+  reading.p_W = shot.design.anchor_W;
+  reading.distance =
+      deflection::measurementScale(shot.arm) * (shot.tip_W - *shot.design.anchor_W).norm() + shot.noise.x();
+  return reading.distance > 0 ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
+}
+
+/// By kind; an open table.
+struct KindRow {
+  MeasurementKind kind;
+  PostureRefusal (*measure)(const Shot& shot, Measurement& reading);
+};
+constexpr std::array<KindRow, 4> kKinds{{{MeasurementKind::kPosition, measurePosition},
+                                         {MeasurementKind::kTouch, measureTouch},
+                                         {MeasurementKind::kDeflection, measureDeflection},
+                                         {MeasurementKind::kDistance, measureDistance}}};
+
+PostureRefusal measure(const Shot& shot, Measurement& reading) {
+  for (const auto& row : kKinds)
+    if (row.kind == reading.kind) return row.measure(shot, reading);
+  return PostureRefusal::kUnsettled;
+}
+
+Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
+                         const ReadingConditions& conditions) {
+  Measurement reading;
+  reading.kind = design.kind;
+  reading.setup = site.name;
+  reading.load = design.loads[index % design.loads.size()];
+  if (design.sigma > 0) reading.sigma = design.sigma;
+  reading.temperature = conditions.temperature;
+  reading.time = conditions.time;
+  return reading;
+}
+
+}  // namespace
+
+CampaignStation::CampaignStation(const deflection::Arm& arm, const CampaignDesign& design,
+                                 const CampaignOptions& options)
+    : arm_(arm),
+      design_(design),
+      options_(options),
+      source_(arm, options.seed),
+      reach_(deflection::reachOf(arm)),
+      fresh_holes_(options.holes),
+      here_(source_.anywhere()) {}
+
+StationReadings CampaignStation::read(const CampaignSite& site, int number,
+                                      const std::vector<ReadingConditions>& conditions) {
+  StationReadings taken;
+  taken.name = (design_.kind == MeasurementKind::kTouch ? "H" : "P") + std::to_string(number);
+  VectorXd here = here_, q = here_;
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    if (k % design_.loads.size() == 0) taken.refusal = begin(site, taken, q);
+    if (taken.refusal != PostureRefusal::kNone) return taken;
+    Measurement reading = readingUnder(design_, site, k, conditions[k]);
+    reading.point = taken.name;
+    reading.q = q;
+    taken.refusal = take(site, conditions[k], taken, here, reading);
+    if (taken.refusal != PostureRefusal::kNone) return taken;
+    here = q = reading.q;
+    reading.q += conditions[k].encoder_noise;
+    taken.readings.push_back(std::move(reading));
+  }
+  here_ = here;
+  std::erase_if(fresh_holes_, [&](const auto& hole) { return hole.name == taken.name; });
+  if (fresh_holes_.empty()) renewHoles();
+  return taken;
+}
+
+TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
+  Measurement reading;
+  reading.q = source_.anywhere();
+  reading.load = design_.loads.front();
+  return check(site, reading);
+}
+
+PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+  if (design_.place == CampaignPlace::kHoles) return beginAtHole(site, taken, q);
+  q = source_.anywhere();
+  if (design_.kind != MeasurementKind::kTouch || taken.p_W) return PostureRefusal::kNone;
+  Measurement first;
+  first.q = q;
+  first.load = design_.loads.front();
+  taken.p_W = tipInWorld(arm_, site, first);
+  if (!taken.p_W) return PostureRefusal::kUnsettled;
+  const Vector3d up = -arm_.gravity_W;
+  if (design_.place == CampaignPlace::kPlane) *taken.p_W += (plane_height_ - up.dot(*taken.p_W)) * up;
+  return PostureRefusal::kNone;
+}
+
+PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+  const double below = design_.kind == MeasurementKind::kTouch ? 0 : options_.standoff;
+  std::vector<CampaignPoint> again;
+  if (taken.p_W) again.push_back({taken.name, *taken.p_W});
+  const auto start =
+      source_.atHole(site, taken.p_W ? again : fresh_holes_, options_.hole_axis_W, below, design_.loads.front());
+  q = start.q;
+  taken.name = start.hole.name;
+  taken.p_W = start.hole.p_W;
+  return start.refusal;
+}
+
+PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingConditions& conditions,
+                                     const StationReadings& taken, const VectorXd& here, Measurement& reading) const {
+  reading.senses = conditions.senses(here, reading.q);
+  if (const auto goal_W = goalOf(taken, conditions.coordinate_noise)) {
+    const auto refusal = bringTip(site, conditions, *goal_W, here, reading);
+    if (refusal != PostureRefusal::kNone) return refusal;
+  }
+  const TipTrial trial = check(site, reading);
+  if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
+  return measure({arm_, design_, site, trial.tip_W, taken.p_W, conditions.coordinate_noise}, reading);
+}
+
+/// What the arm does may depend on the senses in which its joints arrive, and those on where they have to be.
+PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const ReadingConditions& conditions,
+                                         const Vector3d& goal_W, const VectorXd& here, Measurement& reading) const {
+  constexpr int kMostPasses = 4;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const auto placed = placeTip(arm_, postureOf(reading, site.gravity_B), site.X_WB.inverse() * goal_W);
+    if (placed.status == TipPlacementStatus::kStretched) return PostureRefusal::kStretched;
+    if (placed.status != TipPlacementStatus::kPlaced) return PostureRefusal::kOutOfReach;
+    reading.q = placed.q;
+    const auto senses = conditions.senses(here, reading.q);
+    if (senses == reading.senses) return PostureRefusal::kNone;
+    reading.senses = senses;
+  }
+  return PostureRefusal::kUnsettled;
+}
+
+std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, const Vector3d& noise) const {
+  if (!taken.p_W) return std::nullopt;
+  if (design_.kind == MeasurementKind::kTouch) return *taken.p_W + noise;
+  return *taken.p_W - options_.standoff * options_.hole_axis_W;
+}
+
+TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& reading) const {
+  TipTrial trial;
+  const auto tip_W = tipInWorld(arm_, site, reading);
+  if (!source_.isWithinLimits(reading.q))
+    trial.refusal = PostureRefusal::kPastLimit;
+  else if (!tip_W)
+    trial.refusal = PostureRefusal::kUnsettled;
+  else if (!isInRegion(site, *tip_W))
+    trial.refusal = PostureRefusal::kOutsideRegion;
+  else if (options_.is_clear && !options_.is_clear(site.setup, reading.load, reading.q))
+    trial.refusal = PostureRefusal::kNotClear;
+  if (tip_W) trial.tip_W = *tip_W;
+  return trial;
+}
+
+bool CampaignStation::isInRegion(const CampaignSite& site, const Vector3d& tip_W) const {
+  if (design_.region_W) return design_.region_W->contains(tip_W);
+  if (design_.place == CampaignPlace::kHoles) return true;
+  const Vector3d tip_B = site.X_WB.inverse() * tip_W;
+  return tip_B.z() > 0 && tip_B.norm() >= options_.least_reach * reach_;
+}
+
+}  // namespace tubeplan::calibration
