@@ -36,9 +36,8 @@ Arm rigidCopy(const Arm& arm) {
     row.joint_stiffness.setConstant(kRigid);
     row.beam.reset();
   }
-  std::erase_if(rigid.effects, [](const Effect& effect) {
-    return effectKinds().at(effect.kind).stage == EffectStage::kFlexibility;
-  });
+  std::erase_if(rigid.effects,
+                [](const Effect& effect) { return effectKinds().at(effect.kind).stage == EffectStage::kFlexibility; });
   return rigid;
 }
 

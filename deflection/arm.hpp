@@ -82,13 +82,13 @@ template <class S>
 struct Addition {
   bool joint_gives = false, member_gives = false;
   std::array<bool, 3> bends{}, has_gap{};
-  Vector3<S> compliance = Vector3<S>::Zero();            ///< rad/(N m), at the origin, about the row's axes
-  Vector3<S> softness = Vector3<S>::Zero();              ///< see elements/joint_stiffness.hpp ...
-  Vector3<S> knee = Vector3<S>::Zero();                  ///< ... up to this moment [N m]
-  Vector3<S> gap = Vector3<S>::Zero();                   ///< clearance [rad], see elements/clearance.hpp
-  Vector3<S> bending_compliance = Vector3<S>::Zero();    ///< 1/(N m^2), of the member, about the row's axes
-  S torsion_compliance{0};                               ///< 1/(N m^2), of the member
-  Vector3<S> pull = Vector3<S>::Zero();                  ///< N, at the member's end, in base axes
+  Vector3<S> compliance = Vector3<S>::Zero();          ///< rad/(N m), at the origin, about the row's axes
+  Vector3<S> softness = Vector3<S>::Zero();            ///< see elements/joint_stiffness.hpp ...
+  Vector3<S> knee = Vector3<S>::Zero();                ///< ... up to this moment [N m]
+  Vector3<S> gap = Vector3<S>::Zero();                 ///< clearance [rad], see elements/clearance.hpp
+  Vector3<S> bending_compliance = Vector3<S>::Zero();  ///< 1/(N m^2), of the member, about the row's axes
+  S torsion_compliance{0};                             ///< 1/(N m^2), of the member
+  Vector3<S> pull = Vector3<S>::Zero();                ///< N, at the member's end, in base axes
 };
 
 template <class S>

@@ -37,7 +37,7 @@ struct ChainLink {
 template <class S>
 struct Chain {
   std::vector<ChainLink<S>> links;
-  std::vector<ComponentStateOf<S>> components;
+  std::vector<ComponentState> components;
   int clearances = 0;  ///< axes with an open gap
 };
 
@@ -65,7 +65,7 @@ void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPla
   const auto kinds = elementKinds();
   for (int k = 0; k < static_cast<int>(kinds.size()); ++k) {
     if (kinds[k].place != place || !kinds[k].isFlexible(values)) continue;
-    for (int s = 0; s < pieces; ++s) chain.components.push_back({row, k, s, Vector3<S>::Zero(), Vector3<S>::Zero()});
+    for (int s = 0; s < pieces; ++s) chain.components.push_back({.row = row, .kind = k, .segment = s});
     return;
   }
 }
@@ -93,6 +93,13 @@ inline double shareOf(const Row<double>& values, int lump, const Vector3<double>
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
+/// The end of a piece of the member, as a share of it: `value` decides the structure, `share` has the derivatives too.
+template <class S>
+struct Cut {
+  double value;
+  S share;
+};
+
 /// The lumps that hang at a share of the member; `here` is that place, in the row's axes.
 template <class S>
 void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<double>& member,
@@ -106,15 +113,24 @@ void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
   }
 }
 
-/// Ends of the member's pieces as shares of it: its segments, cut again where a lump hangs.
-inline std::vector<double> cutsOf(const Row<double>& values, const Vector3<double>& member) {
+/// Ends of the member's pieces: its segments, cut again where a lump hangs.
+template <class S>
+std::vector<Cut<S>> cutsOf(const Row<S>& row, const Row<double>& values, const Vector3<S>& v) {
+  const Vector3<double> member = valuesOf(v);
   const int segments = std::max(1, segmentsOf(values));
-  std::vector<double> cuts;
-  for (int s = 1; s <= segments; ++s) cuts.push_back(static_cast<double>(s) / segments);
-  for (std::size_t k = 0; k < values.weight.lumps.size(); ++k)
-    if (const double share = shareOf(values, static_cast<int>(k), member); share > 0) cuts.push_back(share);
-  std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  std::vector<Cut<S>> cuts;
+  for (int s = 1; s <= segments; ++s) {
+    const double share = static_cast<double>(s) / segments;
+    cuts.push_back({share, S(share)});
+  }
+  for (std::size_t k = 0; k < values.weight.lumps.size(); ++k) {
+    const double share = shareOf(values, static_cast<int>(k), member);
+    if (share <= 0) continue;
+    cuts.push_back({share, share < 1 ? S(row.weight.lumps[k].at.dot(v) / v.squaredNorm()) : S(1)});
+  }
+  std::stable_sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  const auto same = [](const Cut<S>& a, const Cut<S>& b) { return a.value == b.value; };
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
   return cuts;
 }
 
@@ -123,19 +139,19 @@ void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, in
   using std::sqrt;
   const Vector3<double> member = valuesOf(v);
   const int first = static_cast<int>(chain.components.size());
-  const std::vector<double> cuts = cutsOf(values, member);
+  const std::vector<Cut<S>> cuts = cutsOf<S>(row, values, v);
   addElements<S>(chain, values, index, ElementPlace::kMember, static_cast<int>(cuts.size()));
   const bool flexible = static_cast<int>(chain.components.size()) > first;
   const bool has_length = valueOf(v.squaredNorm()) > 0;
-  double from = 0;
+  S from(0);
   for (std::size_t s = 0; s < cuts.size(); ++s) {
     ChainLink<S> link{ChainLinkType::kMember, index};
     link.component = flexible ? first + static_cast<int>(s) : -1;
-    link.p = v * S(cuts[s] - from);
-    if (has_length) link.weight = row.weight.distributed * sqrt(v.squaredNorm()) * S(cuts[s] - from);
+    link.p = v * S(cuts[s].share - from);
+    if (has_length) link.weight = row.weight.distributed * sqrt(v.squaredNorm()) * S(cuts[s].share - from);
     chain.links.push_back(link);
-    addLumps<S>(chain, row, values, index, member, cuts[s], v * S(cuts[s]));
-    from = cuts[s];
+    addLumps<S>(chain, row, values, index, member, cuts[s].value, v * cuts[s].share);
+    from = cuts[s].share;
   }
   ChainLink<S> end{ChainLinkType::kEndWeight, index};
   end.weight = row.weight.end;

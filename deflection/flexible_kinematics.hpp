@@ -37,45 +37,37 @@ struct FlexibleKinematicsOptions {
 enum class KinematicsStatus { kNotRun, kConverged, kNotConverged };
 
 /// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
-template <class S>
-struct RowStateOf {
-  PoseOf<S> X_BL_rigid, X_BL;    ///< frame without and with deflection
-  Vector3<S> force_B, moment_B;  ///< N, N m, in base axes
-  Vector3<S> force_L, moment_L;  ///< the same in the row's deflected axes
+struct RowState {
+  PoseOf<double> X_BL_rigid, X_BL;    ///< frame without and with deflection
+  Eigen::Vector3d force_B, moment_B;  ///< N, N m, in base axes
+  Eigen::Vector3d force_L, moment_L;  ///< the same in the row's deflected axes
 };
 
 /// Deflection of one element: which row, which law (index into elementKinds()), which segment of the member.
-template <class S>
-struct ComponentStateOf {
+struct ComponentState {
   int row = -1;
   int kind = -1;
   int segment = 0;
-  Vector3<S> displacement = Vector3<S>::Zero();  ///< m, in the element's near-end axes
-  Vector3<S> rotation = Vector3<S>::Zero();      ///< rad
-  Vector3<S> gap = Vector3<S>::Zero();           ///< rad, the part of the rotation that is clearance
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< m, in the element's near-end axes
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();      ///< rad
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();           ///< rad, the part of the rotation that is clearance
 };
 
-template <class S>
-struct FlexibleKinematicsOf {
+struct FlexibleKinematics {
   KinematicsStatus status = KinematicsStatus::kNotRun;
   std::string reason;
   int iterations = 0;
-  std::vector<RowStateOf<S>> rows;
-  std::vector<ComponentStateOf<S>> components;
-  PoseOf<S> X_BT;  ///< tool frame at the tip, rigid
-  PoseOf<S> X_BD;  ///< tool frame at the tip, deflected
+  std::vector<RowState> rows;
+  std::vector<ComponentState> components;
+  PoseOf<double> X_BT;  ///< tool frame at the tip, rigid
+  PoseOf<double> X_BD;  ///< tool frame at the tip, deflected
 };
-using FlexibleKinematics = FlexibleKinematicsOf<double>;
 
 /// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put
-/// together again, until the tip rests. For dual numbers the derivatives are iterated to rest as well, from the values'
-/// fixed point, so they are exact derivatives of the converged shape. `posture.q` must have one entry per active row.
-/// Effects of the arm take part: the result is that of the arm as it really is, in the axes of the base as named.
+/// together again, until the tip rests. `posture.q` must have one entry per active row. Effects of the arm take part:
+/// the result is that of the arm as it really is, in the axes of the base as named.
 [[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
                                                          const FlexibleKinematicsOptions& options = {});
-[[nodiscard]] FlexibleKinematicsOf<Dual> solveFlexibleKinematics(const ArmOf<Dual>& arm, const PostureOf<Dual>& posture,
-                                                                 const FlexibleKinematics& values,
-                                                                 const FlexibleKinematicsOptions& options = {});
 
 /// Poses of all row frames as deflected, in the world.
 std::vector<Eigen::Isometry3d> rowFramesInWorld(const FlexibleKinematics& kinematics, const Eigen::Isometry3d& X_WB);

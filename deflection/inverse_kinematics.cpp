@@ -224,6 +224,13 @@ Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Vec
                     const InverseKinematicsOptions& options) {
   const GoalProblem problem(arm, goal, load, gravity_B, options);
   Branch branch = dampedNewton(problem, start, options);
+  if (!arm.effects.empty()) {
+    // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
+    VectorXd wrapped = branch.q;
+    wrapIntoLimits(arm, wrapped);
+    if (branch.status == BranchStatus::kConverged && wrapped != branch.q)
+      branch = dampedNewton(problem, wrapped, options);
+  }
   judge(arm, problem.exact(), options, branch);
   return branch;
 }

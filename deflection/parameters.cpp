@@ -199,7 +199,7 @@ Row<To> castRow(const Row<From>& row) {
 Parameter makeParameter(Arm& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields()[path.field];
   std::string name = (f.of_tool ? "tool" : arm.rows[path.row].name) + "." + f.name;
-  if (f.of_lump) name += "." + std::to_string(path.lump + 1);
+  if (f.of_lump) name.append(".").append(std::to_string(path.lump + 1));
   return {name, f.quantity, path, locateIn(arm, path), f.lower, f.upper};
 }
 

@@ -85,4 +85,16 @@ Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   return Matrix3<S>::Identity() + a * K + b * (K * K);
 }
 
+/// How the axes turn when a rotation vector changes: exp(v + dv) = exp(J dv) exp(v), to first order.
+inline Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& v) {
+  const double t2 = v.squaredNorm(), t = std::sqrt(t2);
+  const bool small = t2 < 0.01;
+  const double a = small ? 0.5 - t2 / 24 * (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90))) : (1 - std::cos(t)) / t2;
+  const double b =
+      small ? 1. / 6 - t2 / 120 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110))) : (t - std::sin(t)) / (t * t2);
+  Eigen::Matrix3d K;
+  K << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return Eigen::Matrix3d::Identity() + a * K + b * K * K;
+}
+
 }  // namespace tubeplan::deflection

@@ -1,7 +1,8 @@
 #include "deflection/tip_derivatives.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "deflection/shape_tangent.hpp"
 
 namespace tubeplan::deflection {
 
@@ -9,6 +10,7 @@ namespace {
 
 void seed(Dual& x, int slot) { x.derivatives()[slot] = 1; }
 
+/// An arm and posture in dual numbers, for a few variables at a time.
 struct Seeded {
   ArmOf<Dual> arm;
   PostureOf<Dual> posture;
@@ -28,27 +30,22 @@ void seedVariable(Seeded& seeded, Vector3<Dual>& gravity_turn, const Variable& v
 }
 
 /// Columns of one pass: at most kDualSize variables from `first` on.
-void differentiateSome(const ArmOf<Dual>& arm, const Posture& posture, const std::vector<Variable>& variables,
-                       int first, const FlexibleKinematicsOptions& options, TipDerivatives& out) {
-  Seeded seeded{arm,
-                {posture.q.cast<Dual>(), Dual(posture.load), posture.gravity_B.cast<Dual>(), posture.senses,
-                 posture.temperature, posture.time}};
+void differentiateSome(const ShapeTangent& tangent, Seeded& seeded, const Posture& posture,
+                       const std::vector<Variable>& variables, int first, const FlexibleKinematicsOptions& options,
+                       TipDerivatives& out) {
+  seeded.posture = {posture.q.cast<Dual>(), Dual(posture.load),  posture.gravity_B.cast<Dual>(),
+                    posture.senses,         posture.temperature, posture.time};
   Vector3<Dual> gravity_turn = Vector3<Dual>::Zero();
   const int count = std::min<int>(kDualSize, static_cast<int>(variables.size()) - first);
   for (int k = 0; k < count; ++k) seedVariable(seeded, gravity_turn, variables[first + k], k);
   seeded.posture.gravity_B += gravity_turn.cross(posture.gravity_B.cast<Dual>());
-  const auto dual = solveFlexibleKinematics(seeded.arm, seeded.posture, out.kinematics, options);
-  if (dual.status != KinematicsStatus::kConverged) return;
-  for (int k = 0; k < count; ++k) {
-    Eigen::Matrix3d dR;
-    for (int i = 0; i < 3; ++i) {
-      out.position_B(i, first + k) = dual.X_BD.p[i].derivatives()[k];
-      for (int j = 0; j < 3; ++j) dR(i, j) = dual.X_BD.R(i, j).derivatives()[k];
-    }
-    const Eigen::Matrix3d spin = dR * out.kinematics.X_BD.R.transpose();
-    out.rotation_B.col(first + k) << (spin(2, 1) - spin(1, 2)) / 2, (spin(0, 2) - spin(2, 0)) / 2,
-        (spin(1, 0) - spin(0, 1)) / 2;
-  }
+  const TipTangent columns = tangent.along(seeded.arm, seeded.posture, options);
+  for (int k = 0; k < count; ++k)
+    if (variables[first + k].type == Variable::Type::kParameter)
+      locate(seeded.arm, variables[first + k].parameter).derivatives() = {};
+  if (columns.status != KinematicsStatus::kConverged) return;
+  out.position_B.middleCols(first, count) = columns.tip.position.leftCols(count);
+  out.rotation_B.middleCols(first, count) = columns.tip.rotation.leftCols(count);
 }
 
 }  // namespace
@@ -68,9 +65,10 @@ TipDerivatives differentiateTip(const Arm& arm, const Posture& posture, const st
   out.position_B = Eigen::Matrix3Xd::Constant(3, n, nan);
   out.rotation_B = Eigen::Matrix3Xd::Constant(3, n, nan);
   if (out.kinematics.status != KinematicsStatus::kConverged) return out;
-  const ArmOf<Dual> dual_arm = castArm<Dual>(arm);
+  const ShapeTangent tangent(arm, posture, out.kinematics);
+  Seeded seeded{castArm<Dual>(arm), {}};
   for (int first = 0; first < n; first += kDualSize)
-    differentiateSome(dual_arm, posture, variables, first, options, out);
+    differentiateSome(tangent, seeded, posture, variables, first, options, out);
   return out;
 }
 

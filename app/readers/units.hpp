@@ -32,9 +32,9 @@ struct Unit {
 /// The names of a kind: in, mm, m, ft.
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
-/// A quantity by its exponents; a temperature is a difference of two. Joint speeds and accelerations have none for time:
-/// in the arm file they are per second whatever the unit of time is (6 is 6 deg/s in a file whose time unit is the
-/// minute). The rates of effects follow the unit of time.
+/// A quantity by its exponents; a temperature is a difference of two. Joint speeds and accelerations have none for
+/// time: in the arm file they are per second whatever the unit of time is (6 is 6 deg/s in a file whose time unit is
+/// the minute). The rates of effects follow the unit of time.
 struct Dimension {
   int length = 0, angle = 0, force = 0, temperature = 0, time = 0;
 };

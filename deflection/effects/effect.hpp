@@ -18,9 +18,9 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 struct EffectParameter {
   const char* name;
   Quantity quantity;
-  double neutral;       ///< where the effect does nothing (with all others neutral)
-  double lower, upper;  ///< hard physical bounds
-  double plausible;     ///< largest size that a real machine has: what goes beyond is not an explanation
+  double neutral;         ///< where the effect does nothing (with all others neutral)
+  double lower, upper;    ///< hard physical bounds
+  double plausible;       ///< largest size that a real machine has: what goes beyond is not an explanation
   bool is_shape = false;  ///< has a meaning only while the effect is not neutral, and must be scanned
   double (*least)(const Arm&, const Place&) = nullptr;  ///< in the place of `lower`, where the arm decides it
 };
@@ -87,8 +87,8 @@ struct EffectNumber {
 };
 [[nodiscard]] EffectNumber numberOf(const Arm& arm, const Effect& effect, int value);
 
-/// Problems of the arm's effects: unknown kinds, places that the arm does not have, one effect twice at a place, numbers
-/// missing or out of their bounds.
+/// Problems of the arm's effects: unknown kinds, places that the arm does not have, one effect twice at a place,
+/// numbers missing or out of their bounds.
 [[nodiscard]] std::vector<ArmProblem> findEffectProblems(const Arm& arm);
 
 }  // namespace tubeplan::deflection

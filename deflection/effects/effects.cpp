@@ -30,22 +30,22 @@ namespace tubeplan::deflection {
 
 const std::vector<EffectKind>& effectKinds() {
   static const std::vector<EffectKind> kKinds{
-      joint_offset::kind(),     joint_scale::kind(),  encoder_eccentricity::kind(), transmission_error::kind(),
-      hysteresis::kind(),       joint_coupling::kind(),
-      link_length::kind(),      link_twist::kind(),   tool_offset::kind(),          thermal_growth::kind(),
-      link_weight::kind(),      tool_weight::kind(),  payload_offset::kind(),       gravity_tilt::kind(),
-      hose_pull::kind(),        contact_force::kind(),
-      joint_compliance::kind(), link_bending::kind(), link_torsion::kind(),         stiffening::kind(),
-      backlash::kind(),
-      base_slip::kind(),        base_drift::kind(),
-      scale_error::kind(),
+      joint_offset::kind(),       joint_scale::kind(),      encoder_eccentricity::kind(),
+      transmission_error::kind(), hysteresis::kind(),       joint_coupling::kind(),
+      link_length::kind(),        link_twist::kind(),       tool_offset::kind(),
+      thermal_growth::kind(),     link_weight::kind(),      tool_weight::kind(),
+      payload_offset::kind(),     gravity_tilt::kind(),     hose_pull::kind(),
+      contact_force::kind(),      joint_compliance::kind(), link_bending::kind(),
+      link_torsion::kind(),       stiffening::kind(),       backlash::kind(),
+      base_slip::kind(),          base_drift::kind(),       scale_error::kind(),
   };
   return kKinds;
 }
 
 std::optional<int> findEffectKind(std::string_view name) {
   const auto& kinds = effectKinds();
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind& kind) { return kind.name == name; });
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind& kind) { return kind.name == name; });
   if (found == kinds.end()) return std::nullopt;
   return static_cast<int>(found - kinds.begin());
 }
@@ -83,8 +83,8 @@ EffectNumber numberOf(const Arm& arm, const Effect& effect, int value) {
   const EffectParameter& parameter = kind.parameters.at(value);
   EffectNumber number{parameter.quantity, parameter.lower, parameter.upper};
   if (parameter.least) number.lower = parameter.least(arm, effect.place);
-  const bool of_slide = kind.stage == EffectStage::kReading &&
-                        arm.rows.at(effect.place.row).joint.type == JointType::kPrismatic;
+  const bool of_slide =
+      kind.stage == EffectStage::kReading && arm.rows.at(effect.place.row).joint.type == JointType::kPrismatic;
   if (of_slide && number.quantity == Quantity::kAngle) number.quantity = Quantity::kLength;
   return number;
 }

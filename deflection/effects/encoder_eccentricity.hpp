@@ -21,18 +21,18 @@ void apply(const EffectOf<S>& effect, Situation<S>& situation) {
 }
 
 inline EffectKind kind() {
-  return {.name = "encoder-eccentricity",
-          .law = "true joint angle = reading + sine * sin(reading) + cosine * cos(reading)",
-          .validity = "amplitudes far below a radian; turning joints",
-          .source = "Wallace, TPOINT: centring errors",
-          .stage = EffectStage::kReading,
-          .at = PlaceRule::kJoint,
-          .needs = {},
-          .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.01},
-                         {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
-          .places = places::ofRevoluteJoints,
-          .apply = apply<double>,
-          .applyDual = apply<Dual>};
+  return {
+      .name = "encoder-eccentricity",
+      .law = "true joint angle = reading + sine * sin(reading) + cosine * cos(reading)",
+      .validity = "amplitudes far below a radian; turning joints",
+      .source = "Wallace, TPOINT: centring errors",
+      .stage = EffectStage::kReading,
+      .at = PlaceRule::kJoint,
+      .needs = {},
+      .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}, {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
+      .places = places::ofRevoluteJoints,
+      .apply = apply<double>,
+      .applyDual = apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::encoder_eccentricity

@@ -30,8 +30,8 @@ inline EffectKind kind() {
           .parameters = {{"twist", Quantity::kAngle, 0, -3.2, 3.2, 0.02}},
           .places =
               [](const Arm& arm) {
-                return places::ofRows(
-                    arm, [](const Arm& a, int row) { return row + 1 < static_cast<int>(a.rows.size()); });
+                return places::ofRows(arm,
+                                      [](const Arm& a, int row) { return row + 1 < static_cast<int>(a.rows.size()); });
               },
           .apply = apply<double>,
           .applyDual = apply<Dual>};

@@ -10,13 +10,13 @@ namespace tubeplan::deflection {
 
 template <class S>
 struct Situation {
-  const ArmOf<S>& given;          ///< as the file has it: what effects read
-  const PostureOf<S>& asked;      ///< readings as the encoders show them, gravity in the base as named
-  ArmOf<S> arm;                   ///< what effects add to; carries no effects itself
-  PostureOf<S> posture;           ///< true joint values, gravity as the moved base sees it
+  const ArmOf<S>& given;                         ///< as the file has it: what effects read
+  const PostureOf<S>& asked;                     ///< readings as the encoders show them, gravity in the base as named
+  ArmOf<S> arm;                                  ///< what effects add to; carries no effects itself
+  PostureOf<S> posture;                          ///< true joint values, gravity as the moved base sees it
   Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector that turns gravity, base axes [rad]
-  PoseOf<S> X_BM;                 ///< the base as moved, M, in the base as named
-  S measurement_scale{1};         ///< measured coordinates per true one
+  PoseOf<S> X_BM;                                ///< the base as moved, M, in the base as named
+  S measurement_scale{1};                        ///< measured coordinates per true one
 };
 
 /// The arm's effects applied at a posture. `arm` and `posture` must outlive the result.

@@ -68,11 +68,11 @@ Matrix3<S> addedCompliance(const Addition<S>& addition, const Vector3<S>& e) {
 /// 1/2 of the integral of theta(s) x (theta(s) x v), theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6.
 template <class S>
 Vector3<S> foreshortening(const Vector3<S>& m, const Vector3<S>& f, const Vector3<S>& w, const Vector3<S>& v) {
-  const auto twice = [&v](const Vector3<S>& a, const Vector3<S>& b) -> Vector3<S> {
-    return a.cross(b.cross(v)) + b.cross(a.cross(v));
-  };
-  const Vector3<S> sum = twice(m, m) / 6. + twice(f, f) / 15. + twice(w, w) / 112. + twice(m, f) * (5. / 24) +
-                         twice(m, w) * (3. / 40) + twice(f, w) * (7. / 144);
+  const Vector3<S> mv = m.cross(v), fv = f.cross(v), wv = w.cross(v);
+  const Vector3<S> mm = m.cross(mv), ff = f.cross(fv), ww = w.cross(wv);
+  const Vector3<S> mf = m.cross(fv) + f.cross(mv), mw = m.cross(wv) + w.cross(mv), fw = f.cross(wv) + w.cross(fv);
+  const Vector3<S> sum =
+      (mm + mm) / 6. + (ff + ff) / 15. + (ww + ww) / 112. + mf * (5. / 24) + mw * (3. / 40) + fw * (7. / 144);
   return sum / 2.;
 }
 

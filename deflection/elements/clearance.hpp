@@ -6,15 +6,14 @@
 // Method: theta <- clamp(theta + M/kappa, -g/2, g/2) once in each pass of the shape, kappa at least the restoring
 //      moment per angle, |dM/dtheta|: what hangs on the joint is a pendulum, and with several clearances a chain of
 //      them, whose iteration is a contraction when each kappa counts them all.
-// Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity) theta stays
+// Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity) theta
+// stays
 //      as it is, and so does its derivative.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "deflection/scalar.hpp"
 
 namespace tubeplan::deflection::clearance {
 
@@ -25,20 +24,26 @@ struct Restoring {
   int clearances;           ///< how many there are in the arm
 };
 
-template <class S>
-S settle(const S& gap, const S& before, const S& moment, const Restoring& restoring) {
-  const S half = gap / 2.;
-  const double m = valueOf(moment), floor = 1e-6 * restoring.scale;
+/// Where a joint rests in its gap after a pass, and what that changes with.
+struct Rest {
+  double angle;          ///< rad
+  double by_gap = 0;     ///< rad/rad
+  double by_angle = 0;   ///< of the pass before; 1 while it hangs, where the moment alone moves it ...
+  double by_moment = 0;  ///< ... by this [rad/(N m)]
+};
+
+inline Rest settle(double gap, double before, double moment, const Restoring& restoring) {
+  const double half = gap / 2, side = (moment > 0) - (moment < 0), floor = 1e-6 * restoring.scale;
   // A closed gap still has its derivative: half of what it would open, in the sense of the moment.
-  if (valueOf(half) <= 0) return half * static_cast<double>((m > 0) - (m < 0));
+  if (half <= 0) return {side * half, side / 2};
   const bool hangs = restoring.moment_per_angle < -floor;
-  if (!hangs && std::abs(m) <= 1e-9 * restoring.scale) return before;
-  const double kappa = std::max({restoring.clearances * std::abs(restoring.moment_per_angle), floor,
-                                 std::numeric_limits<double>::min()});
-  const S rest = before + moment / kappa;
-  if (rest > half) return half;
-  if (rest < -half) return -half;
-  return hangs ? rest : S(valueOf(rest));
+  if (!hangs && std::abs(moment) <= 1e-9 * restoring.scale) return {before};
+  const double kappa = std::max(
+      {restoring.clearances * std::abs(restoring.moment_per_angle), floor, std::numeric_limits<double>::min()});
+  const double rest = before + moment / kappa;
+  if (rest > half) return {half, 0.5};
+  if (rest < -half) return {-half, -0.5};
+  return hangs ? Rest{rest, 0, 1, 1 / kappa} : Rest{rest};
 }
 
 }  // namespace tubeplan::deflection::clearance

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/deflection/cobra.hpp"
+#include "tests/deflection/effect_arms.hpp"
 
 namespace tubeplan::deflection {
 namespace {
@@ -83,6 +83,26 @@ TEST(InverseKinematics, ReportsTheTiltThatFourJointsCannotCorrect) {
   // The platform leans 1.37 deg against the beam; what is left of it at this azimuth, and the sag aside, stays.
   EXPECT_GT(found.branches.front().tilt, 0.1 * kDegree);
   EXPECT_LT(found.branches.front().tilt, 2 * kDegree);
+}
+
+TEST(InverseKinematics, AReadingThatIsScaledIsSolvedForInItsOwnTurn) {
+  Arm arm = withEffect(cobraArm(), "joint-scale", "theta4", {0.01});
+  arm = withEffect(arm, "base-slip", "base", {0.004, -0.003, 0.002, 0.005, 0});
+  arm = withEffect(arm, "backlash", "tool.z", {0.002});
+  const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
+  const Eigen::Vector4d q = Eigen::Vector4d(20, 80, -60, -70) * kDegree;
+  const ToolGoal goal = goalOf(arm, q, 60, down);
+  const double turn = 2 * std::numbers::pi;
+  for (double away : {0., turn, -turn}) {
+    const auto branch = refineBranch(arm, goal, 60, down, q + away * Eigen::Vector4d::UnitW());
+    ASSERT_EQ(branch.status, BranchStatus::kConverged) << away << ": " << branch.reason;
+    EXPECT_LE((branch.q - q).norm(), 1e-8) << away;
+  }
+  const auto found = solveInverseKinematics(arm, goal, 60, down);
+  ASSERT_EQ(found.status, BranchStatus::kConverged);
+  for (const auto& branch : found.branches)
+    if (branch.status == BranchStatus::kConverged)
+      EXPECT_LE((solveFlexibleKinematics(arm, {branch.q, 60, down}).X_BD.p - goal.p_BT).norm(), 1e-8);
 }
 
 TEST(InverseKinematics, AnArmOfSixJointsMeetsPlaceAndAxis) {

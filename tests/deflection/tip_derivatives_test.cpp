@@ -3,53 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/deflection/central_difference.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::deflection {
 namespace {
-
-const FlexibleKinematicsOptions kTight{1e-15, 200};
-
-/// The arm and posture with one variable moved by h.
-void step(Arm& arm, Posture& posture, const Variable& variable, double h) {
-  switch (variable.type) {
-    case Variable::Type::kJoint:
-      posture.q[variable.index] += h;
-      break;
-    case Variable::Type::kLoad:
-      posture.load += h;
-      break;
-    case Variable::Type::kGravityTurn:
-      posture.gravity_B = rotationFromVector<double>(h * Eigen::Vector3d::Unit(variable.index)) * posture.gravity_B;
-      break;
-    case Variable::Type::kParameter:
-      locate(arm, variable.parameter) += h;
-      break;
-  }
-}
-
-PoseOf<double> tipAt(Arm arm, Posture posture, const Variable& variable, double h) {
-  step(arm, posture, variable, h);
-  return solveFlexibleKinematics(arm, posture, kTight).X_BD;
-}
-
-struct Difference {
-  Eigen::Vector3d position, rotation;
-};
-
-/// Fourth-order central difference.
-Difference centralDifference(const Arm& arm, const Posture& posture, const Variable& variable, double h) {
-  const auto slope = [&](double step_size) {
-    const auto plus = tipAt(arm, posture, variable, step_size), minus = tipAt(arm, posture, variable, -step_size);
-    const Eigen::Matrix3d turn = (plus.R - minus.R) * (plus.R + minus.R).inverse();
-    Difference d{(plus.p - minus.p) / (2 * step_size), {}};
-    d.rotation =
-        Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / (2 * step_size);
-    return d;
-  };
-  const Difference one = slope(h), two = slope(2 * h);
-  return {(4 * one.position - two.position) / 3, (4 * one.rotation - two.rotation) / 3};
-}
 
 struct Case {
   std::string name;
