@@ -38,6 +38,8 @@ Run configureMap(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
 Run configureScore(CLI::App& cli);
+Run configureSensitivity(CLI::App& cli);
+Run configureTouches(CLI::App& cli);
 Run configureVerify(CLI::App& cli);
 
 }  // namespace tubeplan::app

@@ -24,6 +24,12 @@ constexpr Command kCommands[] = {
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup-true.yaml --tubes spread:60\n"
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup.yaml --runs 100",
      configureScore},
+    {"touches", "which holes to touch, or postures and loads to measure, next",
+     "tubeplan touches app/cells/mockup.yaml --tubes spread:60\n"
+     "tubeplan touches app/cells/bench.yaml --readings readings.csv --loads 0,20,40 --count 8 --csv next.csv",
+     configureTouches},
+    {"sensitivity", "which member to stiffen or lighten, and which number must be known how well",
+     "tubeplan sensitivity app/cells/mockup.yaml --tubes spread:60", configureSensitivity},
 };
 
 }  // namespace
