@@ -41,6 +41,8 @@ Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
 Run configureScore(CLI::App& cli);
 Run configureSimulate(CLI::App& cli);
+Run configureSensitivity(CLI::App& cli);
+Run configureTouches(CLI::App& cli);
 Run configureVerify(CLI::App& cli);
 
 }  // namespace tubeplan::app

@@ -32,6 +32,12 @@ constexpr Command kCommands[] = {
      "tubeplan simulate app/cells/bench.yaml --design bench --readings 120 --seed 1 --out out/practice\n"
      "tubeplan simulate app/cells/bowl.yaml --design bowl --readings 90 --loads 0,30 --spread 0.1 --out out/practice",
      configureSimulate},
+    {"touches", "which holes to touch, or postures and loads to measure, next",
+     "tubeplan touches app/cells/mockup.yaml --tubes spread:60\n"
+     "tubeplan touches app/cells/bench.yaml --readings readings.csv --loads 0,20,40 --count 8 --csv next.csv",
+     configureTouches},
+    {"sensitivity", "which member to stiffen or lighten, and which number must be known how well",
+     "tubeplan sensitivity app/cells/mockup.yaml --tubes spread:60", configureSensitivity},
 };
 
 }  // namespace

@@ -1,0 +1,34 @@
+#include "app/cell_knowledge.hpp"
+
+#include "app/input_error.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
+#include "app/suggestion.hpp"
+
+namespace tubeplan::app {
+
+std::vector<calibration::Measurement> readingsMade(const std::string& file, const Cell& cell, double sigma) {
+  if (file.empty()) return {};
+  auto readings = readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  stateSigma(readings, cell, file, sigma / cell.units.factor(dimension::kLength));
+  return readings;
+}
+
+calibration::Knowledge knowledgeOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+                                   const calibration::FreeChoice& free, const std::string& where) {
+  auto knowledge = calibration::learnFrom(cell.arm, cell.X_WB, cell.base_known, readings, free);
+  if (knowledge.problems.empty()) return knowledge;
+  const auto& problem = knowledge.problems.front();
+  std::vector<std::string> known{"geometry", "tool.tip"};
+  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  throw InputError(where, problem.found, problem.expected, suggestion(problem.name, known));
+}
+
+Cell cellAsKnown(Cell cell, const calibration::Knowledge& knowledge) {
+  const auto placed = calibration::placedAsKnown(knowledge);
+  cell.arm = placed.arm;
+  cell.X_WB = placed.placings.back().X_WB;
+  return cell;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,156 @@
+// tubeplan sensitivity: which member to stiffen or lighten, and which number must be known how well (Calkins 1994,
+// section 6.3).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cell_knowledge.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/reading_candidates.hpp"
+#include "app/sensitivity_report.hpp"
+#include "app/touch_input.hpp"
+#include "app/workcell.hpp"
+#include "calibration/touch_choice.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kPostures = 60, kTouchable = 40, kTouches = 3;
+
+struct SensitivityOptions {
+  std::string cell, tubes, readings, json;
+  double load = 0;
+  int postures = kPostures;
+  std::uint64_t seed = 1;
+};
+
+/// Named places that may be touched to place the base.
+struct Touchable {
+  std::vector<calibration::TouchPlan> plans;
+  double sigma;
+};
+
+Touchable touchableHoles(planner::Workcell work) {
+  work.load = 0;
+  Touchable touchable{{}, touchSigmaOf(work.tool)};
+  const auto count = std::min<std::size_t>(kTouchable, work.sheet.tubes.size());
+  const auto tubes = readTubes("spread:" + std::to_string(count), work.sheet).tube_indices;
+  for (const auto& hole : reachHoles(work, tubes, false)) {
+    const auto& tube = work.sheet.tubes[static_cast<std::size_t>(hole.tube)];
+    touchable.plans.push_back({"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), hole.q});
+  }
+  return touchable;
+}
+
+Touchable touchablePostures(const Cell& cell, std::uint64_t seed) {
+  Touchable touchable{{}, calibration::TouchChoiceOptions().sigma};
+  for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
+    touchable.plans.push_back({"", "posture " + std::to_string(touchable.plans.size() + 1), {}, q});
+  return touchable;
+}
+
+/// The best three touches place the base. Returns why there are none, or nothing.
+std::string chooseBaseTouches(const Cell& cell, const Touchable& touchable, SensitivityReport& report,
+                              calibration::SensitivityTask& task) {
+  const auto choice =
+      calibration::chooseTouches(cell.arm, cell.X_WB, touchable.plans, task.work, {kTouches, touchable.sigma});
+  if (choice.status != calibration::TouchChoiceStatus::kDone) return choice.reason;
+  task.touch_sigma = touchable.sigma;
+  for (const int index : choice.chosen) {
+    const auto& plan = touchable.plans[static_cast<std::size_t>(index)];
+    task.touches.push_back(plan.q_start);
+    report.touches.push_back(plan.hole);
+  }
+  return "";
+}
+
+void findSheetWork(const Cell& cell, const SensitivityOptions& options, SensitivityReport& report,
+                   calibration::SensitivityTask& task) {
+  planner::Workcell work = workcellOf(cell, "work at its holes");
+  work.load = task.load;
+  const auto tubes = readTubes(options.tubes.empty() ? "spread:60" : options.tubes, work.sheet).tube_indices;
+  for (const auto& hole : reachHoles(work, tubes, false)) task.work.push_back(hole.q);
+  report.work_lost = static_cast<int>(tubes.size() - task.work.size());
+  task.hole_axis_W = planner::kHoleAxis_W;
+}
+
+/// Sigma of every number of the arm, as the readings tell it.
+std::vector<double> sigmasTold(const calibration::Knowledge& knowledge, const deflection::Arm& arm) {
+  const auto n = knowledge.information.rows();
+  const Eigen::MatrixXd covariance = knowledge.information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  const auto parameters = deflection::parametersOf(arm);
+  std::vector<double> sigmas(parameters.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < knowledge.unknowns.size(); ++k) {
+    const auto& unknown = knowledge.unknowns[k];
+    const auto index = static_cast<Eigen::Index>(k);
+    for (std::size_t p = 0; p < parameters.size(); ++p)
+      if (parameters[p].name == unknown.name)
+        sigmas[p] = std::sqrt(covariance(index, index)) * unknown.typical *
+                    std::abs(calibration::slopeAt(unknown, knowledge.x[index]));
+  }
+  return sigmas;
+}
+
+int run(const SensitivityOptions& options) {
+  Cell cell = readCell(options.cell);
+  checkJsonTarget(options.json);
+  if (!options.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
+  SensitivityReport report;
+  calibration::SensitivityTask task;
+  task.load = parseLoad(options.load, cell.units);
+  if (!options.readings.empty()) {
+    const auto knowledge = knowledgeOf(cell, readingsMade(options.readings, cell, 0), {cell.identify, !cell.base_known},
+                                       cell.path + " (identify)");
+    if (!knowledge.note.empty())
+      throw InputError(options.readings, knowledge.note, "readings that tell the parameters");
+    cell = cellAsKnown(cell, knowledge);
+    report.sigmas = sigmasTold(knowledge, cell.arm);
+  }
+  report.has_sheet = cell.sheet.has_value();
+  if (report.has_sheet)
+    findSheetWork(cell, options, report, task);
+  else
+    task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
+  report.work = static_cast<int>(task.work.size());
+  std::string reason;  // a base that is known, with no sheet over it, stays known
+  if (report.has_sheet || !cell.base_known)
+    reason = chooseBaseTouches(
+        cell,
+        report.has_sheet ? touchableHoles(workcellOf(cell, "touch holes")) : touchablePostures(cell, options.seed + 1),
+        report, task);
+  if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);
+  if (reason.empty()) reason = report.figures.reason;
+  if (!reason.empty()) {
+    fmt::print(stderr, "no sensitivities: {}\n", reason);
+    return kNegativeAnswer;
+  }
+  writeJson(options.json, sensitivityJson(report, cell));
+  if (printsText(options.json)) fmt::print("{}", sensitivityText(report, cell));
+  return kDone;
+}
+
+}  // namespace
+
+Run configureSensitivity(CLI::App& cli) {
+  const auto options = std::make_shared<SensitivityOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("--tubes", options->tubes, "where accuracy counts, as for plan (spread:60)");
+  cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
+  cli.add_option(
+      "--readings", options->readings,
+      "readings (CSV) that tell the parameters listed under `identify`: errors are then of one sigma of each");
+  cli.add_option("--postures", options->postures, "random postures to work in, where there is no tube sheet")
+      ->check(CLI::Range(3, 10000))
+      ->capture_default_str();
+  cli.add_option("--seed", options->seed, "of random postures")->check(CLI::NonNegativeNumber)->capture_default_str();
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

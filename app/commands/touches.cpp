@@ -1,0 +1,84 @@
+// tubeplan touches: which holes to touch, or postures and loads to measure, next.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/touch_proposals.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct TouchesOptions {
+  TouchRequest request;
+  std::string optimality = "D", json, csv;
+};
+
+calibration::Optimality optimalityOf(const std::string& name) {
+  if (name == "G") return calibration::Optimality::kWorstTip;
+  return name == "V" ? calibration::Optimality::kMeanTip : calibration::Optimality::kDeterminant;
+}
+
+bool isProposed(const std::optional<TouchOutcome::Proposal>& proposal) { return !proposal || proposal->reason.empty(); }
+
+int run(const TouchesOptions& options) {
+  TouchRequest request = options.request;
+  request.optimality = optimalityOf(options.optimality);
+  checkJsonTarget(options.json);
+  if (!options.csv.empty()) checkWritableFile(options.csv, "--csv");
+  const TouchOutcome outcome = proposeTouches(request);
+  const bool is_done = isProposed(outcome.base) && isProposed(outcome.parameters);
+  if (is_done && !options.csv.empty()) writeFileAtomically(options.csv, proposalsCsv(outcome), "--csv");
+  nlohmann::json json = proposalsJson(outcome);
+  json["seed"] = request.seed;
+  json["optimality"] = options.optimality;
+  writeJson(options.json, json);
+  if (printsText(options.json)) fmt::print("{}", proposalsText(outcome));
+  return is_done ? kDone : kNegativeAnswer;
+}
+
+}  // namespace
+
+Run configureTouches(CLI::App& cli) {
+  const auto options = std::make_shared<TouchesOptions>();
+  auto& request = options->request;
+  cli.add_option("CELL", request.cell, "the cell file")->required();
+  cli.add_option("--readings", request.readings, "readings made already (CSV): proposals add to what these tell");
+  cli.add_option("--free", request.free,
+                 "parameters to sharpen instead of the cell's `identify`: dotted paths into the arm file, tool.tip, "
+                 "geometry")
+      ->delimiter(',');
+  cli.add_option("--goal", request.goal,
+                 "base: holes that place it; parameters: readings that sharpen them; left out: what the cell allows")
+      ->check(CLI::IsMember({"base", "parameters", "both"}));
+  cli.add_option("--tubes", request.tubes, "where the tip must be known, as for plan (spread:60)");
+  cli.add_option("--count", request.count, "readings to propose for each goal (3 touches, 10 readings)")
+      ->check(CLI::Range(1, 500));
+  cli.add_option("--loads", request.loads,
+                 "loads that can be hung, in the cell's unit of force (those of the readings, else none)")
+      ->delimiter(',');
+  cli.add_option("--kind", request.kind, "touch or position (touch under a sheet, else position)")
+      ->check(CLI::IsMember({"touch", "position"}));
+  cli.add_option(
+         "--optimal", options->optimality,
+         "for the parameters: D, least doubt in all; G, least sigma of the tip at the worst place; V, on average")
+      ->check(CLI::IsMember({"D", "G", "V"}))
+      ->capture_default_str();
+  cli.add_option("--candidates", request.candidates, "holes or postures to choose from (60 holes, 600 postures)")
+      ->check(CLI::Range(3, 100000));
+  cli.add_option("--sigma", request.sigma,
+                 "noise of a coordinate, in the cell's unit of length (that of the readings, or of the tool)");
+  cli.add_option("--csv", options->csv, "write the proposals as a measurement table, its coordinates to be filled in");
+  cli.add_option("--seed", request.seed, "of random postures and draws")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app
