@@ -6,6 +6,7 @@
 #include <set>
 
 #include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/smooth_misfit.hpp"
 #include "calibration/held_out.hpp"
 
 namespace tubeplan::calibration {
@@ -14,8 +15,8 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kTwinFall = 30;     // criterion beyond the best to which candidates are fitted too
-constexpr int kMostLeaders = 16;
+constexpr double kTwinFall = 20;     // criterion beyond the best to which candidates are fitted too
+constexpr int kMostLeaders = 14;
 constexpr int kMostAlternatives = 8;
 constexpr int kPairsFitted = 10;
 constexpr int kPairFirsts = 40;      // candidates, best first, that pairs are made of
@@ -75,6 +76,17 @@ std::vector<Scored> leadersOf(const Work& work, const std::vector<Scored>& singl
   return some;
 }
 
+/// Two errors of one joint's reading together follow about any function of it: they would name what is not known.
+bool followOneJoint(const Catalogue& catalogue, int a, int b) {
+  const auto& first = catalogue.candidates[static_cast<std::size_t>(a)].neutral;
+  const auto& second = catalogue.candidates[static_cast<std::size_t>(b)].neutral;
+  const auto stage = [](const deflection::Effect& effect) {
+    return deflection::effectKinds()[static_cast<std::size_t>(effect.kind)].stage;
+  };
+  return stage(first) == deflection::EffectStage::kReading && stage(second) == deflection::EffectStage::kReading &&
+         first.place.row == second.place.row;
+}
+
 std::vector<Scored> bestPairs(const Work& work, const std::vector<Scored>& singles) {
   const auto& variants = work.space.variants();
   std::map<int, std::vector<int>> of_candidate;
@@ -86,6 +98,7 @@ std::vector<Scored> bestPairs(const Work& work, const std::vector<Scored>& singl
     const int a = singles[i].variants.front();
     for (const auto& [candidate, some] : of_candidate) {
       if (candidate == variants[static_cast<std::size_t>(a)].candidate) continue;
+      if (followOneJoint(work.catalogue, variants[static_cast<std::size_t>(a)].candidate, candidate)) continue;
       Scored best{{}, 0, 1e300};
       for (const int b : some) {
         const Score score = work.space.score({a, b});
@@ -126,10 +139,14 @@ bool isPlausible(const Explanation& explanation) {
   return true;
 }
 
+bool isEnough(const Explanation& fit, double lack_of_fit) {
+  return fit.p_value >= lack_of_fit && fit.smooth_p_value >= lack_of_fit;
+}
+
 std::vector<Explanation> withinGap(const std::vector<Explanation>& fits, double gap, double lack_of_fit) {
   std::vector<Explanation> some;
   for (const auto& fit : fits)
-    if (fit.criterion <= fits.front().criterion + gap && fit.p_value >= lack_of_fit) some.push_back(fit);
+    if (fit.criterion <= fits.front().criterion + gap && isEnough(fit, lack_of_fit)) some.push_back(fit);
   return some;
 }
 
@@ -272,7 +289,7 @@ Finding findExplanations(const Work& work, const std::vector<Scored>& singles) {
 
 void decide(const Work& work, Finding finding, double evidence_needed, Diagnosis& result) {
   const bool is_seen = result.evidence > evidence_needed;
-  const bool is_off = result.p_value < work.options.misfit;
+  const bool is_off = result.p_value < work.options.misfit || result.smooth_p_value < work.options.misfit;
   result.closest = finding.fits;
   if (result.closest.size() > kMostAlternatives) result.closest.resize(kMostAlternatives);
   if (!is_seen && !is_off) {
@@ -285,7 +302,7 @@ void decide(const Work& work, Finding finding, double evidence_needed, Diagnosis
     return;
   }
   const double without = result.chi2 + static_cast<double>(work.basis.unknowns.size()) * work.log_n;
-  if (!is_seen || finding.good.front().criterion > without) {
+  if (!is_seen || finding.good.front().criterion > without - work.options.gap) {
     result.verdict = Verdict::kInconclusive;
     return;
   }
@@ -337,6 +354,8 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   result.chi2 = work.basis.residual.r.squaredNorm();
   result.degrees_of_freedom = work.basis.weights.degrees_of_freedom - static_cast<int>(work.basis.unknowns.size());
   result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
+  result.smooth_p_value =
+      findSmoothMisfit(work.basis.fitted, used, work.basis.weights, work.basis.residual).p_value;
   result.noise_floor = noiseFloor(used, work.basis.weights);
   result.before = errorSize(used, work.basis.weights, work.basis.residual.error);
   const auto singles = bestVariants(work);
@@ -344,7 +363,7 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
     result.evidence = std::max(result.evidence, work.space.evidence(v, work.space.score({v})));
   result.threshold = work.space.familyThreshold(options.false_alarm, options.draws, options.seed);
   Finding finding;
-  if (result.evidence > result.threshold || result.p_value < options.misfit) finding = findExplanations(work, singles);
+  if (result.evidence > result.threshold || std::min(result.p_value, result.smooth_p_value) < options.misfit) finding = findExplanations(work, singles);
   rank(work, singles, finding.fits, result);
   decide(work, std::move(finding), result.threshold, result);
   listDetectable(work, result.threshold, result);

@@ -17,10 +17,10 @@ struct DiagnosisOptions {
   IdentificationOptions baseline;  ///< what is free beside the effect
   CatalogueOptions catalogue;
   double false_alarm = 0.04;   ///< chance of naming anything where nothing is missing, by the best candidate
-  double misfit = 0.005;       ///< the same by chi-square alone
+  double misfit = 0.003;       ///< the same by what remains, over all readings or smooth in the joints
   double lack_of_fit = 0.003;  ///< chance of refusing a model that is right
   double gap = 10;             ///< in the information criterion: models within it cannot be told apart
-  int leaders = 8;             ///< candidates that are fitted, at least
+  int leaders = 5;             ///< candidates that are fitted, at least
   int most_effects = 2;
   int draws = 2000;  ///< of noise, for the best of the catalogue
   int folds = 5;
@@ -48,7 +48,8 @@ struct Explanation {
   PlacedArm fitted;
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   double criterion = std::numeric_limits<double>::quiet_NaN();  ///< chi2 + numbers ln n (BIC)
-  double p_value = std::numeric_limits<double>::quiet_NaN();    ///< of the misfit that remains
+  double p_value = std::numeric_limits<double>::quiet_NaN();    ///< of the misfit that remains, over all readings
+  double smooth_p_value = std::numeric_limits<double>::quiet_NaN();  ///< the same of what follows the joints smoothly
   ErrorSize after, heldout;
 };
 
@@ -85,6 +86,7 @@ struct Diagnosis {
   ErrorSize before, after, heldout_before, heldout_after;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();
   double chi2 = 0, p_value = 1;  ///< of the baseline
+  double smooth_p_value = 1;     ///< of what of it follows the joints smoothly
   int degrees_of_freedom = 0;
   double evidence = 0, threshold = 0;  ///< of the best candidate, and what noise alone reaches: -log10 p
 };

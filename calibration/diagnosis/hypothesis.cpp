@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/diagnosis/smooth_misfit.hpp"
 #include "calibration/held_out.hpp"
 
 namespace tubeplan::calibration {
@@ -11,7 +12,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-const LeastSquaresOptions kRefit{1e-7, 30, LeastSquaresMethod::kLevenbergMarquardt};
+const LeastSquaresOptions kRefit{1e-5, 30, LeastSquaresMethod::kLevenbergMarquardt};
 
 /// A catalogue's candidate as it goes into a model: which of its values are free, and where they start.
 struct Part {
@@ -96,6 +97,7 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
   for (const Part& part : parts) numbers += isTime(*part.candidate);
   const int freedom = basis.weights.degrees_of_freedom - numbers;
   result.p_value = chiSquareTail(result.chi2, freedom);
+  result.smooth_p_value = findSmoothMisfit(result.fitted, basis.readings, basis.weights, residual).p_value;
   result.criterion = result.chi2 + numbers * std::log(std::max(2, basis.weights.degrees_of_freedom));
   const MatrixXd& J = residual.jacobian;
   const VectorXd sigma = (J.transpose() * J)
