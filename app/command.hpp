@@ -36,6 +36,8 @@ Run configureAdd(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);
 Run configureDiagnose(CLI::App& cli);
 Run configureIdentify(CLI::App& cli);
+Run configureImprove(CLI::App& cli);
+Run configureLadder(CLI::App& cli);
 Run configureMap(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);

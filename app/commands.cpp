@@ -18,6 +18,10 @@ constexpr Command kCommands[] = {
      "tubeplan add app/cells/bench.yaml backlash@tool.z --out better.yaml", configureAdd},
     {"diagnose", "which effect the model lacks: one, one of several, none, or none that is known",
      "tubeplan diagnose app/cells/bench.yaml readings.csv --report diagnose.html", configureDiagnose},
+    {"improve", "diagnoses, adds and identifies until nothing more is shown",
+     "tubeplan improve app/cells/bench.yaml readings.csv --out improved.yaml", configureImprove},
+    {"ladder", "the error of one model after another, fitted and held out, against the noise floor",
+     "tubeplan ladder readings.csv rigid.yaml app/cells/bench.yaml fitted.yaml", configureLadder},
     {"plan", "a proved, timed visit of a list of tubes",
      "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 "
      "--out out/demo",

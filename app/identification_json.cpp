@@ -131,6 +131,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["chi2_per_dof"] = finite(result.chi2 / std::max(1, result.degrees_of_freedom));
   json["p_value"] = finite(result.p_value);
   json["sigma_widened_by"] = finite(result.widening);
+  json["dropped"] = result.dropped;
   json["correlations"] = nlohmann::json::array();
   for (const auto& pair : result.correlations)
     json["correlations"].push_back({{"a", pair.a}, {"b", pair.b}, {"value", finite(pair.value)}});
@@ -169,6 +170,7 @@ std::string identificationText(const Identification& result, const std::vector<c
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kArm || number.is_held)
       text += numberText(number, result.fitted.arm, units);
+  for (const auto& dropped : result.dropped) text += "  dropped " + dropped + "\n";
   for (const auto& pair : result.correlations)
     text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);
   for (const auto& outlier : result.outliers)

@@ -316,8 +316,68 @@ void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitte
 
 }  // namespace
 
+namespace {
+
+/// A stiffness that the readings do not need is rigid; any other number stays at its start.
+void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
+  const bool is_stiffness = number.unknown.scale != Unknown::Scale::kLinear;
+  deflection::locate(start.arm, number.unknown.path) = is_stiffness ? deflection::kRigid : number.unknown.start;
+}
+
+/// How many sigmas a number is from what it would be if it were given up.
+double needOf(const IdentifiedNumber& number) {
+  if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;  // of the compliance
+  return std::abs(number.value - number.unknown.start) / number.sigma;
+}
+
+/// The number that the readings need least, where its chance of being nothing is above the level; -1 otherwise.
+int leastNeeded(const Identification& result, double level) {
+  int least = -1;
+  double need = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < static_cast<int>(result.numbers.size()); ++k) {
+    const auto& number = result.numbers[static_cast<std::size_t>(k)];
+    if (number.unknown.owner == Unknown::Owner::kBase || number.unknown.is_geometry || number.is_held) continue;
+    if (needOf(number) < need) need = needOf(number), least = k;
+  }
+  return least >= 0 && chiSquareTail(need * need, 1) > level ? least : -1;
+}
+
+Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
+                            const IdentificationOptions& options);
+
+}  // namespace
+
 Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
                         const IdentificationOptions& options) {
+  PlacedArm from = start;
+  IdentificationOptions now = options;
+  std::vector<std::string> dropped;
+  while (true) {
+    Identification result = identifyOnce(from, readings, now);
+    const int least = options.drop_level > 0 && result.status == IdentificationStatus::kDone
+                          ? leastNeeded(result, options.drop_level)
+                          : -1;
+    if (least < 0 || result.fitted_numbers.size() < 2) {
+      result.dropped = std::move(dropped);
+      return result;
+    }
+    const auto& number = result.numbers[static_cast<std::size_t>(least)];
+    std::vector<std::string> names;
+    for (const auto& group : now.free.names)
+      for (const auto& name : group == "geometry" ? std::vector<std::string>{group} : namesBehind(from.arm, group))
+        if (name != number.unknown.name) names.push_back(name);
+    now.free.names = names;
+    const double p = chiSquareTail(needOf(number) * needOf(number), 1);
+    dropped.push_back(number.unknown.name + ": the readings do not need it (p = " + std::to_string(p).substr(0, 5) +
+                      "); " + (number.unknown.scale == Unknown::Scale::kLinear ? "kept at its start" : "taken as rigid"));
+    giveUp(number, from);
+  }
+}
+
+namespace {
+
+Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
+                            const IdentificationOptions& options) {
   Identification result;
   const auto fitted = readingsOf(readings, false, &result.used);
   const auto held_out = readingsOf(readings, true, nullptr);
@@ -348,6 +408,8 @@ Identification identify(const PlacedArm& start, const std::vector<Measurement>& 
   if (!converged) result.reason = work.fit.solution.reason;
   return result;
 }
+
+}  // namespace
 
 Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                         const std::vector<Measurement>& readings, const IdentificationOptions& options) {

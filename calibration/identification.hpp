@@ -69,6 +69,7 @@ struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
   std::vector<FreeProblem> problems;  ///< why refused
+  std::vector<std::string> dropped;   ///< "NAME: why", numbers given up because the readings do not need them
   PlacedArm start, fitted;
   std::vector<IdentifiedNumber> numbers;
   std::vector<int> fitted_numbers;  ///< those that were not held: the order of the covariance
@@ -93,6 +94,19 @@ struct Identification {
 /// Finds the free numbers and the placings that are not known. Readings marked held-out are not fitted but judged.
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                       const std::vector<Measurement>& readings, const IdentificationOptions& options);
+
+/// One step of several: what it frees, and the set-up whose readings it uses (empty: all).
+struct IdentificationStage {
+  std::vector<std::string> names;
+  std::string setup;
+};
+
+/// The thesis's way: each stage frees its own numbers with those of the stages before held where they were found, their
+/// covariance carried into its own. Returns one result for each stage; the last has the whole covariance in its sigmas.
+[[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
+                                                           const std::vector<Measurement>& readings,
+                                                           const std::vector<IdentificationStage>& stages,
+                                                           const IdentificationOptions& options);
 
 /// The same from a state with a placing for every set-up.
 [[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,

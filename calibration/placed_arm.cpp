@@ -192,6 +192,17 @@ double valueAt(const Unknown& unknown, double x) {
   return unknown.start + x;
 }
 
+Unknown rebased(Unknown unknown, double value) {
+  if (unknown.owner == Unknown::Owner::kBase) return unknown;
+  const double x = unknown.scale == Unknown::Scale::kLogarithm    ? std::log(value / unknown.start)
+                   : unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start
+                                                                  : value - unknown.start;
+  unknown.start = value;
+  unknown.lower -= x;
+  unknown.upper -= x;
+  return unknown;
+}
+
 double slopeAt(const Unknown& unknown, double x) {
   const double value = valueAt(unknown, x);
   switch (unknown.scale) {

@@ -71,6 +71,9 @@ struct Unknowns {
 /// The placed arm with these variables applied to its start.
 [[nodiscard]] PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x);
 
+/// The same unknown with its variable 0 where the parameter has this value (a base component: where it stands now).
+[[nodiscard]] Unknown rebased(Unknown unknown, double value);
+
 /// The value of a parameter for its variable, and the slope between them.
 [[nodiscard]] double valueAt(const Unknown& unknown, double x);
 [[nodiscard]] double slopeAt(const Unknown& unknown, double x);

@@ -24,7 +24,7 @@ using calibration::Identification, calibration::IdentificationOptions, calibrati
 
 struct IdentifyOptions {
   std::string cell, measurements, out, json, method = "ipopt", robust = "none";
-  std::vector<std::string> free;
+  std::vector<std::string> free, stages;
   double sigma = 0, drop = 0;
   int starts = 1, folds = 5;
   std::uint64_t seed = 1;
@@ -44,6 +44,8 @@ IdentificationOptions identificationOptions(const IdentifyOptions& options, cons
   result.folds = options.folds;
   result.seed = options.seed;
   result.drop_level = options.drop;
+  for (const auto& method : calibration::leastSquaresMethods())
+    if (method.name == options.method) result.solver.method = method.method;
   if (result.free.names.empty() && cell.base_known)
     throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
                      "`tubeplan identify --help` says what may be freed");
@@ -62,14 +64,41 @@ void requireAccepted(const Identification& result, const IdentifyOptions& option
                    suggestion(problem.name, known));
 }
 
+/// "a,b" or "a,b:SETUP".
+calibration::IdentificationStage stageOf(const std::string& text) {
+  calibration::IdentificationStage stage;
+  const std::size_t colon = text.find(':');
+  if (colon != std::string::npos) stage.setup = text.substr(colon + 1);
+  const std::string names = text.substr(0, colon);
+  for (std::size_t from = 0; from <= names.size();) {
+    const std::size_t to = std::min(names.find(',', from), names.size());
+    stage.names.push_back(names.substr(from, to - from));
+    from = to + 1;
+  }
+  return stage;
+}
+
+Identification identifyAsAsked(const IdentifyOptions& options, const Cell& cell,
+                               const std::vector<calibration::Measurement>& readings) {
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  IdentificationOptions asked = identificationOptions(options, cell);
+  if (options.stages.empty()) return calibration::identify(start, readings, asked);
+  std::vector<calibration::IdentificationStage> stages;
+  for (const auto& text : options.stages) stages.push_back(stageOf(text));
+  auto results = calibration::identifyInStages(start, readings, stages, asked);
+  if (printsText(options.json))
+    for (std::size_t k = 0; k + 1 < results.size(); ++k)
+      fmt::print("stage {}\n{}", k + 1, identificationText(results[k], readings, cell.units));
+  return std::move(results.back());
+}
+
 int run(const IdentifyOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, options.measurements, options.sigma);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
-  const auto result = calibration::identify(cell.arm, cell.X_WB, cell.base_known, readings,
-                                            identificationOptions(options, cell));
+  const auto result = identifyAsAsked(options, cell, readings);
   requireAccepted(result, options, cell);
   const auto warnings = readingWarnings(result, readings, cell);
   if (!options.out.empty() && result.status == IdentificationStatus::kDone)
@@ -98,6 +127,15 @@ Run configureIdentify(CLI::App& cli) {
   cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none, in the cell's length unit");
   cli.add_option("--robust", options->robust, "loss that weakens outliers")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
+  std::vector<std::string> methods;
+  for (const auto& method : calibration::leastSquaresMethods()) methods.emplace_back(method.name);
+  cli.add_option("--method", options->method, "how to minimise; the last two are there for comparison")
+      ->check(CLI::IsMember(methods))
+      ->capture_default_str();
+  cli.add_option("--stage", options->stages,
+                 "NAMES[:SETUP]: free these numbers on that set-up's readings, those of the stages before held; repeat "
+                 "for each stage")
+      ->allow_extra_args(false);
   cli.add_option("--starts", options->starts, "starts, the others drawn around the given one")
       ->check(CLI::Range(1, 1000));
   cli.add_option("--folds", options->folds, "folds of the cross-validation by pose; 0 for none")

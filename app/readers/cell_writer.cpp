@@ -129,6 +129,16 @@ std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, co
   return withYamlValue(text, "identify", fmt::format("[{}]", fmt::join(identify, ", ")));
 }
 
+std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
+                                   const calibration::Identification& result, const fs::path& out) {
+  auto files = identifiedCell(original, result, out);
+  std::vector<std::string> names;
+  for (const auto& name : improved.identify) names.push_back('"' + name + '"');
+  if (!names.empty())
+    files.back().text = withYamlValue(files.back().text, "identify", fmt::format("[{}]", fmt::join(names, ", ")));
+  return files;
+}
+
 std::string cellTextAt(const Cell& cell, const fs::path& out) {
   return moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
 }

@@ -39,6 +39,11 @@ struct TextFile {
 [[nodiscard]] std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm,
                                               const std::vector<std::string>& freed, const std::filesystem::path& out);
 
+/// An improved cell: what it was read from, with the effects and freed names it has gained and the numbers of a fit.
+[[nodiscard]] std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
+                                                 const calibration::Identification& result,
+                                                 const std::filesystem::path& out);
+
 /// The cell's text unchanged but for the names of its files, relative to `out`.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);
 

@@ -35,7 +35,7 @@ struct Catalogue {
 
 struct CatalogueOptions {
   int knee_levels = 7;   ///< tried moments of a knee
-  int time_levels = 32;  ///< tried times of a step
+  int time_levels = 64;  ///< tried times of a step
 };
 
 /// All candidates of the arm that the readings could show, linearised at `placed` with the weights of a fit to

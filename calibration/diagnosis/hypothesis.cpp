@@ -135,17 +135,7 @@ DiagnosisBasis basisOf(const Identification& baseline, const std::vector<Measure
   DiagnosisBasis basis{readings, baseline.fitted, {}, {}, {}};
   for (const int k : baseline.fitted_numbers) {
     const auto& number = baseline.numbers[static_cast<std::size_t>(k)];
-    Unknown unknown = number.unknown;
-    if (unknown.owner == Unknown::Owner::kArm) {
-      // Re-based on the optimum: the variable is 0 there.
-      const double at = unknown.scale == Unknown::Scale::kLogarithm    ? std::log(number.value / unknown.start)
-                        : unknown.scale == Unknown::Scale::kCompliance ? 1 / number.value - 1 / unknown.start
-                                                                       : number.value - unknown.start;
-      unknown.start = number.value;
-      unknown.lower -= at;
-      unknown.upper -= at;
-    }
-    basis.unknowns.push_back(unknown);
+    basis.unknowns.push_back(rebased(number.unknown, number.value));
   }
   if (auto weights = weighReadings(basis.fitted, readings)) basis.weights = std::move(*weights);
   if (basis.weights.rows > 0)
@@ -175,15 +165,8 @@ Explanation fitExplanation(const DiagnosisBasis& basis, const Catalogue& catalog
 ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explanation) {
   ExplanationModel model{explanation.fitted, basis.unknowns};
   for (auto& unknown : model.unknowns)
-    if (unknown.owner == Unknown::Owner::kArm) {
-      const double now = deflection::locate(model.placed.arm, unknown.path);
-      const double at = unknown.scale == Unknown::Scale::kLogarithm    ? std::log(now / unknown.start)
-                        : unknown.scale == Unknown::Scale::kCompliance ? 1 / now - 1 / unknown.start
-                                                                       : now - unknown.start;
-      unknown.start = now;
-      unknown.lower -= at;
-      unknown.upper -= at;
-    }
+    if (unknown.owner == Unknown::Owner::kArm)
+      unknown = rebased(unknown, deflection::locate(model.placed.arm, unknown.path));
   for (std::size_t e = 0; e < explanation.effects.size(); ++e) {
     const auto& found = explanation.effects[e];
     const int index = static_cast<int>(model.placed.arm.effects.size() - explanation.effects.size() + e);

@@ -1,0 +1,55 @@
+// tubeplan ladder: the error of each model in turn, fitted and held-out, against the noise floor.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/ladder.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct LadderOptions {
+  std::string measurements, json;
+  std::vector<std::string> cells;
+  double sigma = 0;
+  std::uint64_t seed = 1;
+};
+
+int run(const LadderOptions& options) {
+  std::vector<Rung> rungs;
+  checkJsonTarget(options.json);
+  std::optional<Units> units;
+  for (const auto& path : options.cells) {
+    const Cell cell = readCell(path);
+    auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+    stateSigma(readings, cell, options.measurements, options.sigma);
+    rungs.push_back(rungOf(path, cell, readings, options.seed));
+    if (!units) units = cell.units;
+  }
+  writeJson(options.json, ladderJson(rungs, *units));
+  if (printsText(options.json)) fmt::print("{}", ladderText(rungs, *units));
+  return kDone;
+}
+
+}  // namespace
+
+Run configureLadder(CLI::App& cli) {
+  const auto options = std::make_shared<LadderOptions>();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("CELL", options->cells, "models, one cell file each, in the order of the ladder")->required();
+  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none");
+  cli.add_option("--seed", options->seed, "seed of the folds");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

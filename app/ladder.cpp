@@ -1,0 +1,98 @@
+#include "app/ladder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+#include "calibration/fit.hpp"
+#include "calibration/held_out.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+nlohmann::json lengthJson(double metres, const Units& units) {
+  return std::isfinite(metres) ? nlohmann::json(rounded(metres / units.factor(dimension::kLength))) : nlohmann::json();
+}
+
+/// A model that frees nothing: its error is what it is.
+Rung rungAsItStands(const std::string& name, const Cell& cell, const std::vector<calibration::Measurement>& readings) {
+  Rung rung;
+  rung.name = name;
+  const auto placed = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  std::vector<calibration::Measurement> fitted, held_out;
+  for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
+  rung.as_it_stands = rung.fitted = calibration::judge(placed, fitted);
+  rung.heldout = held_out.empty() ? rung.fitted : calibration::judge(placed, held_out);
+  if (const auto weights = calibration::weighReadings(placed, fitted)) {
+    rung.noise_floor = calibration::noiseFloor(fitted, *weights);
+    const auto residual = calibration::whitenedResidual(placed, {}, fitted, *weights, {}, false);
+    rung.chi2_per_dof = residual.r.squaredNorm() / std::max(1, weights->degrees_of_freedom);
+  }
+  return rung;
+}
+
+}  // namespace
+
+Rung rungOf(const std::string& name, const calibration::Identification& fit) {
+  Rung rung;
+  rung.name = name;
+  rung.fitted_numbers = static_cast<int>(fit.fitted_numbers.size());
+  rung.as_it_stands = fit.before;
+  rung.fitted = fit.after;
+  rung.heldout = fit.heldout;
+  rung.noise_floor = fit.noise_floor;
+  rung.chi2_per_dof = fit.chi2 / std::max(1, fit.degrees_of_freedom);
+  return rung;
+}
+
+Rung rungOf(const std::string& name, const Cell& cell, const std::vector<calibration::Measurement>& readings,
+            std::uint64_t seed) {
+  if (cell.identify.empty() && cell.base_known) return rungAsItStands(name, cell, readings);
+  calibration::IdentificationOptions options;
+  options.free = {cell.identify, !cell.base_known};
+  options.seed = seed;
+  options.intervals_by_profile = false;
+  return rungOf(name, calibration::identify(cell.arm, cell.X_WB, cell.base_known, readings, options));
+}
+
+nlohmann::json ladderJson(const std::vector<Rung>& rungs, const Units& units) {
+  nlohmann::json json = {{"units", unitsJson(units)}, {"rungs", nlohmann::json::array()}};
+  for (const auto& rung : rungs)
+    json["rungs"].push_back({{"name", rung.name},
+                             {"fitted_numbers", rung.fitted_numbers},
+                             {"rms",
+                              {{"as_it_stands", lengthJson(rung.as_it_stands.rms, units)},
+                               {"fitted", lengthJson(rung.fitted.rms, units)},
+                               {"heldout", lengthJson(rung.heldout.rms, units)},
+                               {"noise_floor", lengthJson(rung.noise_floor, units)}}},
+                             {"mean",
+                              {{"as_it_stands", lengthJson(rung.as_it_stands.mean, units)},
+                               {"fitted", lengthJson(rung.fitted.mean, units)},
+                               {"heldout", lengthJson(rung.heldout.mean, units)}}},
+                             {"chi2_per_dof", rung.chi2_per_dof}});
+  return json;
+}
+
+std::string ladderText(const std::vector<Rung>& rungs, const Units& units) {
+  const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
+  double largest = 0;
+  for (const auto& rung : rungs)
+    if (std::isfinite(rung.heldout.rms)) largest = std::max(largest, rung.heldout.rms);
+  std::string text = fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   rms in {}\n", "model", "stands", "fitted",
+                                 "held out", "noise", "chi2/dof", units.length().name);
+  for (const auto& rung : rungs) {
+    const int bar = largest > 0 && std::isfinite(rung.heldout.rms)
+                        ? static_cast<int>(std::lround(40 * rung.heldout.rms / largest))
+                        : 0;
+    text += fmt::format("{:<34} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>8.3g}   {}\n", rung.name,
+                        length(rung.as_it_stands.rms), length(rung.fitted.rms), length(rung.heldout.rms),
+                        length(rung.noise_floor), rung.chi2_per_dof, std::string(static_cast<std::size_t>(bar), '#'));
+  }
+  return text;
+}
+
+}  // namespace tubeplan::app

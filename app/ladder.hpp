@@ -1,0 +1,34 @@
+// The error of one model after another on the same readings: what each step of a model is worth.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/readers/cell_reader.hpp"
+#include "calibration/identification.hpp"
+
+namespace tubeplan::app {
+
+/// One model on the ladder.
+struct Rung {
+  std::string name;
+  int fitted_numbers = 0;
+  calibration::ErrorSize as_it_stands;  ///< with the file's own base
+  calibration::ErrorSize fitted;        ///< with `identify`, and the base where it is not known, fitted
+  calibration::ErrorSize heldout;
+  double noise_floor = 0;  ///< m
+  double chi2_per_dof = 0;
+};
+
+/// A cell's model on readings; where it frees nothing it is judged as it stands.
+[[nodiscard]] Rung rungOf(const std::string& name, const Cell& cell,
+                          const std::vector<calibration::Measurement>& readings, std::uint64_t seed);
+
+/// The same of a model that a fit has left.
+[[nodiscard]] Rung rungOf(const std::string& name, const calibration::Identification& fit);
+
+[[nodiscard]] nlohmann::json ladderJson(const std::vector<Rung>& rungs, const Units& units);
+[[nodiscard]] std::string ladderText(const std::vector<Rung>& rungs, const Units& units);
+
+}  // namespace tubeplan::app
