@@ -100,9 +100,10 @@ TEST(InverseKinematics, AReadingThatIsScaledIsSolvedForInItsOwnTurn) {
   }
   const auto found = solveInverseKinematics(arm, goal, 60, down);
   ASSERT_EQ(found.status, BranchStatus::kConverged);
-  for (const auto& branch : found.branches)
-    if (branch.status == BranchStatus::kConverged)
-      EXPECT_LE((solveFlexibleKinematics(arm, {branch.q, 60, down}).X_BD.p - goal.p_BT).norm(), 1e-8);
+  for (const auto& branch : found.branches) {
+    if (branch.status != BranchStatus::kConverged) continue;
+    EXPECT_LE((solveFlexibleKinematics(arm, {branch.q, 60, down}).X_BD.p - goal.p_BT).norm(), 1e-8);
+  }
 }
 
 TEST(InverseKinematics, AnArmOfSixJointsMeetsPlaceAndAxis) {
