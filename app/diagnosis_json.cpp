@@ -79,6 +79,27 @@ std::string lengthText(double metres, const Units& units) {
   return fmt::format("{:.4g} {}", metres / units.factor(dimension::kLength), units.length().name);
 }
 
+/// What is known explains some of it, most of it, or nothing worth a word.
+std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
+  const std::string none = "Something is missing, and it is none of the effects that are known.";
+  if (result.closest.empty()) return none;
+  const double excess = result.chi2 - result.degrees_of_freedom;
+  const double share = (result.chi2 - result.closest.front().chi2) / std::max(1., excess);
+  std::vector<std::string> names;
+  for (const auto& explanation : result.closest)
+    if (explanation.is_near_best) names.push_back(explanationText(explanation, units));
+  const std::string rest = fmt::format("leaves {} where noise leaves {}",
+                                       lengthText(result.closest.front().after.rms, units),
+                                       lengthText(result.noise_floor, units));
+  if (share < 0.5 || names.empty())
+    return fmt::format("{} The closest, {}, explains {:.0f} % of it and {}.", none,
+                       explanationText(result.closest.front(), units), 100 * std::max(0., share), rest);
+  return fmt::format(
+      "Missing first of all: {}{}, which explains {:.0f} % of the misfit but {}: the rest is none of the effects that are "
+      "known, or the noise is larger than stated.",
+      fmt::join(names, "; or "), names.size() > 1 ? " (these readings cannot tell which)" : "", 100 * share, rest);
+}
+
 }  // namespace
 
 const char* nameOf(Verdict verdict) {
@@ -114,14 +135,8 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
                          lengthText(result.heldout_after.rms, units), lengthText(result.noise_floor, units));
     case Verdict::kAmbiguous:
       return fmt::format("Missing: {}. These readings cannot tell which.", fmt::join(names, "; or "));
-    case Verdict::kUnexplained: {
-      std::string nearest;
-      if (!result.closest.empty())
-        nearest = fmt::format(" The closest, {}, leaves {} where noise leaves {}.",
-                              explanationText(result.closest.front(), units),
-                              lengthText(result.closest.front().after.rms, units), lengthText(result.noise_floor, units));
-      return "Something is missing, and it is none of the effects that are known." + nearest;
-    }
+    case Verdict::kUnexplained:
+      return unexplainedSentence(result, units);
     case Verdict::kInconclusive:
       return "The readings hint at something missing, but are too few or too noisy to say what.";
   }
@@ -144,6 +159,7 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
     for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
     json["closest"].push_back({{"effects", effects},
                                {"chi2", finite(explanation.chi2)},
+                               {"near_best", explanation.is_near_best},
                                {"criterion", finite(explanation.criterion)},
                                {"p_value", finite(explanation.p_value)},
                                {"rms", lengthJson(explanation.after.rms, units)},

@@ -287,8 +287,22 @@ Finding findExplanations(const Work& work, const std::vector<Scored>& singles) {
   return finding;
 }
 
+/// Where no model is enough, what is left is the yardstick: the noise is as large as the best of them leaves it.
+void sortByRemainingNoise(const Work& work, std::vector<Explanation>& fits) {
+  if (fits.empty()) return;
+  const auto least = std::min_element(fits.begin(), fits.end(),
+                                      [](const Explanation& a, const Explanation& b) { return a.chi2 < b.chi2; });
+  const double noise = std::max(1., least->chi2 / std::max(1, work.basis.weights.degrees_of_freedom));
+  const auto criterion = [&](const Explanation& fit) { return fit.criterion - fit.chi2 + fit.chi2 / noise; };
+  std::stable_sort(fits.begin(), fits.end(),
+                   [&](const Explanation& a, const Explanation& b) { return criterion(a) < criterion(b); });
+  const double best = criterion(fits.front());
+  for (auto& fit : fits) fit.is_near_best = criterion(fit) <= best + work.options.gap;
+}
+
 void decide(const Work& work, Finding finding, double evidence_needed, Diagnosis& result) {
   const bool is_seen = result.evidence > evidence_needed;
+  if (finding.good.empty()) sortByRemainingNoise(work, finding.fits);
   const bool is_off = result.p_value < work.options.misfit || result.smooth_p_value < work.options.misfit;
   result.closest = finding.fits;
   if (result.closest.size() > kMostAlternatives) result.closest.resize(kMostAlternatives);

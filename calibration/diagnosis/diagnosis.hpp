@@ -51,6 +51,7 @@ struct Explanation {
   double p_value = std::numeric_limits<double>::quiet_NaN();    ///< of the misfit that remains, over all readings
   double smooth_p_value = std::numeric_limits<double>::quiet_NaN();  ///< the same of what follows the joints smoothly
   ErrorSize after, heldout;
+  bool is_near_best = false;  ///< of models none of which is enough: this one does as well as the best
 };
 
 /// One effect at one place as the readings see it.
