@@ -93,9 +93,9 @@ std::string numberText(const IdentifiedNumber& number, const deflection::Arm& ar
 }  // namespace
 
 Dimension dimensionOf(const Unknown& unknown, const deflection::Arm& arm) {
-  const bool slides = unknown.owner == Unknown::Owner::kArm && unknown.name.ends_with("joint.offset") &&
-                      arm.rows.at(static_cast<std::size_t>(unknown.path.row)).joint.type ==
-                          deflection::JointType::kPrismatic;
+  const bool slides =
+      unknown.owner == Unknown::Owner::kArm && unknown.name.ends_with("joint.offset") &&
+      arm.rows.at(static_cast<std::size_t>(unknown.path.row)).joint.type == deflection::JointType::kPrismatic;
   return slides ? dimension::kLength : dimensionOf(unknown.quantity);
 }
 
@@ -154,12 +154,13 @@ std::string identificationText(const Identification& result, const std::vector<c
   if (result.status == IdentificationStatus::kRefused) return "not identified: " + result.reason + "\n";
   std::string text;
   if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
-  text += fmt::format("errors of {} readings\n", result.after.readings);
+  text += fmt::format("errors of {} readings\n", result.used.size());
   text += sizeText("as the model stands", result.before, units);
   text += sizeText("with the base placed", result.after_base, units);
   text += sizeText("identified", result.after, units);
   text += sizeText("held out, with the base placed", result.heldout_before, units);
   text += sizeText("held out, identified", result.heldout, units);
+  if (result.numbers.empty()) return text;
   text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthText(result.noise_floor, units));
   text += fmt::format("chi-square {:.1f} for {} degrees of freedom ({:.2f} each, p = {:.3g})\n", result.chi2,
                       result.degrees_of_freedom, result.chi2 / std::max(1, result.degrees_of_freedom), result.p_value);

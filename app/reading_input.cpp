@@ -7,8 +7,8 @@
 
 #include "app/input_error.hpp"
 #include "app/touch_input.hpp"
-#include "calibration/reading_problems.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/reading_problems.hpp"
 
 namespace tubeplan::app {
 
@@ -19,6 +19,7 @@ using calibration::Identification, calibration::Measurement, calibration::Measur
 constexpr double kFarTooLarge = 3;  // times the noise floor from which readings are searched for slips
 
 bool isFarOff(const Identification& result) {
+  if (result.status == calibration::IdentificationStatus::kNotConverged) return true;
   return std::isfinite(result.after.rms) && result.after.rms > kFarTooLarge * result.noise_floor;
 }
 
@@ -60,7 +61,8 @@ std::string heavyLoad(const std::vector<Measurement>& readings, const deflection
 
 void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
   if (!std::isfinite(sigma) || sigma < 0)
-    throw InputError("--sigma", fmt::format("{}", sigma), "a noise above zero, in " + std::string(cell.units.length().name));
+    throw InputError("--sigma", fmt::format("{}", sigma),
+                     "a noise above zero, in " + std::string(cell.units.length().name));
   for (auto& reading : readings) {
     if (std::isfinite(reading.sigma)) continue;
     if (sigma > 0)
@@ -84,7 +86,8 @@ std::vector<std::string> readingWarnings(const Identification& result, const std
                                      slip.rms_if / cell.units.factor(dimension::kLength), cell.units.length().name));
   for (const auto& outlier : result.outliers) {
     const auto& reading = readings.at(static_cast<std::size_t>(outlier.reading));
-    if (const auto mistaken = mistakenHole(result, outlier, reading, cell); !mistaken.empty()) warnings.push_back(mistaken);
+    if (const auto mistaken = mistakenHole(result, outlier, reading, cell); !mistaken.empty())
+      warnings.push_back(mistaken);
   }
   return warnings;
 }

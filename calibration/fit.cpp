@@ -67,17 +67,19 @@ Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, co
                 const VectorXd& x, const LeastSquaresOptions& solver, RobustLoss loss) {
   Fit fit;
   fit.solution.x = x;
+  VectorXd next_factors;
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   double before = std::numeric_limits<double>::quiet_NaN();
   const int rounds = loss == RobustLoss::kNone ? kMaxRounds : 5 * kMaxRounds;
   for (int round = 0; round < rounds; ++round) {
-    auto weights = weighReadings(applied(start, unknowns, fit.solution.x), readings, fit.factors);
+    auto weights = weighReadings(applied(start, unknowns, fit.solution.x), readings, next_factors);
     if (!weights) {
       fit.solution.status = LeastSquaresStatus::kFailed;
       fit.solution.reason = "the deflected shape does not settle: the arm is too soft for its load";
       return fit;
     }
     fit.weights = std::move(*weights);
+    fit.factors = next_factors;
     if (round > 0 && loss == RobustLoss::kNone) {
       const double now =
           whitenedResidual(start, unknowns, readings, fit.weights, fit.solution.x, false).r.squaredNorm();
@@ -96,10 +98,8 @@ Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, co
     before = fit.solution.chi2;
     if (loss == RobustLoss::kNone) continue;
     const auto residual = whitenedResidual(start, unknowns, readings, fit.weights, fit.solution.x, false);
-    const VectorXd factors = robustFactors(readings, fit.weights, residual, fit.factors, loss);
-    const bool rests = fit.factors.size() && (factors - fit.factors).cwiseAbs().maxCoeff() < 1e-3;
-    fit.factors = factors;
-    if (rests) break;
+    next_factors = robustFactors(readings, fit.weights, residual, fit.factors, loss);
+    if (fit.factors.size() && (next_factors - fit.factors).cwiseAbs().maxCoeff() < 1e-3) break;
   }
   fit.residual = whitenedResidual(start, unknowns, readings, fit.weights, fit.solution.x, true);
   fit.solution.chi2 = fit.residual.r.squaredNorm();
@@ -117,7 +117,8 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) 
       std::vector<Vector3d> tips, places;
       for (const auto& reading : readings) {
         const bool tells = reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch;
-        if (reading.is_held_out || !tells || !reading.p_W || placingOf(placed, reading) != static_cast<int>(p)) continue;
+        if (reading.is_held_out || !tells || !reading.p_W || placingOf(placed, reading) != static_cast<int>(p))
+          continue;
         const auto shape =
             deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, placing.X_WB));
         if (shape.status != deflection::KinematicsStatus::kConverged) continue;

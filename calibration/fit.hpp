@@ -11,7 +11,7 @@ struct Fit {
   LeastSquaresResult solution;
   ReadingWeights weights;     ///< as used last
   WhitenedResidual residual;  ///< at the solution, with its Jacobian
-  Eigen::VectorXd factors;    ///< robust weights; empty without a loss
+  Eigen::VectorXd factors;    ///< robust weights within `weights`; empty without a loss
 };
 
 /// Fits from `x`; the weights are taken anew at the solution and the fit repeated until they rest (at most thrice).

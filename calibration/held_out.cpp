@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace tubeplan::calibration {
 
@@ -13,11 +14,24 @@ namespace {
 
 constexpr double kSamePosture = 0.01;  // rad, m: readings of one posture differ by noise, or by what a load asks for
 
-std::string postureKey(const Measurement& reading) {
-  std::string key = reading.setup + "|";
-  for (const double q : reading.q) key += std::to_string(std::lround(q / kSamePosture)) + ",";
-  return key;
-}
+/// Numbers postures: one within reach of the first of a group belongs to it.
+class PostureGroups {
+ public:
+  /// The first posture of the reading's group, as an index of a reading; itself where it is a new one.
+  int leaderOf(const std::vector<Measurement>& readings, int reading) {
+    const Measurement& m = readings[static_cast<std::size_t>(reading)];
+    const long cell = m.q.size() ? std::lround(m.q[0] / kSamePosture) : 0;
+    for (const long near : {cell, cell - 1, cell + 1})
+      for (const int leader : leaders_[{m.setup, near}])
+        if ((m.q - readings[static_cast<std::size_t>(leader)].q).lpNorm<Eigen::Infinity>() < kSamePosture)
+          return leader;
+    leaders_[{m.setup, cell}].push_back(reading);
+    return reading;
+  }
+
+ private:
+  std::map<std::pair<std::string, long>, std::vector<int>> leaders_;  // by set-up and first joint
+};
 
 void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize& part) {
   if (part.readings == 0) return;
@@ -30,10 +44,14 @@ void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize
 }  // namespace
 
 std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
+  PostureGroups postures;
   std::map<std::string, int> index;
   std::vector<int> groups;
-  for (const auto& reading : readings) {
-    const std::string key = reading.point.empty() ? postureKey(reading) : "point " + reading.point;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const std::string& point = readings[k].point;
+    const std::string key = point.empty()
+                                ? "posture " + std::to_string(postures.leaderOf(readings, static_cast<int>(k)))
+                                : "point " + point;
     groups.push_back(index.emplace(key, static_cast<int>(index.size())).first->second);
   }
   return groups;

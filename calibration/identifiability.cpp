@@ -10,6 +10,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
+constexpr double kSeen = 1.96;  // noise sigmas that 95 % of chance stays within
+
 /// The columns kept so far, as an orthonormal basis.
 class Basis {
  public:
@@ -38,14 +40,17 @@ struct Selection {
   Basis basis;
   std::vector<int> kept, held;
 
-  [[nodiscard]] bool isTold(const VectorXd& own, const VectorXd& column) const {
-    return own.norm() >= options.noise && own.norm() >= options.least_share * column.norm();
+  [[nodiscard]] bool isTold(int k, const VectorXd& own) const {
+    if (own.norm() < options.least_share * columns.col(k).norm()) return false;
+    if (own.norm() >= options.noise) return true;
+    if (options.offset.size() == 0) return false;
+    const double way_back = std::abs(options.offset[k]) / unknowns[static_cast<std::size_t>(k)].typical;
+    return own.norm() * way_back >= kSeen * options.noise;
   }
 
   void takeInOrder(int k) {
-    const VectorXd column = columns.col(k);
-    const VectorXd own = basis.outside(column);
-    if (!isTold(own, column)) return held.push_back(k);
+    const VectorXd own = basis.outside(columns.col(k));
+    if (!isTold(k, own)) return held.push_back(k);
     basis.add(own);
     kept.push_back(k);
   }
@@ -54,23 +59,27 @@ struct Selection {
     MatrixXd rest(columns.rows(), static_cast<Index>(candidates.size()));
     for (std::size_t k = 0; k < candidates.size(); ++k)
       rest.col(static_cast<Index>(k)) = basis.outside(columns.col(candidates[k]));
+    std::vector<int> untold;
     while (!candidates.empty()) {
       Index best = 0;
       rest.colwise().norm().maxCoeff(&best);
-      const auto at = static_cast<std::size_t>(best);
-      const VectorXd own = basis.outside(columns.col(candidates[at]));
-      if (!isTold(own, columns.col(candidates[at]))) break;
-      basis.add(own);
-      kept.push_back(candidates[at]);
-      const VectorXd q = own.normalized();
-      rest -= (q * (q.transpose() * rest)).eval();
+      const int k = candidates[static_cast<std::size_t>(best)];
+      const VectorXd own = basis.outside(columns.col(k));
+      if (isTold(k, own)) {
+        basis.add(own);
+        kept.push_back(k);
+        const VectorXd q = own.normalized();
+        rest -= (q * (q.transpose() * rest)).eval();
+      } else {
+        untold.push_back(k);
+      }
       rest.col(best) = rest.rightCols<1>();
       rest.conservativeResize(Eigen::NoChange, rest.cols() - 1);
-      candidates[at] = candidates.back();
+      candidates[static_cast<std::size_t>(best)] = candidates.back();
       candidates.pop_back();
     }
-    std::sort(candidates.begin(), candidates.end());
-    held.insert(held.end(), candidates.begin(), candidates.end());
+    std::sort(untold.begin(), untold.end());
+    held.insert(held.end(), untold.begin(), untold.end());
   }
 };
 
@@ -79,7 +88,7 @@ HeldUnknown explain(const MatrixXd& columns, const MatrixXd& kept_columns, const
   HeldUnknown result;
   result.unknown = k;
   const VectorXd column = columns.col(k);
-  result.is_seen = column.norm() >= options.noise;
+  result.is_seen = column.norm() >= std::max(1., options.noise);
   if (!result.is_seen || kept.empty()) return result;
   const VectorXd shares = kept_columns.completeOrthogonalDecomposition().solve(column);
   std::vector<std::size_t> order(kept.size());

@@ -1,13 +1,13 @@
 #include "calibration/identification.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 
 #include "calibration/fit.hpp"
 #include "calibration/held_out.hpp"
+#include "calibration/outliers.hpp"
 #include "calibration/profile_interval.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
@@ -18,9 +18,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kMisfitLevel = 0.01;       // p below which the stated noise is taken to be too small
+constexpr double kMisfitLevel = 0.01;  // p below which the stated noise is taken to be too small
 constexpr double kStrongCorrelation = 0.9;
-constexpr double kPoorNormal = 0.2;         // sigma of a logarithm from which the normal interval is poor
+constexpr double kPoorNormal = 0.2;  // sigma of a logarithm from which the normal interval is poor
+constexpr double kFirstLook = 0.1;   // noise sigmas that a number must show at the start, which may be far too stiff
 
 std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
   std::vector<Measurement> some;
@@ -76,10 +77,8 @@ void fitBases(Work& work, Identification& result) {
   if (fit.solution.status == LeastSquaresStatus::kConverged) work.start = applied(work.start, some, fit.solution.x);
 }
 
-/// Keeps what the readings tell at the state x of the kept unknowns; false where nothing changes.
-bool holdUntold(Work& work, const MatrixXd& jacobian, double noise) {
-  IdentifiabilityOptions options;
-  options.noise = noise;
+/// Keeps what the readings tell, by the Jacobian of the kept unknowns; false where nothing changes.
+bool holdUntold(Work& work, const MatrixXd& jacobian, const IdentifiabilityOptions& options) {
   const std::vector<int> before = work.told.kept;
   const Identifiability now = findIdentifiable(jacobian, work.kept(), options);
   work.told.singular_values = now.singular_values;
@@ -124,12 +123,13 @@ Fit fitFromStarts(const Work& work, const VectorXd& first, Identification& resul
     if (s == 0 || ends.back() < *std::min_element(ends.begin(), ends.end() - 1)) best = std::move(fit);
   }
   const double least = *std::min_element(ends.begin(), ends.end());
-  result.starts_agreeing =
-      static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
+  result.starts_agreeing = static_cast<int>(
+      std::count_if(ends.begin(), ends.end(), [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
   return best;
 }
 
-/// Fits; where the optimum shows that the readings do not tell a kept number after all, holds it and fits again.
+/// Fits; what the optimum shows to be untold after all is held at its start, unless that would show, and the rest
+/// fitted again. The start holds only what hardly shows at all there, since it may be off by a factor.
 bool fitTold(Work& work, Identification& result) {
   const auto n = static_cast<Index>(work.unknowns.size());
   const auto weights = weighReadings(work.start, work.fitted);
@@ -138,22 +138,23 @@ bool fitTold(Work& work, Identification& result) {
   for (std::size_t k = 0; k < work.unknowns.size(); ++k) work.told.kept[k] = static_cast<int>(k);
   const auto residual = whitenedResidual(work.start, work.unknowns, work.fitted, *weights, VectorXd::Zero(n), true);
   if (!residual.ok) return false;
-  holdUntold(work, residual.jacobian, 1);
+  IdentifiabilityOptions options;
+  options.noise = kFirstLook;
+  holdUntold(work, residual.jacobian, options);
   VectorXd x = VectorXd::Zero(static_cast<Index>(work.told.kept.size()));
-  for (int round = 0; round < 4; ++round) {
+  while (true) {
     work.fit = fitFromStarts(work, x, result);
     if (work.fit.solution.status == LeastSquaresStatus::kFailed || !work.fit.residual.ok) return false;
-    const double noise =
-        wideningOf(work.fit.solution.chi2, work.fit.weights.degrees_of_freedom - static_cast<int>(work.told.kept.size()));
     const auto before = work.told.kept;
-    if (!holdUntold(work, work.fit.residual.jacobian, noise)) break;
-    VectorXd next = VectorXd::Zero(static_cast<Index>(work.told.kept.size()));
+    options.noise =
+        wideningOf(work.fit.solution.chi2, work.fit.weights.degrees_of_freedom - static_cast<int>(before.size()));
+    options.offset = work.fit.solution.x;
+    if (!holdUntold(work, work.fit.residual.jacobian, options)) return true;
+    x.resize(static_cast<Index>(work.told.kept.size()));
     for (std::size_t k = 0; k < work.told.kept.size(); ++k)
-      next[static_cast<Index>(k)] =
+      x[static_cast<Index>(k)] =
           work.fit.solution.x[std::find(before.begin(), before.end(), work.told.kept[k]) - before.begin()];
-    x = next;
   }
-  return true;
 }
 
 std::string namesOf(const std::vector<std::string>& names) {
@@ -207,8 +208,9 @@ void sayFitted(const Work& work, Identification& result) {
     const double margin = 1e-4 * unknown.typical;
     number.is_at_bound = x <= unknown.lower + margin || x >= unknown.upper - margin;
     if ((is_logarithm && (number.is_at_bound || x > std::log(300.))) || (is_compliance && number.is_at_bound))
-      number.note = "the readings ask for no give at all, or less than none, which no part has: take it as rigid, or look "
-                    "for a missing effect";
+      number.note =
+          "the readings ask for no give at all, or less than none, which no part has: take it as rigid, or look "
+          "for a missing effect";
     else if (number.is_at_bound)
       number.note = "at its bound: the readings ask for more than is physical";
     else if ((is_logarithm && sigma > 0.5) || (is_compliance && x < 2 * sigma))
@@ -222,45 +224,10 @@ void listCorrelations(const Work& work, Identification& result) {
     for (Index j = i + 1; j < sigma.size(); ++j) {
       const double value = result.covariance(i, j) / (sigma[i] * sigma[j]);
       if (std::abs(value) > kStrongCorrelation)
-        result.correlations.push_back({work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(i)])].name,
-                                       work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(j)])].name,
-                                       value});
+        result.correlations.push_back(
+            {work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(i)])].name,
+             work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(j)])].name, value});
     }
-}
-
-/// Each reading against the fit without it: r^T (I - H)^-1 r, H its block of the projection on what was fitted.
-void findOutliers(const Work& work, Identification& result) {
-  const auto& weights = work.fit.weights;
-  const auto& J = work.fit.residual.jacobian;
-  std::vector<MatrixXd> point_block(work.fitted.size());
-  for (const auto& point : weights.points)
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      point_block[static_cast<std::size_t>(point.readings[i])] = point.Q.middleRows(3 * static_cast<Index>(i), 3);
-  VectorXd square(static_cast<Index>(work.fitted.size()));
-  std::vector<VectorXd> alone(work.fitted.size());
-  std::vector<double> sizes;
-  for (std::size_t k = 0; k < work.fitted.size(); ++k) {
-    const Index row = weights.first_row[k], rows = rowsOf(work.fitted[k]);
-    MatrixXd left = MatrixXd::Identity(rows, rows);
-    if (J.cols()) left -= J.middleRows(row, rows) * result.covariance * J.middleRows(row, rows).transpose();
-    if (point_block[k].size()) left -= point_block[k] * point_block[k].transpose();
-    alone[k] = left.completeOrthogonalDecomposition().solve(work.fit.residual.r.segment(row, rows));
-    square[static_cast<Index>(k)] = work.fit.residual.r.segment(row, rows).dot(alone[k]);
-    sizes.push_back(std::sqrt(std::max(0., square[static_cast<Index>(k)]) / static_cast<double>(rows)));
-  }
-  std::vector<double> sorted = sizes;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-  const double spread = std::max(1., sorted[sorted.size() / 2] / 0.89);
-  for (std::size_t k = 0; k < work.fitted.size(); ++k) {
-    const double level = work.options.outlier_level / static_cast<double>(work.fitted.size());
-    const double limit = boost::math::quantile(
-        boost::math::complement(boost::math::chi_squared(static_cast<double>(rowsOf(work.fitted[k]))), level));
-    if (square[static_cast<Index>(k)] <= limit * spread * spread) continue;
-    const VectorXd size = weights.covariance[k] * (weights.whitener[k].transpose() * alone[k]);
-    result.outliers.push_back({result.used[k], size.norm(), std::sqrt(square[static_cast<Index>(k)])});
-  }
-  std::stable_sort(result.outliers.begin(), result.outliers.end(),
-                   [](const Outlier& a, const Outlier& b) { return a.sigmas > b.sigmas; });
 }
 
 void judgeHeldOut(const Work& work, const std::vector<Measurement>& held_out, Identification& result) {
@@ -285,7 +252,6 @@ void summarize(Work& work, Identification& result) {
   result.fitted_numbers = work.told.kept;
   result.singular_values = work.told.singular_values;
   result.fitted = applied(work.start, work.kept(), work.fit.solution.x);
-  result.start = work.start;
   result.chi2 = work.fit.solution.chi2;
   result.degrees_of_freedom = work.fit.weights.degrees_of_freedom - static_cast<int>(work.told.kept.size());
   result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
@@ -302,7 +268,8 @@ void summarize(Work& work, Identification& result) {
   sayHeld(work, result);
   sayFitted(work, result);
   listCorrelations(work, result);
-  findOutliers(work, result);
+  result.outliers = findOutliers(work.fitted, work.fit, result.covariance, work.options.outlier_level);
+  for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
 }
 
 void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted, ErrorSize& size, double* chi2) {
@@ -312,6 +279,15 @@ void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitte
   if (!residual.ok) return;
   size = errorSize(fitted, *weights, residual.error);
   if (chi2) *chi2 = residual.r.squaredNorm();
+}
+
+void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vector<Unknown>& unknowns,
+                        Identification& result) {
+  result.reading_problem = findReadingProblem(fitted, unknowns);
+  if (!result.reading_problem) return;
+  ReadingProblem& problem = *result.reading_problem;
+  result.reason = "found " + problem.found + ", expected " + problem.expected;
+  if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 
 }  // namespace
@@ -387,18 +363,19 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   work.unknowns = std::move(unknowns.list);
   if (result.problems.empty() && work.unknowns.empty()) result.reason = "nothing is free: name a parameter to find";
   if (!result.problems.empty()) result.reason = result.problems.front().found;
-  if (result.reason.empty()) result.reason = findReadingProblem(fitted, work.unknowns);
+  if (result.reason.empty()) noteReadingProblem(fitted, work.unknowns, result);
   if (!result.reason.empty()) {
     result.status = IdentificationStatus::kRefused;
     return result;
   }
   measureStart(start, fitted, result.before, &result.chi2_before);
   fitBases(work, result);
+  result.start = work.start;
   measureStart(work.start, fitted, result.after_base, nullptr);
   if (!fitTold(work, result)) {
     result.status = IdentificationStatus::kNotConverged;
-    result.reason = work.fit.solution.reason.empty() ? "the model cannot be evaluated at the readings"
-                                                     : work.fit.solution.reason;
+    result.reason =
+        work.fit.solution.reason.empty() ? "the model cannot be evaluated at the readings" : work.fit.solution.reason;
     return result;
   }
   summarize(work, result);

@@ -9,6 +9,7 @@
 
 #include "calibration/identifiability.hpp"
 #include "calibration/least_squares.hpp"
+#include "calibration/reading_problems.hpp"
 #include "calibration/whitened_residual.hpp"
 
 namespace tubeplan::calibration {
@@ -19,11 +20,11 @@ struct IdentificationOptions {
   FreeChoice free;
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  int starts = 1;                ///< the first as given, the others drawn around it
-  std::uint64_t seed = 1;        ///< of the drawn starts and the folds
-  int folds = 5;                 ///< of the cross-validation by pose, where no reading is marked held-out; 0: none
-  double outlier_level = 0.01;   ///< chance of naming any reading an outlier where there is none
-  double drop_level = 0;         ///< above 0: numbers that the readings do not need at this level are given up
+  int starts = 1;               ///< the first as given, the others drawn around it
+  std::uint64_t seed = 1;       ///< of the drawn starts and the folds
+  int folds = 5;                ///< of the cross-validation by pose, where no reading is marked held-out; 0: none
+  double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
+  double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
 };
 
@@ -68,9 +69,10 @@ struct ErrorSize {
 struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
-  std::vector<FreeProblem> problems;  ///< why refused
-  std::vector<std::string> dropped;   ///< "NAME: why", numbers given up because the readings do not need them
-  PlacedArm start, fitted;
+  std::vector<FreeProblem> problems;              ///< why refused: names that cannot be freed
+  std::optional<ReadingProblem> reading_problem;  ///< why refused: readings that do not tell enough
+  std::vector<std::string> dropped;               ///< "NAME: why", numbers that the readings do not need
+  PlacedArm start, fitted;                        ///< with only the bases placed; with everything
   std::vector<IdentifiedNumber> numbers;
   std::vector<int> fitted_numbers;  ///< those that were not held: the order of the covariance
   Eigen::MatrixXd covariance;       ///< of the fitted variables (logarithms of stiffnesses)

@@ -159,6 +159,8 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
   const auto is_free = [&](const std::string& name) {
     return std::any_of(result.list.begin(), result.list.end(), [&](const Unknown& u) { return u.name == name; });
   };
+  if (std::count(choice.names.begin(), choice.names.end(), "geometry") > 1)
+    result.problems.push_back({"geometry", "'geometry' again", "every parameter freed once"});
   for (const bool geometry : {false, true})
     for (const auto& group : choice.names) {
       if ((group == "geometry") != geometry) continue;

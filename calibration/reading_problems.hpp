@@ -1,6 +1,7 @@
 // What makes a set of readings unfit to identify anything from.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,14 +10,20 @@
 
 namespace tubeplan::calibration {
 
-/// The first thing that keeps these readings from telling anything: none at all, all at one posture, a point of unknown
-/// place touched once (named), fewer numbers measured than free. Empty where there is nothing.
-[[nodiscard]] std::string findReadingProblem(const std::vector<Measurement>& readings,
-                                             const std::vector<Unknown>& unknowns);
+/// Why readings tell nothing, or not enough.
+struct ReadingProblem {
+  int reading = -1;  ///< the one to blame, where there is one
+  std::string found, expected, advice;
+};
+
+/// The first thing that keeps these readings from telling anything: none at all, a point of unknown place touched once,
+/// all at one posture, fewer numbers measured than free.
+[[nodiscard]] std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
+                                                               const std::vector<Unknown>& unknowns);
 
 /// Something that looks like a slip of units or of a hole's name.
 struct ReadingSuspicion {
-  std::string what;    ///< "the joint readings look like radians under a column in degrees"
+  std::string what;                  ///< "the joint readings look like radians under a column in degrees"
   double rms_as_is = 0, rms_if = 0;  ///< m, by the model with the bases placed
 };
 

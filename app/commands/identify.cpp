@@ -14,7 +14,6 @@
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
 #include "app/suggestion.hpp"
-#include "calibration/reading_problems.hpp"
 
 namespace tubeplan::app {
 
@@ -52,11 +51,23 @@ IdentificationOptions identificationOptions(const IdentifyOptions& options, cons
   return result;
 }
 
+/// Where a reading problem is: the file, with the line where one reading is to blame.
+std::string placeOf(const calibration::ReadingProblem& problem, const std::vector<calibration::Measurement>& readings,
+                    const std::string& file) {
+  if (problem.reading < 0) return file;
+  return fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
+}
+
 /// A refusal is bad input: names that are no parameters, readings that tell nothing.
-void requireAccepted(const Identification& result, const IdentifyOptions& options, const Cell& cell) {
+void requireAccepted(const Identification& result, const std::vector<calibration::Measurement>& readings,
+                     const IdentifyOptions& options, const Cell& cell) {
   if (result.status != IdentificationStatus::kRefused) return;
+  if (const auto& problem = result.reading_problem)
+    throw InputError(placeOf(*problem, readings, options.measurements), problem->found, problem->expected,
+                     problem->advice);
   if (result.problems.empty())
-    throw InputError(options.measurements, result.reason, "readings that tell the free parameters", "");
+    throw InputError(cell.path, result.reason, "something to find",
+                     "`tubeplan identify --help` says what may be freed");
   const auto& problem = result.problems.front();
   std::vector<std::string> known{"geometry", "tool.tip"};
   for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
@@ -99,10 +110,11 @@ int run(const IdentifyOptions& options) {
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   const auto result = identifyAsAsked(options, cell, readings);
-  requireAccepted(result, options, cell);
+  requireAccepted(result, readings, options, cell);
   const auto warnings = readingWarnings(result, readings, cell);
   if (!options.out.empty() && result.status == IdentificationStatus::kDone)
-    for (const auto& file : identifiedCell(cell, result, options.out)) writeFileAtomically(file.path, file.text, "--out");
+    for (const auto& file : identifiedCell(cell, result, options.out))
+      writeFileAtomically(file.path, file.text, "--out");
   nlohmann::json json = identificationJson(result, readings, cell.units);
   json["warnings"] = warnings;
   writeJson(options.json, json);
@@ -124,7 +136,8 @@ Run configureIdentify(CLI::App& cli) {
                  "(tool.joint_stiffness.z), tool.tip, geometry")
       ->delimiter(',');
   cli.add_option("--out", options->out, "write the cell with what was found to this file, its arm beside it");
-  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none, in the cell's length unit");
+  cli.add_option("--sigma", options->sigma,
+                 "noise of a coordinate where the file states none, in the cell's length unit");
   cli.add_option("--robust", options->robust, "loss that weakens outliers")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;

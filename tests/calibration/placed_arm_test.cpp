@@ -1,0 +1,145 @@
+// The numbers that may be freed, what a variable means, and the placing of bases in closed form.
+#include "calibration/placed_arm.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/base_residual.hpp"
+#include "calibration/fit.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<Unknown>& unknowns) {
+  std::vector<std::string> names;
+  for (const auto& unknown : unknowns) names.push_back(unknown.name);
+  return names;
+}
+
+const Unknown& named(const std::vector<Unknown>& unknowns, const std::string& name) {
+  for (const auto& unknown : unknowns)
+    if (unknown.name == name) return unknown;
+  ADD_FAILURE() << name;
+  return unknowns.front();
+}
+
+TEST(PlacedArm, PlacingsComeFirstThenNamesInTheirOrderThenGeometry) {
+  PlacedArm placed = cobraTwice();
+  placed.placings[0].is_known = true;
+  const auto unknowns = chooseUnknowns(placed, {{"geometry", "tool.tip", "forearm.dh.a"}, true}).list;
+  const auto names = namesOf(unknowns);
+  EXPECT_EQ(names[0], "base.shift.x@B");
+  EXPECT_EQ(names[5], "base.turn.z@B");
+  EXPECT_EQ((std::vector<std::string>{names.begin() + 6, names.begin() + 10}),
+            (std::vector<std::string>{"tool.tip.x", "tool.tip.y", "tool.tip.z", "forearm.dh.a"}));
+  EXPECT_EQ(names.size(), 6u + 27);  // 6 rows of 4, and the tip
+  for (std::size_t k = 0; k < names.size(); ++k) EXPECT_EQ(unknowns[k].is_geometry, k >= 10) << names[k];
+}
+
+TEST(PlacedArm, NamesThatCannotBeFreedAreProblems) {
+  const auto problem = [](const std::vector<std::string>& names) {
+    PlacedArm placed = cobra();
+    const auto problems = chooseUnknowns(placed, {names, true}).problems;
+    return problems.empty() ? "" : problems[0].name + ": " + problems[0].found;
+  };
+  EXPECT_NE(problem({"tol.tip"}).find("no number 'tol.tip'"), std::string::npos);
+  EXPECT_NE(problem({"tool.beam.Iz"}).find("tool.beam.Iz"), std::string::npos);
+  EXPECT_NE(problem({"tool.tip", "tool.tip"}).find("again"), std::string::npos);
+  EXPECT_NE(problem({"tool.tip", "tool.tip.x"}).find("'tool.tip.x' again"), std::string::npos);
+  EXPECT_NE(problem({"geometry", "geometry"}).find("again"), std::string::npos);
+  EXPECT_NE(problem({"tool.joint_stiffness.x", "tool.joint_stiffness.x"}).find("again"), std::string::npos);
+  EXPECT_EQ(problem({"geometry", "tool.tip.x"}), "");
+}
+
+TEST(PlacedArm, VariablesMeanWhatTheirScaleSays) {
+  PlacedArm placed = cobra();
+  const auto unknowns =
+      chooseUnknowns(placed, {{"tool.joint_stiffness.z", "tool.joint_stiffness.x", "forearm.dh.a"}, true}).list;
+  const Unknown& soft = named(unknowns, "tool.joint_stiffness.z");
+  EXPECT_EQ(soft.scale, Unknown::Scale::kLogarithm);
+  EXPECT_NEAR(valueAt(soft, std::log(2)), 2 * soft.start, 1e-9 * soft.start);
+  const Unknown& rigid = named(unknowns, "tool.joint_stiffness.x");
+  EXPECT_EQ(rigid.scale, Unknown::Scale::kCompliance);
+  EXPECT_TRUE(std::isfinite(placed.arm.rows[5].joint_stiffness.x())) << "becomes finite";
+  EXPECT_NEAR(valueAt(rigid, 1e-5), 1 / (1 / rigid.start + 1e-5), 1e-9 * rigid.start);
+  EXPECT_GT(rigid.start, 1000 * soft.start) << "but hardly gives";
+  EXPECT_NEAR(valueAt(named(unknowns, "forearm.dh.a"), 0.001), 26.406 * kInch + 0.001, 1e-12);
+  for (const auto& unknown : unknowns)
+    for (const double x : {0., 0.3 * unknown.typical}) {
+      const double h = 1e-6 * unknown.typical;
+      const double slope = (valueAt(unknown, x + h) - valueAt(unknown, x - h)) / (2 * h);
+      EXPECT_NEAR(slopeAt(unknown, x), slope, 1e-5 * std::abs(slope)) << unknown.name;
+    }
+}
+
+TEST(PlacedArm, AppliedMovesEachPlacingByItsOwnStep) {
+  PlacedArm placed = cobraTwice();
+  const auto unknowns = chooseUnknowns(placed, {{"tool.tip"}, true}).list;
+  ASSERT_EQ(unknowns.size(), 15u);
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(15, -0.2, 0.3);
+  const PlacedArm at = applied(placed, unknowns, x);
+  for (int p = 0; p < 2; ++p) {
+    const auto expected = moved(placed.placings[static_cast<std::size_t>(p)].X_WB, x.segment<6>(6 * p));
+    EXPECT_LE((at.placings[static_cast<std::size_t>(p)].X_WB.matrix() - expected.matrix()).norm(), 1e-12);
+  }
+  EXPECT_LE((at.arm.p_LT - placed.arm.p_LT - x.tail<3>()).norm(), 1e-12);
+}
+
+TEST(PlacedArm, EverySetUpOfTheReadingsHasItsPlacing) {
+  std::vector<Measurement> readings(4);
+  readings[1].setup = readings[3].setup = "second";
+  const auto placed = placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), false, readings);
+  ASSERT_EQ(placed.placings.size(), 2u);
+  EXPECT_EQ(placingOf(placed, readings[2]), 0);
+  EXPECT_EQ(placingOf(placed, readings[3]), 1);
+  EXPECT_EQ(placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, {}).placings.size(), 1u);
+}
+
+TEST(AlignPlacings, FindsBasesFromAnywhere) {
+  const PlacedArm truth = cobraTwice();
+  ReadingMaker maker(truth, 3);
+  maker.add(MeasurementKind::kPosition, 4, "A");
+  maker.add(MeasurementKind::kDeflection, 3, "A");
+  maker.addTouches(4, {0, 30 * kPound}, true, "B");
+  maker.add(MeasurementKind::kDistance, 3, "B");
+  const Eigen::Isometry3d starts[] = {Eigen::Isometry3d::Identity(), poseOf({5, -3, 2}, {1, 0.7, -2}),
+                                      poseOf({0, 0, -9}, {3, 0, 0})};
+  for (const auto& start : starts) {
+    PlacedArm placed = truth;
+    for (auto& placing : placed.placings) placing.X_WB = start;
+    alignPlacings(placed, maker.readings);
+    for (int p = 0; p < 2; ++p) {
+      const auto k = static_cast<std::size_t>(p);
+      EXPECT_LE((placed.placings[k].X_WB.matrix() - truth.placings[k].X_WB.matrix()).norm(), 1e-5) << p;
+    }
+  }
+}
+
+TEST(AlignPlacings, LeavesWhatIsKnownAndWhatCannotBeTold) {
+  const PlacedArm truth = cobraTwice();
+  ReadingMaker maker(truth, 4);
+  maker.add(MeasurementKind::kPosition, 5, "A");
+  maker.add(MeasurementKind::kPosition, 2, "B");
+  PlacedArm placed = truth;
+  const auto start = poseOf({0.5, 0, 0}, {0, 0, 0.1});
+  for (auto& placing : placed.placings) placing.X_WB = start;
+  placed.placings[0].is_known = true;
+  alignPlacings(placed, maker.readings);
+  EXPECT_TRUE(placed.placings[0].X_WB.isApprox(start)) << "known";
+  EXPECT_TRUE(placed.placings[1].X_WB.isApprox(start)) << "two places only";
+}
+
+TEST(AlignPlacings, DoesNotLookAtHeldOutReadings) {
+  PlacedArm truth = cobra();
+  truth.placings[0].is_known = false;
+  ReadingMaker maker(truth, 5);
+  maker.add(MeasurementKind::kPosition, 6);
+  maker.readings[5].is_held_out = true;
+  *maker.readings[5].p_W += Eigen::Vector3d(1, 1, 1);
+  PlacedArm placed = truth;
+  alignPlacings(placed, maker.readings);
+  EXPECT_LE((placed.placings[0].X_WB.matrix() - truth.placings[0].X_WB.matrix()).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,156 @@
+// Readings as an arm that is wholly known would give them, with noise or without.
+#pragma once
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+
+#include "calibration/reading_prediction.hpp"
+#include "deflection/inverse_kinematics.hpp"
+#include "tests/deflection/cobra.hpp"
+
+namespace tubeplan::calibration {
+
+using deflection::kDegree, deflection::kInch, deflection::kPound;
+
+inline const deflection::FlexibleKinematicsOptions kFine{1e-14, 200};
+
+inline Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Vector3d& fixed_angles) {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation() = position;
+  X.linear() = deflection::rotationFromFixedAngles<double>(fixed_angles);
+  return X;
+}
+
+/// The Cobra on its mezzanine, its one base known.
+inline PlacedArm cobra() {
+  return {deflection::cobraArm(), {{"", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), true}}};
+}
+
+/// The same at two placings that are not known, "A" and "B".
+inline PlacedArm cobraTwice() {
+  return {deflection::cobraArm(),
+          {{"A", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), false},
+           {"B", poseOf({-0.4, 0.3, 0.1}, {-0.01, 0.04, -0.7}), false}}};
+}
+
+/// Makes readings of an arm; the same seed makes the same. Stated noise is there with or without noise added.
+class ReadingMaker {
+ public:
+  enum class Noise { kNone, kStated };
+
+  ReadingMaker(PlacedArm truth, std::uint64_t seed, Noise noise = Noise::kNone, double touch_sigma = 0.005 * kInch)
+      : truth_(std::move(truth)), random_(seed), has_noise_(noise == Noise::kStated), touch_sigma_(touch_sigma) {}
+
+  std::vector<Measurement> readings;
+
+  /// Readings of any kind but touch at postures of their own.
+  void add(MeasurementKind kind, int count, const std::string& setup = "") {
+    for (int k = 0; k < count; ++k) {
+      Measurement m = blank(kind, setup);
+      m.q = drawPosture();
+      m.load = uniform(10, 40) * kPound;
+      if (kind == MeasurementKind::kDistance) m.p_W = Eigen::Vector3d(uniform(-3, 3), uniform(-3, 3), uniform(-2, -1));
+      const Eigen::VectorXd value = predictReading(truth_.arm, baseOf(m), m).value;
+      if (kind == MeasurementKind::kDistance)
+        m.distance = value[0] + noise(m.sigma);
+      else
+        m.p_W = value + noise3(m.sigma);
+      m.q += encoderNoise();
+      readings.push_back(m);
+    }
+  }
+
+  /// Points touched once under each load [N], the tool held at the same tilt.
+  void addTouches(int points, const std::vector<double>& loads, bool are_known, const std::string& setup = "") {
+    for (int made = 0; made < points;) made += touchPoint(loads, are_known, setup) ? 1 : 0;
+  }
+
+  [[nodiscard]] double uniform(double from, double to) {
+    return boost::random::uniform_real_distribution<double>(from, to)(random_);
+  }
+  [[nodiscard]] double noise(double sigma) {
+    return has_noise_ ? boost::random::normal_distribution<double>(0, sigma)(random_) : 0;
+  }
+  [[nodiscard]] Eigen::Vector3d noise3(double sigma) {
+    const double x = noise(sigma), y = noise(sigma), z = noise(sigma);
+    return {x, y, z};
+  }
+
+  /// Well inside the Cobra's limits, the elbow up; other arms draw from half of each joint's range.
+  [[nodiscard]] Eigen::VectorXd drawPosture() {
+    static constexpr double kFrom[] = {-120, 30, -110, -80}, kTo[] = {120, 110, -20, 20};
+    const auto active = deflection::activeRows(truth_.arm);
+    Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+    for (int k = 0; k < q.size(); ++k) {
+      const auto& joint = truth_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint;
+      q[k] = q.size() == 4 ? uniform(kFrom[k], kTo[k]) * kDegree : uniform(joint.lower, joint.upper) / 2;
+    }
+    return q;
+  }
+
+ private:
+  Measurement blank(MeasurementKind kind, const std::string& setup) {
+    Measurement m;
+    m.id = std::to_string(readings.size() + 1);
+    m.kind = kind;
+    m.setup = setup;
+    m.sigma = kind == MeasurementKind::kTouch ? touch_sigma_ : 0.003 * kInch;
+    return m;
+  }
+
+  const Eigen::Isometry3d& baseOf(const Measurement& m) const {
+    return truth_.placings[static_cast<std::size_t>(placingOf(truth_, m))].X_WB;
+  }
+
+  Eigen::VectorXd encoderNoise() {
+    const auto active = deflection::activeRows(truth_.arm);
+    Eigen::VectorXd d(static_cast<Eigen::Index>(active.size()));
+    for (int k = 0; k < d.size(); ++k)
+      d[k] = noise(truth_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint.encoder_sigma);
+    return d;
+  }
+
+  bool touchPoint(const std::vector<double>& loads, bool is_known, const std::string& setup) {
+    Measurement m = blank(MeasurementKind::kTouch, setup);
+    m.point = setup + "P" + std::to_string(readings.size() + 1);
+    m.q = drawPosture();
+    m.load = loads.front();
+    const Eigen::Isometry3d X_WB = baseOf(m);
+    const auto gravity_B = deflection::gravityInBase(truth_.arm, X_WB);
+    const auto shape = deflection::solveFlexibleKinematics(truth_.arm, {m.q, m.load, gravity_B}, kFine);
+    const Eigen::Vector3d axis_B = shape.X_BD.R * truth_.arm.tool_axis_L;
+    std::vector<Measurement> made;
+    for (const double load : loads) {
+      const deflection::ToolGoal goal{shape.X_BD.p + X_WB.linear().transpose() * noise3(m.sigma), axis_B};
+      deflection::InverseKinematicsOptions options;
+      options.position_tolerance = options.pitch_tolerance = 1e-13;
+      options.kinematics = kFine;
+      const auto branch = deflection::refineBranch(truth_.arm, goal, load, gravity_B, m.q, options);
+      if (branch.position_error > 1e-9 || (branch.q - m.q).norm() > 0.3) return false;
+      made.push_back(m);
+      made.back().id = std::to_string(readings.size() + made.size());
+      made.back().load = load;
+      made.back().q = branch.q + encoderNoise();
+      if (is_known) made.back().p_W = X_WB * shape.X_BD.p;
+    }
+    readings.insert(readings.end(), made.begin(), made.end());
+    return true;
+  }
+
+  PlacedArm truth_;
+  boost::random::mt19937_64 random_;
+  bool has_noise_;
+  double touch_sigma_;
+};
+
+/// A few readings of every kind, touches of known and unknown points among them, at a set-up.
+inline void addEveryKind(ReadingMaker& maker, int count, const std::string& setup = "") {
+  maker.add(MeasurementKind::kPosition, count, setup);
+  maker.add(MeasurementKind::kDeflection, count, setup);
+  maker.add(MeasurementKind::kDistance, count, setup);
+  maker.addTouches(count, {0, 30 * kPound}, true, setup);
+  maker.addTouches(count, {0, 20 * kPound, 40 * kPound}, false, setup);
+}
+
+}  // namespace tubeplan::calibration
