@@ -33,6 +33,7 @@ struct Command {
 
 // Declared here, defined in commands/<name>.cpp.
 Run configureCalibrate(CLI::App& cli);
+Run configureCompare(CLI::App& cli);
 Run configureDiagnose(CLI::App& cli);
 Run configureIdentify(CLI::App& cli);
 Run configureMap(CLI::App& cli);

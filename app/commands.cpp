@@ -14,6 +14,8 @@ constexpr Command kCommands[] = {
      "tubeplan identify app/cells/bench.yaml readings.csv --out fitted.yaml\n"
      "tubeplan identify cell.yaml readings.csv --free tool.tip,geometry",
      configureIdentify},
+    {"compare", "where the model fails, by how much, and what its error follows",
+     "tubeplan compare app/cells/bench.yaml readings.csv --json comparison.json", configureCompare},
     {"diagnose", "which effect the model lacks: one, one of several, none, or none that is known",
      "tubeplan diagnose app/cells/bench.yaml readings.csv --report diagnose.html", configureDiagnose},
     {"plan", "a proved, timed visit of a list of tubes",
