@@ -16,6 +16,8 @@ constexpr Command kCommands[] = {
      configureIdentify},
     {"add", "the cell with an effect switched on, to be fitted with the rest",
      "tubeplan add app/cells/bench.yaml backlash@tool.z --out better.yaml", configureAdd},
+    {"compare", "where the model fails, by how much, and what its error follows",
+     "tubeplan compare app/cells/bench.yaml readings.csv --json comparison.json", configureCompare},
     {"diagnose", "which effect the model lacks: one, one of several, none, or none that is known",
      "tubeplan diagnose app/cells/bench.yaml readings.csv --report diagnose.html", configureDiagnose},
     {"improve", "diagnoses, adds and identifies until nothing more is shown",

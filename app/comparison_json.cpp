@@ -1,0 +1,395 @@
+#include "app/comparison_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+#include "app/identification_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Adequacy, calibration::ComparedReading, calibration::Comparison, calibration::ComparisonStatus,
+    calibration::ErrorSize, calibration::JointEquivalents, calibration::Measurement, calibration::MeasurementKind,
+    calibration::ModelMisfit, calibration::PatternFrame, calibration::PatternTest, calibration::Repeats,
+    calibration::TrendStep, calibration::VariableUnit;
+using nlohmann::json;
+
+constexpr std::size_t kWorstShown = 10;
+
+json finite(double value) { return std::isfinite(value) ? json(rounded(value)) : json(); }
+
+json lengthJson(double metres, const Units& units) { return finite(metres / units.factor(dimension::kLength)); }
+
+json placeJson(const Eigen::Vector3d& place, const Units& units) {
+  return {lengthJson(place.x(), units), lengthJson(place.y(), units), lengthJson(place.z(), units)};
+}
+
+std::string lengthText(double metres, const Units& units) {
+  return fmt::format("{:.3g} {}", metres / units.factor(dimension::kLength), units.length().name);
+}
+
+const char* statusName(ComparisonStatus status) {
+  switch (status) {
+    case ComparisonStatus::kNotRun:
+      return "not-run";
+    case ComparisonStatus::kDone:
+      return "done";
+    case ComparisonStatus::kRefused:
+      return "refused";
+    case ComparisonStatus::kNotConverged:
+      return "not-converged";
+  }
+  return "";
+}
+
+const char* kindName(MeasurementKind kind) {
+  switch (kind) {
+    case MeasurementKind::kPosition:
+      return "position";
+    case MeasurementKind::kTouch:
+      return "touch";
+    case MeasurementKind::kDeflection:
+      return "deflection";
+    case MeasurementKind::kDistance:
+      return "distance";
+  }
+  return "";
+}
+
+const char* frameName(PatternFrame frame) {
+  switch (frame) {
+    case PatternFrame::kWorld:
+      return "world";
+    case PatternFrame::kRadial:
+      return "radial";
+    case PatternFrame::kTool:
+      return "tool";
+  }
+  return "";
+}
+
+std::vector<std::string> componentsOf(PatternFrame frame) {
+  if (frame == PatternFrame::kRadial) return {"radial", "tangential", "up"};
+  return {"x", "y", "z"};
+}
+
+std::string componentText(PatternFrame frame, int component) {
+  static constexpr const char* kRadial[] = {"away from the base's axis", "around the base's axis", "upwards"};
+  if (frame == PatternFrame::kRadial) return kRadial[component];
+  return fmt::format("along {} of the {}", "xyz"[component], frameName(frame));
+}
+
+/// A value of a variable in the file's unit, and that unit's name; "" where it is a plain number.
+std::pair<double, std::string> inFileUnits(VariableUnit unit, double value, const Units& units) {
+  const auto scaled = [&](Dimension dimension) {
+    return std::pair<double, std::string>{value / units.factor(dimension), units.nameOf(dimension)};
+  };
+  switch (unit) {
+    case VariableUnit::kNone:
+      break;
+    case VariableUnit::kAngle:
+      return scaled(dimension::kAngle);
+    case VariableUnit::kLength:
+      return scaled(dimension::kLength);
+    case VariableUnit::kForce:
+      return scaled(dimension::kForce);
+    case VariableUnit::kTorque:
+      return scaled(dimension::kTorque);
+    case VariableUnit::kTime:
+      return scaled(dimension::kTime);
+    case VariableUnit::kTemperature:
+      return {units.temperatureToFile(value), std::string(units.temperature().name)};
+  }
+  return {value, ""};
+}
+
+std::string valueText(const PatternTest& test, const TrendStep& step, const Units& units) {
+  if (!test.groups.empty()) return test.groups.at(static_cast<std::size_t>(std::lround(step.at)));
+  const auto [value, name] = inFileUnits(test.unit, step.at, units);
+  return fmt::format("{:.4g}{}{}", value, name.empty() ? "" : " ", name);
+}
+
+std::string chanceText(double p) { return p < 1e-300 ? "p below 1e-300" : fmt::format("p = {:.2g}", p); }
+
+json testJson(const PatternTest& test, const Units& units) {
+  json entry = {{"kind", test.kind},
+                {"variable", test.variable},
+                {"unit", inFileUnits(test.unit, 0, units).second},
+                {"frame", frameName(test.frame)},
+                {"components", componentsOf(test.frame)},
+                {"chi2_fall", finite(test.fall)},
+                {"degrees_of_freedom", test.numbers},
+                {"remaining_degrees_of_freedom", test.rest},
+                {"F", finite(test.F)},
+                {"p_value_alone", finite(test.p_value)},
+                {"p_value", finite(test.p_corrected)},
+                {"share_of_misfit", finite(test.share)},
+                {"size", lengthJson(test.size, units)},
+                {"followed_rms", lengthJson(test.followed_rms, units)},
+                {"finding", test.is_finding},
+                {"sentence", patternSentence(test, units)}};
+  if (test.component >= 0) entry["component"] = componentsOf(test.frame).at(static_cast<std::size_t>(test.component));
+  return entry;
+}
+
+json findingJson(const PatternTest& test, const Units& units) {
+  json entry = testJson(test, units);
+  entry["goes_with"] = test.goes_with;
+  entry["trend"] = json::array();
+  for (const auto& step : test.trend) {
+    json at = finite(inFileUnits(test.unit, step.at, units).first);
+    if (!test.groups.empty()) at = valueText(test, step, units);
+    entry["trend"].push_back({{"at", at}, {"error", placeJson(step.error, units)}, {"readings", step.readings}});
+  }
+  return entry;
+}
+
+json repeatsJson(const Repeats& repeats) {
+  return {{"groups", repeats.groups},
+          {"readings", repeats.readings},
+          {"pure_error_chi2", finite(repeats.pure_error)},
+          {"degrees_of_freedom", repeats.pure_freedom},
+          {"noise_over_stated", finite(repeats.noise_ratio)},
+          {"noise_p_value", finite(repeats.noise_p_value)},
+          {"lack_of_fit",
+           {{"F", finite(repeats.lack_of_fit_F)},
+            {"degrees_of_freedom", repeats.lack_freedom},
+            {"p_value", finite(repeats.lack_of_fit_p_value)}}}};
+}
+
+json misfitJson(const ModelMisfit& misfit, const Units& units) {
+  return {{"rms", lengthJson(misfit.errors.rms, units)},
+          {"mean", lengthJson(misfit.errors.mean, units)},
+          {"worst", lengthJson(misfit.errors.max, units)},
+          {"readings", misfit.errors.readings},
+          {"noise_floor", lengthJson(misfit.noise_floor, units)},
+          {"chi2", finite(misfit.chi2)},
+          {"degrees_of_freedom", misfit.degrees_of_freedom},
+          {"chi2_per_dof", finite(misfit.chi2 / std::max(1, misfit.degrees_of_freedom))},
+          {"p_value", finite(misfit.p_value)},
+          {"verdict", nameOf(misfit.adequacy)},
+          {"repeats", misfit.repeats.groups > 0 ? repeatsJson(misfit.repeats) : json()}};
+}
+
+json equivalentsJson(const Comparison& result, const JointEquivalents& joints, const Units& units) {
+  if (!joints.ok) return nullptr;
+  json list = json::array();
+  const auto active = deflection::activeRows(result.fitted.arm);
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = result.fitted.arm.rows.at(static_cast<std::size_t>(active[j])).joint;
+    const double factor = units.factor(jointDimension(joint));
+    const auto row = static_cast<Eigen::Index>(j);
+    list.push_back({{"joint", joint.name},
+                    {"mean", finite(joints.mean[row] / factor)},
+                    {"spread", finite(joints.spread[row] / factor)},
+                    {"encoder_sigma", finite(joints.sigma[row] / factor)},
+                    {"unit", units.nameOf(jointDimension(joint))}});
+  }
+  return {{"joints", list},
+          {"chi2", finite(joints.chi2)},
+          {"degrees_of_freedom", joints.degrees_of_freedom},
+          {"p_value", finite(joints.p_value)}};
+}
+
+json jointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, const Units& units) {
+  const Eigen::VectorXd factors = jointFactors(arm, units);
+  json list = json::array();
+  for (Eigen::Index j = 0; j < q.size(); ++j) list.push_back(finite(q[j] / factors[j]));
+  return list;
+}
+
+json readingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
+                 const Units& units) {
+  json entry = {{"id", reading.id},
+                {"kind", kindName(reading.kind)},
+                {"point", reading.point},
+                {"setup", reading.setup},
+                {"load", finite(reading.load / units.factor(dimension::kForce))},
+                {"joints", jointsJson(reading.q, result.fitted.arm, units)},
+                {"senses", reading.senses},
+                {"temperature",
+                 std::isfinite(reading.temperature) ? finite(units.temperatureToFile(reading.temperature)) : json()},
+                {"time", finite(reading.time / units.factor(dimension::kTime))},
+                {"sigma", lengthJson(reading.sigma, units)},
+                {"held_out", compared.is_held_out},
+                {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
+                {"position_before", placeJson(compared.tip_before, units)},
+                {"position_after", placeJson(compared.tip_after, units)},
+                {"error_before", placeJson(compared.error_before, units)},
+                {"error_after", placeJson(compared.error_after, units)},
+                {"size_before", lengthJson(compared.error_before.norm(), units)},
+                {"size_after", lengthJson(compared.error_after.norm(), units)},
+                {"sigmas_before", finite(compared.sigmas_before)},
+                {"sigmas_after", finite(compared.sigmas_after)}};
+  if (reading.kind == MeasurementKind::kDistance) entry["distance"] = lengthJson(reading.distance, units);
+  return entry;
+}
+
+json readingsJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  json list = json::array();
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    list.push_back(readingJson(result.readings.at(k), readings[k], result, units));
+  if (result.joints_after.ok)
+    for (std::size_t i = 0; i < result.used.size(); ++i)
+      list[static_cast<std::size_t>(result.used[i])]["joint_corrections"] =
+          jointsJson(result.joints_after.corrections.col(static_cast<Eigen::Index>(i)), result.fitted.arm, units);
+  return list;
+}
+
+json worstJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  json list = json::array();
+  for (std::size_t k = 0; k < std::min(kWorstShown, result.worst.size()); ++k) {
+    const auto reading = static_cast<std::size_t>(result.worst[k]);
+    const auto& compared = result.readings.at(reading);
+    list.push_back({{"id", readings.at(reading).id},
+                    {"error", placeJson(compared.error_after, units)},
+                    {"size", lengthJson(compared.error_after.norm(), units)},
+                    {"sigmas", finite(compared.sigmas_after)}});
+  }
+  return list;
+}
+
+std::string noiseSentence(const Comparison& result) {
+  const auto& repeats = result.after_refit.repeats;
+  if (repeats.groups == 0) return "No reading was repeated: the stated noise is taken as it is.";
+  if (!result.noise_disagrees)
+    return fmt::format("Repeated readings scatter {:.2f} times as much as stated, which chance allows.",
+                       repeats.noise_ratio);
+  return fmt::format(
+      "The stated noise disagrees with the repeated readings: they scatter {:.2f} times as much "
+      "({}); misfit is judged by them.",
+      repeats.noise_ratio, chanceText(repeats.noise_p_value));
+}
+
+std::string misfitLine(const char* title, const ModelMisfit& misfit, const Units& units) {
+  return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
+                     lengthText(misfit.errors.rms, units), lengthText(misfit.errors.mean, units),
+                     lengthText(misfit.errors.max, units), misfit.chi2 / std::max(1, misfit.degrees_of_freedom),
+                     chanceText(misfit.p_value), nameOf(misfit.adequacy));
+}
+
+std::string equivalentsText(const Comparison& result, const Units& units) {
+  if (!result.joints_after.ok) return "";
+  std::string text = "  as joint errors (mean, spread):";
+  const auto active = deflection::activeRows(result.fitted.arm);
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = result.fitted.arm.rows.at(static_cast<std::size_t>(active[j])).joint;
+    const double factor = units.factor(jointDimension(joint));
+    const auto row = static_cast<Eigen::Index>(j);
+    text += fmt::format(" {} {:+.2g}, {:.2g} {};", joint.name, result.joints_after.mean[row] / factor,
+                        result.joints_after.spread[row] / factor, units.nameOf(jointDimension(joint)));
+  }
+  text.back() = '\n';
+  return text;
+}
+
+}  // namespace
+
+const char* nameOf(Adequacy adequacy) {
+  switch (adequacy) {
+    case Adequacy::kNotRun:
+      return "not-run";
+    case Adequacy::kAdequate:
+      return "adequate";
+    case Adequacy::kFallsShort:
+      return "falls-short";
+  }
+  return "";
+}
+
+std::string patternSentence(const PatternTest& test, const Units& units) {
+  if (test.component < 0) return "";
+  const std::string where = componentText(test.frame, test.component);
+  const std::string chance =
+      fmt::format("{:.0f} % of the misfit, {} over all tests", 100 * test.share, chanceText(test.p_corrected));
+  const std::string verb = test.is_finding ? "follows" : "is not shown to follow";
+  if (test.trend.size() == 1)
+    return fmt::format("{} of the error {} the same everywhere: {} {} beside what the fit absorbs ({}).",
+                       test.is_finding ? "A part" : "No part", test.is_finding ? "is" : "is shown to be",
+                       lengthText(test.size, units), where, chance);
+  const auto& low = test.trend.at(static_cast<std::size_t>(test.low));
+  const auto& high = test.trend.at(static_cast<std::size_t>(test.high));
+  return fmt::format("The error {} {}: {} more {} at {} than at {} ({}).", verb, test.variable,
+                     lengthText(test.size, units), where, valueText(test, high, units), valueText(test, low, units),
+                     chance);
+}
+
+std::string comparisonSentence(const Comparison& result, const Units& units) {
+  const auto& after = result.after_refit;
+  const std::string sizes =
+      fmt::format("the error is {} as the model stands and {} after the refit; noise alone leaves {}",
+                  lengthText(result.as_it_stands.errors.rms, units), lengthText(after.errors.rms, units),
+                  lengthText(after.noise_floor, units));
+  if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", sizes);
+  return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), sizes);
+}
+
+json comparisonJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  const auto& after = result.after_refit;
+  const auto& refit = result.refit;
+  json report = {{"status", statusName(result.status)},
+                 {"reason", result.reason},
+                 {"units", unitsJson(units)},
+                 {"verdict", nameOf(result.verdict)},
+                 {"grounds", result.grounds},
+                 {"sentence", comparisonSentence(result, units)},
+                 {"noise", noiseSentence(result)},
+                 {"chi2_per_dof", finite(after.chi2 / std::max(1, after.degrees_of_freedom))},
+                 {"p_value", finite(after.p_value)},
+                 {"as_it_stands", misfitJson(result.as_it_stands, units)},
+                 {"after_refit", misfitJson(after, units)}};
+  report["rms"] = {{"before", lengthJson(result.as_it_stands.errors.rms, units)},
+                   {"after_base", lengthJson(refit.after_base.rms, units)},
+                   {"after", lengthJson(after.errors.rms, units)},
+                   {"noise_floor", lengthJson(after.noise_floor, units)},
+                   {"heldout_before", lengthJson(refit.heldout_before.rms, units)},
+                   {"heldout_after", lengthJson(refit.heldout.rms, units)}};
+  report["refit"] =
+      refit.status == calibration::IdentificationStatus::kNotRun ? json() : identificationJson(refit, readings, units);
+  report["worst"] = worstJson(result, readings, units);
+  report["patterns"] = json::array();
+  for (const auto& test : result.patterns.findings) report["patterns"].push_back(findingJson(test, units));
+  report["tested"] = json::array();
+  for (const auto& test : result.patterns.tests) report["tested"].push_back(testJson(test, units));
+  report["not_tested"] = result.patterns.not_tested;
+  report["joint_equivalents"] = {{"as_it_stands", equivalentsJson(result, result.joints_before, units)},
+                                 {"after_refit", equivalentsJson(result, result.joints_after, units)}};
+  report["joint_columns"] = json::array();
+  for (const int row : deflection::activeRows(result.fitted.arm))
+    report["joint_columns"].push_back(
+        jointColumn(result.fitted.arm.rows.at(static_cast<std::size_t>(row)).joint, units));
+  report["readings"] = readingsJson(result, readings, units);
+  return report;
+}
+
+std::string comparisonText(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), comparisonSentence(result, units));
+  if (!result.reason.empty()) text += "  " + result.reason + "\n";
+  text += misfitLine("as it stands", result.as_it_stands, units);
+  text += misfitLine("after the refit", result.after_refit, units);
+  if (result.refit.heldout.readings > 0)
+    text +=
+        fmt::format("  held out: rms {} with only the base placed, {} after the refit\n",
+                    lengthText(result.refit.heldout_before.rms, units), lengthText(result.refit.heldout.rms, units));
+  text += noiseSentence(result) + "\n";
+  for (const auto& test : result.patterns.findings)
+    text += "  " + patternSentence(test, units) +
+            (test.goes_with.empty() ? "\n" : " It goes with " + test.goes_with + ".\n");
+  text +=
+      fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
+    const auto reading = static_cast<std::size_t>(result.worst[k]);
+    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", readings.at(reading).id,
+                        lengthText(result.readings.at(reading).error_after.norm(), units),
+                        result.readings.at(reading).sigmas_after);
+  }
+  return text + equivalentsText(result, units);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,17 @@
+// An error that is the same at every reading: in the world, seen from the base's axis, or in the tool.
+//
+// Basis: 1.
+#pragma once
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::constant {
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  const auto n = static_cast<Eigen::Index>(scene.readings.size());
+  return {{"constant", VariableUnit::kNone, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Ones(n, 1), {}}};
+}
+
+inline PatternKind kind() { return {.name = "constant", .needs = "readings", .variables = variables}; }
+
+}  // namespace tubeplan::calibration::patterns::constant

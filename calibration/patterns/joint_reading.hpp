@@ -1,0 +1,39 @@
+// An error that goes with a joint's reading.
+//
+// Basis: sine and cosine once per turn of a revolute joint, which over part of a turn make a straight line and a bow;
+// the length and its square for a slide.
+#pragma once
+
+#include <cmath>
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::joint_reading {
+
+inline constexpr double kBeyondNoise = 50;  // encoder sigmas that a joint must move
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  const auto active = deflection::activeRows(scene.placed.arm);
+  std::vector<Variable> list;
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = scene.placed.arm.rows[static_cast<std::size_t>(active[j])].joint;
+    const bool slides = joint.type == deflection::JointType::kPrismatic;
+    Variable variable{joint.name, slides ? VariableUnit::kLength : VariableUnit::kAngle, {}, {}, {}};
+    variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
+    for (std::size_t k = 0; k < scene.readings.size(); ++k)
+      variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].q[static_cast<Eigen::Index>(j)];
+    const double range = variable.value.maxCoeff() - variable.value.minCoeff();
+    if (!varies(variable.value) || range < kBeyondNoise * joint.encoder_sigma) continue;
+    variable.basis.resize(variable.value.size(), 2);
+    variable.basis.col(0) = centred(
+        variable.value, slides ? [](double q) { return q; } : [](double q) { return std::sin(q); });
+    variable.basis.col(1) = centred(
+        variable.value, slides ? [](double q) { return q * q; } : [](double q) { return std::cos(q); });
+    list.push_back(std::move(variable));
+  }
+  return list;
+}
+
+inline PatternKind kind() { return {.name = "joint", .needs = "a joint that moves", .variables = variables}; }
+
+}  // namespace tubeplan::calibration::patterns::joint_reading

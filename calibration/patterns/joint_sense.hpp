@@ -1,0 +1,37 @@
+// An error that goes with the way a joint came to where it is.
+//
+// Basis: the sense of its last motion, -1 or +1; 0 where not known.
+#pragma once
+
+#include <algorithm>
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::joint_sense {
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  const auto active = deflection::activeRows(scene.placed.arm);
+  std::vector<Variable> list;
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    Variable variable{"sense of " + scene.placed.arm.rows[static_cast<std::size_t>(active[j])].joint.name,
+                      VariableUnit::kNone,
+                      {},
+                      {},
+                      {}};
+    variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
+    for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+      const auto& senses = scene.readings[k].senses;
+      variable.value[static_cast<Eigen::Index>(k)] = senses.empty() ? 0 : senses[j];
+    }
+    if (!varies(variable.value)) continue;
+    variable.basis = centred(variable.value, [](double s) { return s; });
+    list.push_back(std::move(variable));
+  }
+  return list;
+}
+
+inline PatternKind kind() {
+  return {.name = "sense", .needs = "a column <joint>_dir with both senses", .variables = variables};
+}
+
+}  // namespace tubeplan::calibration::patterns::joint_sense

@@ -1,0 +1,29 @@
+// An error that goes with the hung load.
+//
+// Basis: the load; its square too where there are three loads or more.
+#pragma once
+
+#include <set>
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::load {
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  Variable variable{
+      "load", VariableUnit::kForce, Eigen::VectorXd(static_cast<Eigen::Index>(scene.readings.size())), {}, {}};
+  std::set<double> loads;
+  for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+    variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].load;
+    loads.insert(scene.readings[k].load);
+  }
+  if (!varies(variable.value)) return {};
+  variable.basis.resize(variable.value.size(), loads.size() > 2 ? 2 : 1);
+  variable.basis.col(0) = centred(variable.value, [](double f) { return f; });
+  if (loads.size() > 2) variable.basis.col(1) = centred(variable.value, [](double f) { return f * f; });
+  return {variable};
+}
+
+inline PatternKind kind() { return {.name = "load", .needs = "two loads", .variables = variables}; }
+
+}  // namespace tubeplan::calibration::patterns::load

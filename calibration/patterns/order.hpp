@@ -1,0 +1,21 @@
+// An error that runs through neighbours in the file: what the readings have in common with those before and after them.
+//
+// Basis: slow waves over the readings' order.
+#pragma once
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::order {
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  const auto n = static_cast<Eigen::Index>(scene.readings.size());
+  if (n < 4) return {};
+  Variable variable{
+      "order of the readings", VariableUnit::kNone, Eigen::VectorXd::LinSpaced(n, 1, static_cast<double>(n)), {}, {}};
+  variable.basis = slowWaves(variable.value);
+  return {variable};
+}
+
+inline PatternKind kind() { return {.name = "order", .needs = "four readings", .variables = variables}; }
+
+}  // namespace tubeplan::calibration::patterns::order

@@ -1,0 +1,61 @@
+// What a misfit may follow: the open table of variables that readings differ in. Each kind is a file here and a row of
+// the table in patterns.cpp; nothing else names it.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "calibration/placed_arm.hpp"
+
+namespace tubeplan::calibration {
+
+/// What a variable is measured in; says how it is printed.
+enum class VariableUnit { kNone, kAngle, kLength, kForce, kTorque, kTemperature, kTime };
+
+/// The readings, and what the model says of each beyond the error.
+struct ReadingScene {
+  bool ok = false;  ///< whether every deflected shape settled; the rest is not to be used otherwise
+  PlacedArm placed;
+  std::vector<Measurement> readings;
+  Eigen::Matrix3Xd tips;                    ///< predicted places, m, in the world
+  std::vector<Eigen::Matrix3d> tools;       ///< axes of the deflected tool frame, in the world
+  std::vector<Eigen::Matrix3d> radials;     ///< away from the base's axis of gravity, around it, up; in the world
+  std::vector<Eigen::Matrix3Xd> moments_L;  ///< of each reading: one column for each row, N m, in the row's own axes
+};
+
+[[nodiscard]] ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings);
+
+/// One variable at all readings, and the small basis of functions of it that is tried.
+struct Variable {
+  std::string name;  ///< "theta3", "moment forearm.z"
+  VariableUnit unit = VariableUnit::kNone;
+  Eigen::VectorXd value;  ///< of each reading, internal units; NaN where not stated; of groups: the group's number
+  Eigen::MatrixXd basis;  ///< readings x functions; zero where not stated
+  std::vector<std::string> groups;  ///< names of the groups, where the variable is the group a reading belongs to
+};
+
+/// One row of the table.
+struct PatternKind {
+  const char* name;
+  const char* needs;                                        ///< what the readings must have to be asked
+  std::vector<Variable> (*variables)(const ReadingScene&);  ///< empty where the readings do not have it
+};
+
+const std::vector<PatternKind>& patternKinds();
+
+/// One column of a function of the stated values, less its mean; zero where not stated.
+[[nodiscard]] Eigen::VectorXd centred(const Eigen::VectorXd& value, double (*function)(double));
+
+/// Whether the stated values differ by more than rounding.
+[[nodiscard]] bool varies(const Eigen::VectorXd& value);
+
+/// The first waves of a course from its first value to its last: cos(k pi share), k = 1 to 3. They follow a drift, a
+/// step and a slow swing alike.
+[[nodiscard]] Eigen::MatrixXd slowWaves(const Eigen::VectorXd& value);
+
+/// A variable that says which group each reading belongs to; the names in their first order.
+[[nodiscard]] Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading);
+
+}  // namespace tubeplan::calibration

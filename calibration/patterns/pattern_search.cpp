@@ -1,0 +1,245 @@
+#include "calibration/patterns/pattern_search.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kAbsorbed = 1e-6;  // squared share of a column's length below which nothing of it is left
+constexpr int kTrendSteps = 5;
+constexpr PatternFrame kFrames[] = {PatternFrame::kWorld, PatternFrame::kRadial, PatternFrame::kTool};
+
+const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std::size_t k) {
+  static const Eigen::Matrix3d kWorldAxes = Eigen::Matrix3d::Identity();
+  if (frame == PatternFrame::kRadial) return scene.radials[k];
+  return frame == PatternFrame::kTool ? scene.tools[k] : kWorldAxes;
+}
+
+/// Rows of a reading for an error along the world's axes: itself, or its part along the measured line.
+MatrixXd seenOf(const ReadingScene& scene, std::size_t k) {
+  if (scene.readings[k].kind != MeasurementKind::kDistance) return MatrixXd::Identity(3, 3);
+  return (scene.tips.col(static_cast<Index>(k)) - *scene.readings[k].p_W).normalized().transpose();
+}
+
+/// Orthonormal columns that span what is left of `columns`, each having been of the given length.
+MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
+  if (columns.cols() == 0) return columns;
+  const MatrixXd scaled = columns * lengths.cwiseMax(1e-300).cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(scaled.transpose() * scaled);
+  const Index rank = (gram.eigenvalues().array() > kAbsorbed).count();
+  const auto kept = gram.eigenvectors().rightCols(rank);
+  return scaled * kept * gram.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// The space that is left to a pattern beside what is fitted.
+struct Search {
+  const ReadingScene& scene;
+  const ReadingWeights& weights;
+  MatrixXd absorbed;  ///< orthonormal: the fitted unknowns' columns
+  VectorXd r;
+  int freedom = 0;
+
+  void takeOffPoints(MatrixXd& columns) const {
+    for (const auto& point : weights.points) {
+      MatrixXd stacked(3 * static_cast<Index>(point.readings.size()), columns.cols());
+      for (std::size_t i = 0; i < point.readings.size(); ++i)
+        stacked.middleRows(3 * static_cast<Index>(i), 3) = columns.middleRows(rowOf(point.readings[i]), 3);
+      stacked -= (point.Q * (point.Q.transpose() * stacked)).eval();
+      for (std::size_t i = 0; i < point.readings.size(); ++i)
+        columns.middleRows(rowOf(point.readings[i]), 3) = stacked.middleRows(3 * static_cast<Index>(i), 3);
+    }
+  }
+  [[nodiscard]] Index rowOf(int reading) const { return weights.first_row[static_cast<std::size_t>(reading)]; }
+
+  /// Orthonormal columns of a basis in a frame, less what `others` (orthonormal) and the points absorb.
+  [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
+    MatrixXd columns(weights.rows, 3 * basis.cols());
+    for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+      const MatrixXd along = weights.whitener[k] * seenOf(scene, k) * axesOf(scene, frame, k);
+      for (Index j = 0; j < basis.cols(); ++j)
+        columns.block(weights.first_row[k], 3 * j, along.rows(), 3) = along * basis(static_cast<Index>(k), j);
+    }
+    const VectorXd lengths = columns.colwise().norm();
+    takeOffPoints(columns);
+    columns -= (others * (others.transpose() * columns)).eval();
+    return orthonormal(columns, lengths);
+  }
+};
+
+MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd both(a.rows(), a.cols() + b.cols());
+  both << a, b;
+  return both;
+}
+
+/// Neighbouring readings together: equal values always, at most kTrendSteps lots where the values are many.
+std::vector<std::vector<int>> lotsOf(const Variable& variable) {
+  std::vector<int> order;
+  for (int k = 0; k < static_cast<int>(variable.value.size()); ++k)
+    if (std::isfinite(variable.value[k])) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return variable.value[a] < variable.value[b]; });
+  std::set<double> distinct;
+  for (const int k : order) distinct.insert(variable.value[k]);
+  const bool all_apart = !variable.groups.empty() || static_cast<int>(distinct.size()) <= kTrendSteps;
+  std::vector<std::vector<int>> lots;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_equal = i > 0 && variable.value[order[i]] == variable.value[order[i - 1]];
+    const bool is_full = all_apart || i * kTrendSteps >= lots.size() * order.size();
+    if (lots.empty() || (is_full && !is_equal)) lots.emplace_back();
+    lots.back().push_back(order[i]);
+  }
+  return lots;
+}
+
+/// The error that follows the pattern beside what is fitted, of each reading along the frame's axes [m].
+Eigen::Matrix3Xd followedErrors(const Search& search, PatternFrame frame, const VectorXd& followed) {
+  const auto& scene = search.scene;
+  Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
+  for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+    const MatrixXd seen = seenOf(scene, k);
+    const VectorXd error = search.weights.whitener[k].triangularView<Eigen::Lower>().solve(
+        followed.segment(search.weights.first_row[k], seen.rows()));
+    errors.col(static_cast<Index>(k)) = axesOf(scene, frame, k).transpose() * seen.transpose() * error;
+  }
+  return errors;
+}
+
+void describeTrend(const Variable& variable, const Eigen::Matrix3Xd& errors, PatternTest& test) {
+  for (const auto& lot : lotsOf(variable)) {
+    TrendStep step{0, Vector3d::Zero(), static_cast<int>(lot.size())};
+    for (const int k : lot) {
+      step.at += variable.value[k] / static_cast<double>(lot.size());
+      step.error += errors.col(k) / static_cast<double>(lot.size());
+    }
+    test.trend.push_back(step);
+  }
+  test.groups = variable.groups;
+  const Vector3d mean_squares = errors.rowwise().squaredNorm() / static_cast<double>(errors.cols());
+  test.followed_rms = std::sqrt(mean_squares.sum());
+  for (int c = 0; c < 3; ++c) {
+    const auto by_component = [c](const TrendStep& a, const TrendStep& b) { return a.error[c] < b.error[c]; };
+    const auto [low, high] = std::minmax_element(test.trend.begin(), test.trend.end(), by_component);
+    const double size = test.trend.size() == 1 ? std::sqrt(mean_squares[c]) : high->error[c] - low->error[c];
+    if (test.component >= 0 && size <= test.size) continue;
+    test.size = size;
+    test.component = c;
+    test.low = static_cast<int>(low - test.trend.begin());
+    test.high = static_cast<int>(high - test.trend.begin());
+  }
+}
+
+double tailOfF(double F, int numbers, int rest) {
+  if (!std::isfinite(F)) return 0;
+  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(numbers, rest), F));
+}
+
+/// A variable in one frame, and what it is asked beside.
+struct Question {
+  const PatternKind* kind;
+  const Variable* variable;
+  PatternFrame frame;
+};
+
+bool isConstant(const Variable& variable) { return variable.groups.empty() && !varies(variable.value); }
+
+/// `test.numbers` stays 0 where nothing is left to ask or nothing to ask it against.
+PatternTest ask(const Search& search, const Question& question, const MatrixXd& others) {
+  PatternTest test;
+  test.kind = question.kind->name;
+  test.variable = question.variable->name;
+  test.unit = question.variable->unit;
+  test.frame = question.frame;
+  MatrixXd beside = others;
+  if (!isConstant(*question.variable))
+    beside =
+        joined(others, search.columnsOf(MatrixXd::Ones(question.variable->value.size(), 1), question.frame, others));
+  const MatrixXd columns = search.columnsOf(question.variable->basis, question.frame, beside);
+  test.rest = search.freedom - static_cast<int>(beside.cols() - search.absorbed.cols() + columns.cols());
+  if (columns.cols() == 0 || test.rest < 1) return test;
+  const VectorXd r = search.r - beside * (beside.transpose() * search.r);
+  const VectorXd weight = columns.transpose() * r;
+  test.numbers = static_cast<int>(columns.cols());
+  test.fall = weight.squaredNorm();
+  test.share = test.fall / std::max(1e-300, search.r.squaredNorm());
+  test.F = test.fall / test.numbers / std::max(1e-300, (r.squaredNorm() - test.fall) / test.rest);
+  test.p_value = tailOfF(test.F, test.numbers, test.rest);
+  describeTrend(*question.variable, followedErrors(search, question.frame, columns * weight), test);
+  return test;
+}
+
+void correctByHolm(std::vector<PatternTest>& tests, double level) {
+  double corrected = 0;
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    corrected = std::max(corrected, std::min(1., static_cast<double>(tests.size() - k) * tests[k].p_value));
+    tests[k].p_corrected = corrected;
+    tests[k].is_finding = corrected <= level;
+  }
+}
+
+/// Findings by variable, each asked again beside all stronger ones that stand alone.
+std::vector<PatternTest> distinctFindings(const Search& search, const std::vector<Question>& questions,
+                                          const std::vector<PatternTest>& tests, double level) {
+  std::vector<PatternTest> findings;
+  MatrixXd beside = search.absorbed;
+  for (const auto& test : tests) {
+    const bool is_told = std::any_of(findings.begin(), findings.end(),
+                                     [&](const PatternTest& other) { return other.variable == test.variable; });
+    if (!test.is_finding || is_told) continue;
+    findings.push_back(test);
+    const auto question = std::find_if(questions.begin(), questions.end(), [&](const Question& q) {
+      return q.variable->name == test.variable && q.frame == test.frame;
+    });
+    const PatternTest again = findings.size() == 1 ? test : ask(search, *question, beside);
+    if (again.p_value * static_cast<double>(tests.size()) > level)
+      findings.back().goes_with = findings.front().variable;
+    else
+      beside = joined(beside, search.columnsOf(question->variable->basis, question->frame, beside));
+  }
+  return findings;
+}
+
+}  // namespace
+
+PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights, const WhitenedResidual& residual,
+                             double level) {
+  PatternSearch result;
+  Search search{scene, weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()), residual.r, 0};
+  search.freedom = weights.degrees_of_freedom - static_cast<int>(search.absorbed.cols());
+  std::vector<std::vector<Variable>> variables;
+  for (const auto& kind : patternKinds()) {
+    variables.push_back(kind.variables(scene));
+    if (variables.back().empty()) result.not_tested.push_back(std::string(kind.name) + ": needs " + kind.needs);
+  }
+  std::vector<Question> questions;
+  for (std::size_t k = 0; k < variables.size(); ++k)
+    for (const auto& variable : variables[k])
+      for (const PatternFrame frame : kFrames)
+        if (variable.groups.empty() || frame == PatternFrame::kWorld)
+          questions.push_back({&patternKinds()[k], &variable, frame});
+  std::vector<PatternTest> asked(questions.size());
+  tbb::parallel_for(std::size_t{0}, questions.size(),
+                    [&](std::size_t k) { asked[k] = ask(search, questions[k], search.absorbed); });
+  for (const auto& test : asked)
+    if (test.numbers > 0)
+      result.tests.push_back(test);
+    else if (test.frame == PatternFrame::kWorld)
+      result.not_tested.push_back(test.variable + ": what is fitted absorbs it, or the readings are too few");
+  std::stable_sort(result.tests.begin(), result.tests.end(),
+                   [](const PatternTest& a, const PatternTest& b) { return a.p_value < b.p_value; });
+  correctByHolm(result.tests, level);
+  result.findings = distinctFindings(search, questions, result.tests, level);
+  return result;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/patterns/constant.hpp"
+#include "calibration/patterns/joint_reading.hpp"
+#include "calibration/patterns/joint_sense.hpp"
+#include "calibration/patterns/load.hpp"
+#include "calibration/patterns/moment.hpp"
+#include "calibration/patterns/order.hpp"
+#include "calibration/patterns/pattern.hpp"
+#include "calibration/patterns/place.hpp"
+#include "calibration/patterns/point.hpp"
+#include "calibration/patterns/setup.hpp"
+#include "calibration/patterns/temperature.hpp"
+#include "calibration/patterns/time.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kOnAxis = 1e-6;  // m from the axis of gravity within which "away from it" has no direction
+constexpr double kRounding = 1e-9;
+
+Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
+  const Vector3d up = -gravity.normalized();
+  Vector3d away = from_base - from_base.dot(up) * up;
+  if (away.norm() < kOnAxis) away = up.unitOrthogonal();
+  away.normalize();
+  Matrix3d axes;
+  axes << away, up.cross(away), up;
+  return axes;
+}
+
+/// Least and largest stated value.
+std::pair<double, double> rangeOf(const VectorXd& value) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double v : value)
+    if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
+  return {least, most};
+}
+
+}  // namespace
+
+const std::vector<PatternKind>& patternKinds() {
+  static const std::vector<PatternKind> kKinds = {
+      patterns::constant::kind(), patterns::joint_reading::kind(), patterns::joint_sense::kind(),
+      patterns::load::kind(),     patterns::moment::kind(),        patterns::temperature::kind(),
+      patterns::time::kind(),     patterns::order::kind(),         patterns::place::kind(),
+      patterns::point::kind(),    patterns::setup::kind(),
+  };
+  return kKinds;
+}
+
+ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  ReadingScene scene{true, placed, readings, {}, {}, {}, {}};
+  scene.tips.resize(3, static_cast<Index>(readings.size()));
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
+    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
+    if (shape.status != deflection::KinematicsStatus::kConverged) scene.ok = false;
+    if (!scene.ok) return scene;
+    const Vector3d tip = X_WB * shape.X_BD.p;
+    scene.tips.col(static_cast<Index>(k)) = tip;
+    scene.tools.push_back(X_WB.linear() * shape.X_BD.R);
+    scene.radials.push_back(radialAxes(tip - X_WB.translation(), placed.arm.gravity_W));
+    Eigen::Matrix3Xd moments(3, static_cast<Index>(shape.rows.size()));
+    for (std::size_t i = 0; i < shape.rows.size(); ++i) moments.col(static_cast<Index>(i)) = shape.rows[i].moment_L;
+    scene.moments_L.push_back(std::move(moments));
+  }
+  return scene;
+}
+
+VectorXd centred(const VectorXd& value, double (*function)(double)) {
+  VectorXd column = VectorXd::Zero(value.size());
+  double sum = 0;
+  int count = 0;
+  for (Index k = 0; k < value.size(); ++k)
+    if (std::isfinite(value[k])) column[k] = function(value[k]), sum += column[k], ++count;
+  for (Index k = 0; k < value.size(); ++k)
+    if (std::isfinite(value[k])) column[k] -= sum / count;
+  return column;
+}
+
+bool varies(const VectorXd& value) {
+  const auto [least, most] = rangeOf(value);
+  return most - least > kRounding * std::max(std::abs(least), std::abs(most));
+}
+
+MatrixXd slowWaves(const VectorXd& value) {
+  const auto [least, most] = rangeOf(value);
+  MatrixXd waves(value.size(), 3);
+  const VectorXd phase = (value.array() - least) * (EIGEN_PI / (most - least));
+  waves.col(0) = centred(phase, [](double p) { return std::cos(p); });
+  waves.col(1) = centred(phase, [](double p) { return std::cos(2 * p); });
+  waves.col(2) = centred(phase, [](double p) { return std::cos(3 * p); });
+  return waves;
+}
+
+Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading) {
+  Variable variable{name, VariableUnit::kNone, VectorXd(static_cast<Index>(group_of_reading.size())), {}, {}};
+  for (std::size_t k = 0; k < group_of_reading.size(); ++k) {
+    const auto at = std::find(variable.groups.begin(), variable.groups.end(), group_of_reading[k]);
+    variable.value[static_cast<Index>(k)] = static_cast<double>(at - variable.groups.begin());
+    if (at == variable.groups.end()) variable.groups.push_back(group_of_reading[k]);
+  }
+  variable.basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
+  for (Index k = 0; k < variable.value.size(); ++k) variable.basis(k, static_cast<Index>(variable.value[k])) = 1;
+  return variable;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,38 @@
+// An error that goes with where in the world the tip is.
+//
+// Basis: a coordinate and its square, from the middle of the readings. Of a touch, the touched place: the predicted tip
+// is that place plus the error. A coordinate that hardly differs is not asked, for then noise is all that it tells.
+#pragma once
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::place {
+
+inline constexpr double kLeastShare = 0.002;  // of the arm's reach that a coordinate must differ by
+
+inline Eigen::Matrix3Xd places(const ReadingScene& scene) {
+  Eigen::Matrix3Xd places = scene.tips;
+  for (std::size_t k = 0; k < scene.readings.size(); ++k)
+    if (scene.readings[k].kind == MeasurementKind::kTouch && scene.readings[k].p_W)
+      places.col(static_cast<Eigen::Index>(k)) = *scene.readings[k].p_W;
+  return places;
+}
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  const Eigen::Matrix3Xd at = places(scene);
+  const double least = kLeastShare * deflection::reachOf(scene.placed.arm);
+  std::vector<Variable> list;
+  for (int axis = 0; axis < 3; ++axis) {
+    Variable variable{std::string("position ") + "xyz"[axis], VariableUnit::kLength, at.row(axis), {}, {}};
+    if (variable.value.maxCoeff() - variable.value.minCoeff() < least) continue;
+    variable.basis.resize(variable.value.size(), 2);
+    variable.basis.col(0) = centred(variable.value, [](double p) { return p; });
+    variable.basis.col(1) = centred(variable.basis.col(0), [](double p) { return p * p; });
+    list.push_back(std::move(variable));
+  }
+  return list;
+}
+
+inline PatternKind kind() { return {.name = "position", .needs = "places that differ", .variables = variables}; }
+
+}  // namespace tubeplan::calibration::patterns::place

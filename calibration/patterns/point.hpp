@@ -1,0 +1,25 @@
+// An error that each point (or posture, where readings name no point) has to itself: more variance between than within.
+//
+// Basis: one number for each point.
+#pragma once
+
+#include "calibration/held_out.hpp"
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::point {
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  const std::vector<int> pose = groupByPose(scene.readings);
+  std::vector<std::string> names(pose.size());
+  for (std::size_t k = 0; k < pose.size(); ++k)
+    names[k] = scene.readings[k].point.empty() ? "posture " + std::to_string(pose[k] + 1) : scene.readings[k].point;
+  const Variable variable = groupVariable("point", names);
+  if (variable.groups.size() < 2 || variable.groups.size() == names.size()) return {};
+  return {variable};
+}
+
+inline PatternKind kind() {
+  return {.name = "point", .needs = "two points or more, some read more than once", .variables = variables};
+}
+
+}  // namespace tubeplan::calibration::patterns::point

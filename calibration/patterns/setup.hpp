@@ -1,0 +1,20 @@
+// An error that each set-up has to itself.
+//
+// Basis: one number for each set-up.
+#pragma once
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::setup {
+
+inline std::vector<Variable> variables(const ReadingScene& scene) {
+  std::vector<std::string> names;
+  for (const auto& reading : scene.readings) names.push_back(reading.setup);
+  const Variable variable = groupVariable("set-up", names);
+  if (variable.groups.size() < 2) return {};
+  return {variable};
+}
+
+inline PatternKind kind() { return {.name = "set-up", .needs = "two set-ups", .variables = variables}; }
+
+}  // namespace tubeplan::calibration::patterns::setup

@@ -1,0 +1,65 @@
+// Readings of the Cobra with noise, and effects to plant in the arm that made them.
+#pragma once
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <string>
+#include <vector>
+
+#include "calibration/reading_prediction.hpp"
+#include "deflection/effects/effect.hpp"
+#include "tests/deflection/cobra.hpp"
+
+namespace tubeplan::calibration {
+
+inline constexpr double kReadingSigma = 5e-5;  // m
+
+inline deflection::Arm withEffect(deflection::Arm arm, const std::string& name, const std::string& at, double value) {
+  auto made = deflection::makeEffect(arm, name, at);
+  made.effect.values.front() = value;
+  arm.effects.push_back(made.effect);
+  return arm;
+}
+
+struct CampaignPlan {
+  int postures = 36;
+  int repeats = 1;
+  double noise = kReadingSigma;  ///< of each coordinate, whatever is stated
+  double stated = kReadingSigma;
+};
+
+/// Positions under 0, 60 and 120 N in turn, senses and temperatures at random, a reading a minute; joints are read with
+/// their encoders' noise.
+inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::uint64_t seed,
+                                             const CampaignPlan& plan = {}) {
+  boost::random::mt19937_64 random(seed);
+  boost::random::uniform_real_distribution<double> share(0, 1);
+  boost::random::normal_distribution<double> normal;
+  const auto active = deflection::activeRows(truth);
+  std::vector<Measurement> readings;
+  for (int posture = 0; posture < plan.postures; ++posture) {
+    Measurement reading;
+    reading.load = 60. * (posture % 3);
+    reading.q.resize(static_cast<Eigen::Index>(active.size()));
+    for (auto& q : reading.q) q = -1 + 2 * share(random);
+    reading.q[1] += 1.2;
+    for (std::size_t j = 0; j < active.size(); ++j) reading.senses.push_back(share(random) < 0.5 ? -1 : 1);
+    reading.temperature = truth.reference_temperature + 20 * (share(random) - 0.5);
+    reading.sigma = plan.stated;
+    for (int again = 0; again < plan.repeats; ++again) {
+      Measurement one = reading;
+      one.time = 60. * static_cast<double>(readings.size());
+      one.id = std::to_string(readings.size() + 1);
+      one.p_W = predictReading(truth, Eigen::Isometry3d::Identity(), one).value;
+      for (int c = 0; c < 3; ++c) (*one.p_W)[c] += plan.noise * normal(random);
+      for (std::size_t j = 0; j < active.size(); ++j)
+        one.q[static_cast<Eigen::Index>(j)] +=
+            truth.rows[static_cast<std::size_t>(active[j])].joint.encoder_sigma * normal(random);
+      readings.push_back(one);
+    }
+  }
+  return readings;
+}
+
+}  // namespace tubeplan::calibration
