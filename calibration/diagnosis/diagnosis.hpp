@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/diagnosis/diagnosis_views.hpp"
 #include "calibration/diagnosis/score_space.hpp"
 #include "calibration/identification.hpp"
 
@@ -87,6 +88,7 @@ struct Diagnosis {
   double chi2 = 0, p_value = 1;  ///< of the baseline
   int degrees_of_freedom = 0;
   double evidence = 0, threshold = 0;  ///< of the best candidate, and what noise alone reaches: -log10 p
+  DiagnosisViews views;
 };
 
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
