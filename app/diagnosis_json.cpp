@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/diagnosis_views_json.hpp"
 
 namespace tubeplan::app {
 
@@ -100,6 +101,23 @@ std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
       fmt::join(names, "; or "), names.size() > 1 ? " (these readings cannot tell which)" : "", 100 * share, rest);
 }
 
+/// The explanations that are shown, with what they leave.
+nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& explanation : calibration::explanationsShown(result)) {
+    nlohmann::json effects = nlohmann::json::array();
+    for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
+    list.push_back({{"effects", effects},
+                    {"chi2", finite(explanation.chi2)},
+                    {"criterion", finite(explanation.criterion)},
+                    {"p_value", finite(explanation.p_value)},
+                    {"rms", lengthJson(explanation.after.rms, units)},
+                    {"heldout_rms", lengthJson(explanation.heldout.rms, units)},
+                    {"enough", !result.alternatives.empty()}});
+  }
+  return list;
+}
+
 }  // namespace
 
 const char* nameOf(Verdict verdict) {
@@ -188,6 +206,8 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   json["set_aside"] = nlohmann::json::array();
   for (const int reading : result.set_aside) json["set_aside"].push_back(readings.at(static_cast<std::size_t>(reading)).id);
   json["next_readings"] = nlohmann::json::array();
+  json["explanations"] = explanationsJson(result, units);
+  addViews(result, readings, units, json);
   return json;
 }
 

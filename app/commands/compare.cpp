@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/comparison_json.hpp"
@@ -12,13 +13,15 @@
 #include "app/readers/cell_reader.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/version.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 struct CompareOptions {
-  std::string cell, measurements, json;
+  std::string cell, measurements, json, report;
   double sigma = 0;
   int folds = 5;
   std::uint64_t seed = 1;
@@ -38,6 +41,7 @@ int run(const CompareOptions& options) {
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, options.measurements, options.sigma);
   checkJsonTarget(options.json);
+  if (!options.report.empty()) checkWritableFile(options.report, "--report");
   calibration::ComparisonOptions comparison;
   comparison.refit.free = {cell.identify, !cell.base_known};
   comparison.refit.folds = options.folds;
@@ -51,6 +55,14 @@ int run(const CompareOptions& options) {
   if (result.refit.status != calibration::IdentificationStatus::kNotRun)
     json["warnings"] = readingWarnings(result.refit, readings, cell);
   writeJson(options.json, json);
+  if (!options.report.empty()) {
+    json.update({{"title", "Comparison of " + cell.name},
+                 {"cell", cell.name},
+                 {"measurements", options.measurements},
+                 {"seed", options.seed},
+                 {"version", kVersion}});
+    writeFileAtomically(options.report, renderComparisonReport(json), "--report");
+  }
   if (printsText(options.json)) {
     fmt::print("{}", comparisonText(result, readings, cell.units));
     for (const auto& warning : json["warnings"]) fmt::print("  warning: {}\n", warning.get<std::string>());
@@ -66,6 +78,7 @@ Run configureCompare(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
   cli.add_option("--sigma", options->sigma,
                  "noise of a coordinate where the file states none, in the cell's length unit");
+  cli.add_option("--report", options->report, "write a page with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
   cli.add_option("--seed", options->seed, "seed of the folds");

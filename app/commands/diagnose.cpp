@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/diagnosis_json.hpp"
@@ -12,23 +13,35 @@
 #include "app/readers/cell_reader.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/version.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 struct DiagnoseOptions {
-  std::string cell, measurements, json;
+  std::string cell, measurements, json, report;
   double sigma = 0;
   int effects = 2;
   std::uint64_t seed = 1;
 };
+
+void writeReport(const DiagnoseOptions& options, const Cell& cell, nlohmann::json figures) {
+  figures.update({{"title", "Diagnosis of " + cell.name},
+                  {"cell", cell.name},
+                  {"measurements", options.measurements},
+                  {"seed", options.seed},
+                  {"version", kVersion}});
+  writeFileAtomically(options.report, renderDiagnosisReport(figures), "--report");
+}
 
 int run(const DiagnoseOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, options.measurements, options.sigma);
   checkJsonTarget(options.json);
+  if (!options.report.empty()) checkWritableFile(options.report, "--report");
   calibration::DiagnosisOptions diagnosis;
   diagnosis.baseline.free = {cell.identify, !cell.base_known};
   diagnosis.seed = options.seed;
@@ -37,7 +50,9 @@ int run(const DiagnoseOptions& options) {
   const auto result = calibration::diagnose(start, readings, diagnosis);
   if (result.verdict == calibration::Verdict::kNotRun)
     throw InputError(options.measurements, result.reason, "readings that tell the free parameters", "");
-  writeJson(options.json, diagnosisJson(result, readings, cell.units));
+  const auto figures = diagnosisJson(result, readings, cell.units);
+  if (!options.report.empty()) writeReport(options, cell, figures);
+  writeJson(options.json, figures);
   if (printsText(options.json)) fmt::print("{}", diagnosisText(result, readings, cell.units));
   return kDone;
 }
@@ -49,8 +64,10 @@ Run configureDiagnose(CLI::App& cli) {
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
   cli.add_option("--effects", options->effects, "the most effects in one explanation")->check(CLI::Range(1, 2));
-  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none, in the cell's length unit");
+  cli.add_option("--sigma", options->sigma,
+                 "noise of a coordinate where the file states none, in the cell's length unit");
   cli.add_option("--seed", options->seed, "seed of the simulated noise and the folds");
+  cli.add_option("--report", options->report, "write a self-contained page about it (HTML) to this file");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

@@ -9,9 +9,10 @@ function roundTicks(from, to, count) {
   return ticks;
 }
 
-/// A chart's frame with ticks and grid. `x` and `y` are {from, to, ticks, title, scale?}; returns {drawing, at}.
+/// A chart's frame with ticks and grid. `x` and `y` are {from, to, ticks, title, scale?}, `y` also {room?} of pixels
+/// for its numbers; returns {drawing, at}.
 function chartFrame(width, height, x, y) {
-  const margin = {left: 52, right: 14, top: 12, bottom: 40};
+  const margin = {left: y.room ?? 52, right: 14, top: 12, bottom: 40};
   const bend = y.scale ?? ((value) => value);
   const at = (vx, vy) =>
       [margin.left + (width - margin.left - margin.right) * (vx - x.from) / (x.to - x.from || 1),

@@ -47,6 +47,11 @@ const SHAPES = {
     }
   },
   "triangle": {path: (x, y, r) => `M${x} ${y - 1.15 * r}L${x + 1.1 * r} ${y + 0.8 * r}L${x - 1.1 * r} ${y + 0.8 * r}Z`},
+  "open-triangle": {
+    stroked: true,
+    thin: true,
+    path: (x, y, r) => `M${x} ${y - 1.15 * r}L${x + 1.1 * r} ${y + 0.8 * r}L${x - 1.1 * r} ${y + 0.8 * r}Z`
+  },
   "square": {path: (x, y, r) => `M${x - 0.85 * r} ${y - 0.85 * r}h${1.7 * r}v${1.7 * r}h${- 1.7 * r}Z`},
   "disc": {path: circlePath},
   "diamond": {path: (x, y, r) => `M${x} ${y - r}L${x + r} ${y}L${x} ${y + r}L${x - r} ${y}Z`},

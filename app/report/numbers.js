@@ -81,3 +81,7 @@ function roundDown125(value) {
 function tubeName(tube) { return `R${textOf(tube.row)}\u00a0C${textOf(tube.column)}`; }
 
 function distance(a, b) { return Math.hypot(a[0] - b[0], a[1] - b[1]); }
+
+function lengthUnit(report) { return textOf(object(report.units)?.length, ""); }
+
+function angleUnit(report) { return textOf(object(report.units)?.angle, "").replace("degree", "deg"); }

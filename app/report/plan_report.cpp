@@ -1,65 +1,9 @@
 #include "app/report/plan_report.hpp"
 
-#include <array>
-#include <cassert>
-#include <string_view>
-
-#include "app/report/page_sources.hpp"
+#include "app/report/page.hpp"
 
 namespace tubeplan::app {
-namespace {
 
-struct Insertion {
-  std::string_view marker;
-  std::string text;
-};
-
-/// JSON in which no character can be read as markup: `<`, `>` and `&` occur inside strings only, where an escape means
-/// the same; everything past ASCII (U+2028 and U+2029 too) is escaped by the writer.
-std::string embeddableJson(const nlohmann::json& report) {
-  const std::string plain = report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(plain.size() + 256);
-  for (const char character : plain) {
-    switch (character) {
-      case '<':
-        safe += "\\u003c";
-        break;
-      case '>':
-        safe += "\\u003e";
-        break;
-      case '&':
-        safe += "\\u0026";
-        break;
-      default:
-        safe += character;
-    }
-  }
-  return safe;
-}
-
-/// The page with each marker replaced, in the order given and once: inserted text is never searched, so data that looks
-/// like a marker stays data.
-template <std::size_t kCount>
-std::string assemble(std::string_view page, const std::array<Insertion, kCount>& insertions) {
-  std::string result;
-  for (const Insertion& insertion : insertions) {
-    const std::size_t place = page.find(insertion.marker);
-    assert(place != std::string_view::npos);
-    result += page.substr(0, place);
-    result += insertion.text;
-    page.remove_prefix(place + insertion.marker.size());
-  }
-  result += page;
-  return result;
-}
-
-}  // namespace
-
-std::string renderPlanReport(const nlohmann::json& report) {
-  const std::array<Insertion, 3> insertions = {
-      {{"/*STYLE*/", pageStyle()}, {"/*REPORT*/", embeddableJson(report)}, {"/*SCRIPT*/", pageScript()}}};
-  return assemble(pageTemplate(), insertions);
-}
+std::string renderPlanReport(const nlohmann::json& report) { return renderPage(planPageSources(), report); }
 
 }  // namespace tubeplan::app

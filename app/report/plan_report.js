@@ -60,25 +60,10 @@ function showFoot(report) {
   append(document.getElementById("foot"), [facts.map(([name, value]) => `${name} ${textOf(value)}`).join(" \u00b7 ")]);
 }
 
-/// A section that cannot be drawn says so and leaves the others alone.
-function makeSection({id, title, make}, number, report, sheet) {
-  let content;
-  try {
-    content = make(report, sheet);
-  } catch (error) {
-    content = [el("p", {class: "missing"}, `This part could not be drawn: ${error.message}`)];
-  }
-  return el("section", {id}, el("h2", {}, el("span", {class: "count"}, number), title), content);
-}
-
 function showReport() {
-  const report = object(JSON.parse(document.getElementById("report").textContent)) ?? {};
-  const sheet = readSheet(report);
+  const report = readReport();
   showHead(report);
-  SECTIONS.forEach((section, i) => {
-    document.getElementById("contents").append(el("a", {href: `#${section.id}`}, section.title));
-    document.getElementById("sections").append(makeSection(section, i + 1, report, sheet));
-  });
+  showSections(SECTIONS, report, readSheet(report));
   showFoot(report);
   followColourScheme();
 }

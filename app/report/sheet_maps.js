@@ -156,7 +156,3 @@ function visitNumber(report, tube) {
   const tubes = list(report.tubes);
   return `${tubes.indexOf(tube) + 1} of ${tubes.length}`;
 }
-
-function lengthUnit(report) { return textOf(object(report.units)?.length, ""); }
-
-function angleUnit(report) { return textOf(object(report.units)?.angle, "").replace("degree", "deg"); }

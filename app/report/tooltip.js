@@ -1,25 +1,31 @@
 // ---- tooltip.js: what is under the pointer, said beside it.
 
-/// Shows `describe(hole)` (lines of text; the first is the name) for the hole under the pointer of a sheet's canvas.
-function hoverHoles(canvas, sheet, frame, describe) {
+/// Shows lines of text (the first is the name) beside the pointer; nothing for null.
+function showTooltip(event, lines) {
   const box = document.getElementById("tooltip");
-  canvas.addEventListener("pointermove", (event) => {
-    const shown = canvas.getBoundingClientRect();
-    const zoom = frame.width / shown.width;
-    const place = frame.point((event.clientX - shown.left) * zoom, (event.clientY - shown.top) * zoom);
-    const hole = nearestHole(sheet, place);
-    if (!hole) {
-      box.hidden = true;
-      return;
-    }
-    const [name, ...lines] = describe(hole);
-    box.replaceChildren(
-        el("strong", {}, name), ...lines.filter((line) => line !== null).map((line) => el("div", {}, line)));
-    box.hidden = false;
-    placeBeside(box, event.clientX, event.clientY);
+  box.hidden = !lines;
+  if (!lines) return;
+  const [name, ...others] = lines;
+  box.replaceChildren(
+      el("strong", {}, name), ...others.filter((line) => line !== null).map((line) => el("div", {}, line)));
+  placeBeside(box, event.clientX, event.clientY);
+}
+
+/// Shows `describe(px, py)`, lines or null, for the pixel under the pointer of a picture drawn `width` pixels wide.
+function hoverPicture(picture, width, describe) {
+  picture.addEventListener("pointermove", (event) => {
+    const shown = picture.getBoundingClientRect();
+    const zoom = width / shown.width;
+    showTooltip(event, describe((event.clientX - shown.left) * zoom, (event.clientY - shown.top) * zoom));
   });
-  canvas.addEventListener("pointerleave", () => {
-    box.hidden = true;
+  picture.addEventListener("pointerleave", (event) => showTooltip(event, null));
+}
+
+/// Shows `describe(hole)` for the hole under the pointer of a sheet's canvas.
+function hoverHoles(canvas, sheet, frame, describe) {
+  hoverPicture(canvas, frame.width, (px, py) => {
+    const hole = nearestHole(sheet, frame.point(px, py));
+    return hole ? describe(hole) : null;
   });
 }
 

@@ -382,6 +382,7 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   decide(work, std::move(finding), result.threshold, result);
   listDetectable(work, result.threshold, result);
   judgeAll(work, held_out, result);
+  result.views = viewsOf(work.basis, result, readings);
   return result;
 }
 

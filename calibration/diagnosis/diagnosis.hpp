@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/diagnosis/diagnosis_views.hpp"
 #include "calibration/diagnosis/score_space.hpp"
 #include "calibration/identification.hpp"
 
@@ -90,6 +91,7 @@ struct Diagnosis {
   double smooth_p_value = 1;     ///< of what of it follows the joints smoothly
   int degrees_of_freedom = 0;
   double evidence = 0, threshold = 0;  ///< of the best candidate, and what noise alone reaches: -log10 p
+  DiagnosisViews views;
 };
 
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,

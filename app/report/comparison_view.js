@@ -1,0 +1,54 @@
+// ---- comparison_view.js: what the errors follow, the worst readings, and a ladder's models as a table.
+
+/// Patterns as texts or as {name | of | with, sentence | text, p_value, share | correlation}.
+function patternsSection(report) {
+  const given = Array.isArray(report.patterns) ? report.patterns : null;
+  if (!given) return [notRecorded("What the errors follow")];
+  if (given.length === 0) return [el("p", {}, "The errors follow nothing that the readings say of themselves.")];
+  const rows = given.map((pattern) => {
+    const entry = object(pattern);
+    if (!entry) return [textOf(pattern), null, null];
+    const strength = [entry.share, entry.explains, entry.correlation].find(isNumber);
+    return [
+      textOf(entry.sentence, textOf(entry.text, textOf(entry.name, textOf(entry.of, textOf(entry.with))))),
+      isNumber(strength) ? barCell(Math.abs(strength), fixed(strength, 2)) : null,
+      isNumber(entry.p_value) ? pText(entry.p_value) : null
+    ];
+  });
+  return [el("div", {class: "card"}, table(["the errors follow", "how far", "by chance (p)"], rows))];
+}
+
+/// Worst readings as ids, or as {id, error | size, sigmas}.
+function worstSection(report) {
+  const given = Array.isArray(report.worst) ? report.worst : null;
+  if (!given) return [notRecorded("The worst readings")];
+  const byId = new Map(list(report.readings).map((reading) => [String(reading.id), reading]));
+  const rows = given.map((worst) => {
+    const entry = object(worst) ?? {id: worst};
+    const reading = byId.get(textOf(entry.id));
+    const size = [entry.error, entry.size, entry.rms, sizeOf(reading?.after ?? reading?.before)].find(isNumber);
+    return [
+      textOf(entry.id), textOf(entry.point ?? reading?.point), reading ? conditionsText(report, reading) : null,
+      short(size), isNumber(entry.sigmas) ? fixed(entry.sigmas, 1) : null
+    ];
+  });
+  return [el(
+      "div", {class: "card"},
+      table(["reading", "point", "at", `error, ${lengthUnit(report)}`, "in sigmas"], rows, {text: [0, 1, 2]}))];
+}
+
+function modelsSection(report) {
+  const unit = lengthUnit(report);
+  const models = list(report.models).length > 0 ? list(report.models) : list(report.ladder);
+  if (models.length === 0) return [notRecorded("The models")];
+  const rows = models.map(
+      (model) =>
+          [textOf(model.name, textOf(model.model, textOf(model.cell))), short(errorOf(model.rms)),
+           short(errorOf(model.heldout_rms ?? model.heldout)),
+           isNumber(model.chi2_per_dof) ? short(model.chi2_per_dof) : null,
+           isNumber(model.p_value) ? pText(model.p_value) : null,
+           isNumber(model.numbers) ? whole(model.numbers) : null]);
+  return [el(
+      "div", {class: "card"},
+      table(["model", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree", "p", "fitted numbers"], rows))];
+}

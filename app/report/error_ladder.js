@@ -1,0 +1,119 @@
+// ---- error_ladder.js: the error of each model in turn, fitted and held-out side by side, over the noise floor.
+
+/// [{name, rms, heldout}] from a diagnosis's or ladder's list, else from the bare errors of a comparison.
+function rungsOf(report) {
+  const given = list(report.ladder).length > 0 ? list(report.ladder) : list(report.models);
+  const rungs = given.map((rung) => ({
+                            name: textOf(rung.name, textOf(rung.model, textOf(rung.cell))),
+                            rms: errorOf(rung.rms),
+                            heldout: errorOf(rung.heldout_rms ?? rung.heldout)
+                          }));
+  if (rungs.length > 0) return rungs.filter((rung) => rung.rms !== null || rung.heldout !== null);
+  const rms = object(report.rms) ?? {};
+  return [
+    {name: "as the model stands", rms: errorOf(rms.before), heldout: errorOf(rms.heldout_before)},
+    {name: "refitted", rms: errorOf(rms.after), heldout: errorOf(rms.heldout_after)}
+  ].filter((rung) => rung.rms !== null);
+}
+
+/// A root mean square, given bare or inside {rms}.
+function errorOf(value) {
+  const bare = object(value) ? value.rms : value;
+  return isNumber(bare) ? bare : null;
+}
+
+function noiseFloorOf(report) { return errorOf(report.noise_floor ?? object(report.rms)?.noise_floor); }
+
+function ladderSection(report) {
+  const rungs = rungsOf(report);
+  if (rungs.length === 0) return [notRecorded("The errors of the models")];
+  const floor = noiseFloorOf(report);
+  const picture = figure("Error of each model", (width) => drawLadder(report, rungs, floor, width));
+  return [
+    el("p", {class: "lead"},
+       "Root mean square of the readings' errors. Held-out: each reading judged by a fit that has not seen it. " +
+           "A model that only bends itself to the readings does well on the first and badly on the second."),
+    el("div", {class: "card"}, hatching(), picture.element,
+       el("ul", {class: "legend"}, el("li", {}, ladderIcon("error-fitted"), "on the readings it was fitted to"),
+          el("li", {}, ladderIcon("error-heldout"), "held out"),
+          floor === null ? null : el("li", {}, floorIcon(), "noise floor: what the stated noise alone leaves")))
+  ];
+}
+
+function ladderIcon(kind) {
+  return svg(
+      "svg", {width: 22, height: 14, class: "icon", "aria-hidden": "true"},
+      svg("rect", {x: 1, y: 2, width: 20, height: 10, class: kind}));
+}
+
+function floorIcon() {
+  return svg(
+      "svg", {width: 22, height: 14, class: "icon", "aria-hidden": "true"},
+      svg("line", {x1: 11, x2: 11, y1: 0, y2: 14, class: "required"}));
+}
+
+/// The pattern of held-out bars, once for the page, in a picture without a size.
+function hatching() {
+  const pattern = svg(
+      "pattern", {id: "hatching", width: 7, height: 7, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)"},
+      svg("rect", {width: 7, height: 7, class: "hatch-ground"}),
+      svg("line", {x1: 0, x2: 0, y1: 0, y2: 7, class: "hatch-line"}));
+  return svg("svg", {width: 0, height: 0, class: "patterns", "aria-hidden": "true"}, pattern);
+}
+
+/// Where the axis ends: at the largest error, unless that one would press all others against the left.
+function ladderEnd(rungs, floor) {
+  const errors = rungs.flatMap((rung) => [rung.rms, rung.heldout]).filter(isNumber).sort((a, b) => b - a);
+  const others = rungs.slice(1).flatMap((rung) => [rung.rms, rung.heldout]).filter(isNumber);
+  const fair = Math.max(floor ?? 0, ...others);
+  return others.length > 0 && fair > 0 && errors[0] > 4 * fair ? 1.6 * fair : errors[0] || 1;
+}
+
+function drawLadder(report, rungs, floor, width) {
+  const tall = 17, head = 22, gap = 16, top = 20, left = 2, room = 190;
+  const end = ladderEnd(rungs, floor), scale = (width - room) / end;
+  const bars = (rung) => [["error-fitted", rung.rms], ["error-heldout", rung.heldout]].filter(([, v]) => v !== null);
+  const height = top + rungs.reduce((sum, rung) => sum + head + bars(rung).length * (tall + 3) + gap, 0);
+  const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
+  const texts = [];
+  let y = top;
+  for (const rung of rungs) {
+    texts.push(label(left, y + 15, rung.name, {class: "part"}));
+    y += head;
+    for (const [kind, value] of bars(rung)) {
+      append(drawing, ladderBar(kind, value, {left, y, tall, end, scale}));
+      texts.push(ladderText(report, value, floor, {left, y, tall, end, scale}));
+      y += tall + 3;
+    }
+    y += gap;
+  }
+  if (floor !== null) append(drawing, floorLine(report, floor, left + floor * scale, height, width));
+  return append(drawing, texts);
+}
+
+/// A bar too long for the axis is cut before its end.
+function ladderBar(kind, value, {left, y, tall, end, scale}) {
+  const isCut = value > end * 1.001, long = Math.max(1.5, Math.min(value, end) * scale);
+  const x = left + long;
+  return [
+    svg("rect", {x: left, y, width: long, height: tall, rx: 1.5, class: kind}),
+    isCut ? svg("path", {d: `M${x - 22} ${y - 2}l8 ${tall + 4}h7l-8 ${- tall - 4}z`, class: "cut"}) : null
+  ];
+}
+
+function ladderText(report, value, floor, {left, y, tall, end, scale}) {
+  const times = floor !== null && floor > 0 ? ` (${fixed(value / floor, 2)} \u00d7 floor)` : "";
+  const stop = left + Math.min(value, end) * scale, line = left + (floor ?? 0) * scale;
+  return label(
+      (stop < line && line < stop + 170 ? line : stop) + 8, y + tall - 4, `${lengthText(value, report)}${times}`,
+      {class: "strong"});
+}
+
+function floorLine(report, floor, x, height, width) {
+  return [
+    svg("line", {x1: x, x2: x, y1: 15, y2: height - 8, class: "required"}),
+    label(
+        x + 5, 12, `noise floor ${lengthText(floor, report)}`,
+        {class: "required-text", "text-anchor": x > width - 180 ? "end" : "start"})
+  ];
+}

@@ -1,0 +1,83 @@
+// ---- residual_charts.js: the errors against everything that a reading says of itself.
+
+const ERROR_PARTS = [
+  {key: "size", name: "size", of: (error) => Math.hypot(...error)},
+  {key: "x", name: "x", of: (error) => error[0]},
+  {key: "y", name: "y", of: (error) => error[1]},
+  {key: "z", name: "z", of: (error) => error[2]},
+];
+
+/// What the readings can be drawn against: {title, of, isSense}; only what differs between them.
+function regressorsOf(report, readings) {
+  const units = object(report.units) ?? {};
+  const joints = readings.length > 0 ? jointNames(report, readings[0]) : [];
+  const all = [
+    ...joints.map(({name, unit}, i) => ({title: `${name}, ${unit}`, of: (reading) => reading.joints?.[i]})),
+    {title: `load, ${textOf(units.force, "")}`, of: (reading) => reading.load},
+    {title: `temperature, ${textOf(units.temperature, "")}`, of: (reading) => reading.temperature},
+    {title: `time, ${textOf(units.time, "")}`, of: (reading) => reading.time},
+    ...joints.map(({name}, i) => ({title: `sense of ${name}`, isSense: true, of: (reading) => reading.senses?.[i]}))
+  ];
+  return all.filter(({of}) => new Set(readings.map(of).filter(isNumber)).size > 1);
+}
+
+function residualChartsSection(report) {
+  const readings = list(report.readings).filter((reading) => numbers(reading.before, 3));
+  const regressors = regressorsOf(report, readings);
+  if (regressors.length === 0) return [notRecorded("What the errors could be drawn against")];
+  const shown = {part: ERROR_PARTS[0]};
+  const pictures = regressors.map(
+      (regressor) => figure(
+          `Error against ${regressor.title}`, (width) => drawErrors(report, readings, regressor, shown.part, width)));
+  const parts = choice("Part of the error", ERROR_PARTS.map((part) => [part.key, part.name]), "size", (key) => {
+    shown.part = ERROR_PARTS.find((part) => part.key === key);
+    pictures.forEach((picture) => picture.redraw());
+  });
+  return [
+    el("p", {class: "lead"},
+       "Where the errors follow one of these, the missing effect depends on it. An effect of a sense shows in x, y " +
+           "or z rather than in the size."),
+    el("div", {class: "card-head"}, seriesLegend(report), parts),
+    el("div", {class: "few"}, pictures.map((picture) => el("div", {class: "card"}, picture.element)))
+  ];
+}
+
+function drawErrors(report, readings, regressor, part, width) {
+  const entries = seriesOf(report).map(
+      (series) => ({
+        series,
+        points: readings.filter((reading) => numbers(reading[series.key], 3) && isNumber(regressor.of(reading)))
+                    .map((reading) => [regressor.of(reading), part.of(reading[series.key])])
+      }));
+  const all = entries.flatMap((entry) => entry.points);
+  const values = all.map((point) => point[0]);
+  const low = values.reduce((a, b) => Math.min(a, b), Infinity),
+        high = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  const room = 0.05 * (high - low);
+  const even = evenRange(all.map((point) => point[1]));
+  const x = regressor.isSense ?
+      {from: -1.6, to: 1.6, ticks: [-1, 0, 1]} :
+      {from: low - room, to: high + room, ticks: roundTicks(low, high, Math.max(2, width / 75))};
+  const y = part.key === "size" ? {from: 0, to: even.to} : even;
+  const {drawing, at} = chartFrame(width, 200, {...x, title: regressor.title}, {
+    ...y,
+    room: 66,
+    ticks: roundTicks(y.from, y.to, 4),
+    title: `${part.key === "size" ? "size" : `along ${part.key}`}, ${lengthUnit(report)}`
+  });
+  if (part.key !== "size") append(drawing, [zeroLine(at, x, y)]);
+  for (const {series, points} of entries) append(drawing, [errorMarks(series, points, regressor, at)]);
+  return drawing;
+}
+
+/// The series' marks; those of a sense are spread a little, each series to its own side.
+function errorMarks(series, points, regressor, at) {
+  const side = series.key === "before" ? -1 : 1;
+  const spread = (index) => (regressor.isSense ? side * (8 + 11 * ((index * 0.618034) % 1)) : 0);
+  const path = SHAPES[series.shape].path;
+  const d = points.map(([vx, vy], index) => {
+    const [px, py] = at(vx, vy);
+    return path(px + spread(index), py, series.key === "before" ? 2.4 : 1.9);
+  });
+  return svg("path", {d: d.join(""), class: `points-${series.key}`});
+}

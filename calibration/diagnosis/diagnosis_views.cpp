@@ -1,0 +1,144 @@
+#include "calibration/diagnosis/diagnosis_views.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t kMostShown = 4;
+
+/// Indices of the readings that were neither kept out nor set aside.
+std::vector<int> fittedOf(const std::vector<Measurement>& readings, const std::vector<int>& set_aside) {
+  std::vector<int> fitted;
+  for (int k = 0; k < static_cast<int>(readings.size()); ++k)
+    if (!readings[static_cast<std::size_t>(k)].is_held_out &&
+        !std::binary_search(set_aside.begin(), set_aside.end(), k))
+      fitted.push_back(k);
+  return fitted;
+}
+
+WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed) {
+  return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
+}
+
+/// The tip at a reading of any kind.
+Vector3d tipAt(const PlacedArm& placed, Measurement reading) {
+  const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
+  reading.kind = MeasurementKind::kPosition;
+  const Prediction prediction = predictReading(placed.arm, X_WB, reading);
+  return prediction.ok ? Vector3d(prediction.value) : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Measured less predicted as a vector.
+Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const Vector3d& p_WT, const WhitenedResidual& residual) {
+  if (!residual.ok) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Measurement& reading = basis.readings[k];
+  const Index row = basis.weights.first_row[k];
+  if (reading.kind == MeasurementKind::kDistance) return -residual.error[row] * (p_WT - *reading.p_W).normalized();
+  return -residual.error.segment<3>(row);
+}
+
+std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::vector<Explanation>& shown,
+                                      const std::vector<int>& given) {
+  std::vector<WhitenedResidual> after;
+  for (const auto& explanation : shown) after.push_back(residualOf(basis, explanation.fitted));
+  std::vector<ReadingView> views;
+  for (std::size_t k = 0; k < basis.readings.size(); ++k) {
+    ReadingView view;
+    view.reading = given[k];
+    view.p_WT = tipAt(basis.fitted, basis.readings[k]);
+    view.before = missAt(basis, k, view.p_WT, basis.residual);
+    for (const auto& residual : after) view.after.push_back(missAt(basis, k, view.p_WT, residual));
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+/// What an effect at its found size would do to the whitened readings of the model without any.
+VectorXd signatureOf(const DiagnosisBasis& basis, const FoundEffect& found) {
+  PlacedArm with = basis.fitted;
+  with.arm.effects.push_back(found.fitted);
+  const WhitenedResidual residual = residualOf(basis, with);
+  return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
+}
+
+/// v with the part that the columns can make taken off.
+VectorXd projectedOff(const MatrixXd& columns, const VectorXd& v) {
+  if (columns.cols() == 0) return v;
+  return v - columns * columns.completeOrthogonalDecomposition().solve(v);
+}
+
+/// Whether a reading is kept when only a share of them is: evenly spread, in step with no pattern of the readings.
+bool isKept(std::size_t k, double share) {
+  constexpr double kGolden = 0.6180339887498949;
+  const double turn = kGolden * static_cast<double>(k);
+  return turn - std::floor(turn) < share;
+}
+
+std::vector<AddedVariablePoint> pointsOf(const DiagnosisBasis& basis, const std::vector<int>& given,
+                                         const VectorXd& signature, const VectorXd& left, int most_points) {
+  // A little fewer than allowed: the even spread is exact to a few readings only.
+  const bool is_thinned = signature.size() > most_points;
+  const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
+  std::vector<AddedVariablePoint> points;
+  for (std::size_t k = 0; k < basis.readings.size(); ++k) {
+    if (!isKept(k, share)) continue;
+    const Index first = basis.weights.first_row[k];
+    for (Index row = first; row < first + rowsOf(basis.readings[k]); ++row)
+      points.push_back({given[k], signature[row], left[row]});
+  }
+  return points;
+}
+
+void addVariables(const DiagnosisBasis& basis, const Explanation& explanation, int index, const std::vector<int>& given,
+                  int most_points, std::vector<AddedVariable>& added) {
+  std::vector<VectorXd> signatures;
+  for (const auto& effect : explanation.effects) signatures.push_back(signatureOf(basis, effect));
+  for (std::size_t e = 0; e < signatures.size(); ++e) {
+    if (signatures[e].size() == 0) continue;
+    MatrixXd columns = basis.residual.jacobian;
+    for (std::size_t other = 0; other < signatures.size(); ++other) {
+      if (other == e || signatures[other].size() == 0) continue;
+      columns.conservativeResize(columns.rows(), columns.cols() + 1);
+      columns.rightCols<1>() = signatures[other];
+    }
+    const VectorXd signature = projectedOff(columns, signatures[e]);
+    const VectorXd left = projectedOff(columns, -basis.residual.r);
+    AddedVariable variable;
+    variable.explanation = index;
+    variable.effect = static_cast<int>(e);
+    variable.length = signature.norm();
+    variable.kept_fraction = variable.length / std::max(1e-300, signatures[e].norm());
+    if (variable.length > 0) variable.slope = signature.dot(left) / signature.squaredNorm();
+    variable.points = pointsOf(basis, given, signature, left, most_points);
+    added.push_back(std::move(variable));
+  }
+}
+
+}  // namespace
+
+std::vector<Explanation> explanationsShown(const Diagnosis& result) {
+  const auto& all = result.alternatives.empty() ? result.closest : result.alternatives;
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostShown))};
+}
+
+DiagnosisViews viewsOf(const DiagnosisBasis& basis, const Diagnosis& result, const std::vector<Measurement>& readings,
+                       int most_points) {
+  const auto given = fittedOf(readings, result.set_aside);
+  assert(given.size() == basis.readings.size());
+  const auto shown = explanationsShown(result);
+  DiagnosisViews views{readingViews(basis, shown, given), {}};
+  for (std::size_t x = 0; x < shown.size(); ++x)
+    addVariables(basis, shown[x], static_cast<int>(x), given, most_points, views.added);
+  return views;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,65 @@
+// Readings of the shipped bench by an arm that hides one effect: every joint moves freely, three loads, known senses.
+#pragma once
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "app/readers/cell_reader.hpp"
+#include "calibration/placed_arm.hpp"
+#include "calibration/reading_prediction.hpp"
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::calibration {
+
+inline constexpr double kDegree = std::numbers::pi / 180, kInch = 0.0254, kPoundForce = 4.4482216152605;
+
+inline app::Cell benchCell() {
+  return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());
+}
+
+/// Joint noise is that of the arm's encoders, the tip's 0.003 in. No effect where its name is empty.
+inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::string& effect, const std::string& at,
+                                              const std::vector<double>& values, int count, std::uint64_t seed) {
+  auto arm = cell.arm;
+  if (!effect.empty()) {
+    auto made = deflection::makeEffect(arm, effect, at).effect;
+    made.values = values;
+    arm.effects.push_back(made);
+  }
+  boost::random::mt19937_64 random(seed);
+  boost::random::normal_distribution<double> normal;
+  boost::random::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Measurement> readings;
+  for (int k = 0; k < count; ++k) {
+    Measurement reading;
+    reading.id = std::to_string(k + 1);
+    reading.load = (k % 3) * 20 * kPoundForce;
+    reading.sigma = 0.003 * kInch;
+    reading.q.resize(4);
+    const double middle[] = {0, 75, -80, 0}, half[] = {60, 30, 40, 40};
+    for (int j = 0; j < 4; ++j) {
+      reading.q[j] = (middle[j] + half[j] * uniform(random)) * kDegree;
+      reading.senses.push_back(uniform(random) > 0 ? 1 : -1);
+    }
+    Eigen::Vector3d p = predictReading(arm, cell.X_WB, reading).value;
+    for (double& coordinate : p) coordinate += reading.sigma * normal(random);
+    reading.p_W = p;
+    const auto active = deflection::activeRows(arm);
+    for (int j = 0; j < 4; ++j)
+      reading.q[j] +=
+          arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint.encoder_sigma * normal(random);
+    readings.push_back(reading);
+  }
+  return readings;
+}
+
+inline PlacedArm benchStart(const app::Cell& cell, const std::vector<Measurement>& readings) {
+  return placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+}
+
+}  // namespace tubeplan::calibration
