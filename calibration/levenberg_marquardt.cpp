@@ -13,6 +13,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double kFirstDamping = 1e-6;  // of the largest diagonal of the normal equations
 constexpr double kLargestDamping = 1e12;
+constexpr double kNoMisfit = 1e-6;  // chi2 below which the tolerance is no longer a share of it
 
 /// Variables at a bound that the gradient presses against take no part in a step.
 std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
@@ -25,12 +26,31 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
   return free;
 }
 
-VectorXd dampedStep(const MatrixXd& normal, const VectorXd& gradient, const std::vector<Index>& free, double damping) {
-  MatrixXd some = normal(free, free);
-  some.diagonal() += damping * normal(free, free).diagonal().cwiseMax(1e-30);
-  const VectorXd part = some.ldlt().solve(-gradient(free));
+/// The damped step of the free variables; one that would leave its bounds goes to the bound, and the others are solved
+/// for again with it there.
+VectorXd dampedStep(const ScaledProblem& problem, const MatrixXd& normal, const VectorXd& gradient, const VectorXd& x,
+                    std::vector<Index> free, double damping) {
   VectorXd step = VectorXd::Zero(gradient.size());
-  for (std::size_t k = 0; k < free.size(); ++k) step[free[k]] = part[static_cast<Index>(k)];
+  while (!free.empty()) {
+    MatrixXd some = normal(free, free);
+    some.diagonal() += damping * normal(free, free).diagonal().cwiseMax(1e-30);
+    const VectorXd pull = gradient + normal * step;
+    const VectorXd part = some.ldlt().solve(-pull(free));
+    std::vector<Index> inside;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      const Index v = free[k];
+      const double to = x[v] + part[static_cast<Index>(k)];
+      if (to >= problem.lower()[v] && to <= problem.upper()[v])
+        inside.push_back(v);
+      else
+        step[v] = (to < problem.lower()[v] ? problem.lower()[v] : problem.upper()[v]) - x[v];
+    }
+    if (inside.size() == free.size()) {
+      for (std::size_t k = 0; k < free.size(); ++k) step[free[k]] = part[static_cast<Index>(k)];
+      break;
+    }
+    free = inside;
+  }
   return step;
 }
 
@@ -52,16 +72,17 @@ LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& probl
       return scaled.resultAt(x, chi2, Status::kIterationLimit, "stopped at the iteration limit", iterations);
     double fall = 0, expected = 0;
     while (true) {
-      const VectorXd next = scaled.withinBounds(x + dampedStep(normal, gradient, free, damping));
+      const VectorXd next = scaled.withinBounds(x + dampedStep(scaled, normal, gradient, x, free, damping));
       const VectorXd step = next - x;
       expected = -2 * gradient.dot(step) - step.dot(normal * step);
-      if (!(expected > stop.tolerance * (1 + chi2)))
+      if (std::abs(expected) <= stop.tolerance * std::max(chi2, kNoMisfit))
         return scaled.resultAt(x, chi2, Status::kConverged, "no step would lower chi2 by more than the tolerance",
                                iterations);
-      const double tried = scaled.chi2At(next);
+      const double tried = expected > 0 ? scaled.chi2At(next) : chi2;
       fall = chi2 - tried;
       if (fall > 0) {
         x = next;
+        chi2 = tried;
         break;
       }
       damping = std::max(damping, kFirstDamping) * growth;

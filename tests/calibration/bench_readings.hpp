@@ -18,7 +18,7 @@ namespace tubeplan::calibration {
 
 inline constexpr double kDegree = std::numbers::pi / 180, kInch = 0.0254, kPoundForce = 4.4482216152605;
 
-inline app::Cell benchCell() {
+inline app::Cell shippedBench() {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());
 }
 

@@ -15,7 +15,7 @@ constexpr int kReadings = 45;
 
 /// Diagnosed once for all tests.
 struct Diagnosed {
-  app::Cell cell = benchCell();
+  app::Cell cell = shippedBench();
   std::vector<Measurement> readings;
   Diagnosis result;
 };
