@@ -12,9 +12,6 @@ namespace tubeplan::app {
 /// The one plain sentence of a comparison.
 [[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
 
-/// What a pattern says, in a plain sentence.
-[[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
-
 [[nodiscard]] nlohmann::json comparisonJson(const calibration::Comparison& result,
                                             const std::vector<calibration::Measurement>& readings, const Units& units);
 

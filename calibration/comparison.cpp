@@ -1,7 +1,6 @@
 #include "calibration/comparison.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "calibration/diagnosis/hypothesis.hpp"
 #include "calibration/reading_prediction.hpp"

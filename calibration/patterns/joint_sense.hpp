@@ -3,8 +3,6 @@
 // Basis: the sense of its last motion, -1 or +1; 0 where not known.
 #pragma once
 
-#include <algorithm>
-
 #include "calibration/patterns/pattern.hpp"
 
 namespace tubeplan::calibration::patterns::joint_sense {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "calibration/reading_prediction.hpp"

@@ -17,26 +17,30 @@ using nlohmann::json;
 
 class CompareCommand : public ProgramTest {
  protected:
-  /// Positions by the bench cell, in its units, with sigma 0.002 in; `lost` is the lost motion of theta2 [deg].
+  /// Positions by the bench cell, in its units, with sigma 0.002 in and its encoders' noise; `lost` is the half width
+  /// of theta2's lost motion [deg].
   [[nodiscard]] std::string readingsWith(double lost) const {
     const Cell cell = readCell((shippedCells() / "bench.yaml").string());
     boost::random::mt19937_64 random(4);
     boost::random::uniform_real_distribution<double> share(-1, 1);
     boost::random::normal_distribution<double> normal;
     std::string text =
-        "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,theta2_dir\n";
+        "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,"
+        "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n";
     for (int k = 0; k < 40; ++k) {
-      const Eigen::Vector4d degrees(100 * share(random), 60 + 50 * share(random), 60 * share(random),
-                                    60 * share(random));
-      const int sense = share(random) < 0 ? -1 : 1;
+      Eigen::Vector4d read(100 * share(random), 60 + 50 * share(random), 60 * share(random), 60 * share(random));
+      Eigen::Vector4i senses;
+      for (int& sense : senses) sense = share(random) < 0 ? -1 : 1;
       calibration::Measurement reading;
       reading.load = cell.units.toInternal(10. * (k % 4), dimension::kForce);
-      reading.q = (degrees + Eigen::Vector4d(0, lost * sense, 0, 0)) * cell.units.factor(dimension::kAngle);
+      reading.q = (read + Eigen::Vector4d(0, lost * senses[1], 0, 0)) * cell.units.factor(dimension::kAngle);
       Eigen::Vector3d tip = calibration::predictReading(cell.arm, cell.X_WB, reading).value;
       tip /= cell.units.factor(dimension::kLength);
       for (auto& coordinate : tip) coordinate += 0.002 * normal(random);
-      text += fmt::format("{},position,{},{:.9f},{:.9f},{:.9f},{:.9f},{:.6f},{:.6f},{:.6f},0.002,{}\n", k + 1,
-                          10 * (k % 4), degrees[0], degrees[1], degrees[2], degrees[3], tip[0], tip[1], tip[2], sense);
+      for (auto& angle : read) angle += 0.002 * normal(random);
+      text += fmt::format("{},position,{},{:.9f},{:.9f},{:.9f},{:.9f},{:.6f},{:.6f},{:.6f},0.002,{},{},{},{}\n", k + 1,
+                          10 * (k % 4), read[0], read[1], read[2], read[3], tip[0], tip[1], tip[2], senses[0],
+                          senses[1], senses[2], senses[3]);
     }
     return text;
   }
@@ -87,8 +91,13 @@ TEST_F(CompareCommand, badInputExitsWithTwo) {
   (void)write("bad.yaml",
               changed(contentOf(shippedCells() / "bench.yaml"), "[tool.joint_stiffness.z", "[elbow.joint_stiffness.z"));
   std::filesystem::copy(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml");
-  EXPECT_EQ(run("compare bad.yaml readings.csv --json -").exit_code, 2);
-  EXPECT_EQ(run("compare " + shipped("bench.yaml") + " nowhere.csv --json -").exit_code, 2);
+  const Outcome unknown = run("compare bad.yaml readings.csv --json -");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_EQ(unknown.out, "");
+  expectSays(unknown.err, "elbow.joint_stiffness.z");
+  const Outcome missing = run("compare " + shipped("bench.yaml") + " nowhere.csv --json -");
+  EXPECT_EQ(missing.exit_code, 2);
+  expectSays(missing.err, "nowhere.csv");
 }
 
 }  // namespace
