@@ -1,0 +1,94 @@
+// The loop from outside: hide an effect, diagnose it, add it, identify, and watch the error fall.
+#include <nlohmann/json.hpp>
+
+#include "app/readers/cell_reader.hpp"
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class EffectCommands : public ProgramTest {
+ protected:
+  [[nodiscard]] std::string bench() const { return (shippedCells() / "bench.yaml").string(); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  void simulate(const std::string& hide) {
+    const auto outcome = run("simulate " + bench() + " --design bench --readings 120 --seed 7 --spread 0.1 --out " +
+                             path("set") + (hide.empty() ? "" : " --hide " + hide));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+};
+
+TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
+  simulate("hysteresis@theta4:0.06deg");
+  const std::string readings = path("set/measurements.csv");
+  const auto diagnosed = run("diagnose " + bench() + " " + readings + " --json -");
+  ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
+  const json answer = json::parse(diagnosed.out);
+  EXPECT_EQ(answer["verdict"], "explained");
+  ASSERT_EQ(answer["alternatives"].size(), 1U);
+  EXPECT_EQ(answer["alternatives"][0][0]["effect"], "hysteresis");
+  EXPECT_EQ(answer["alternatives"][0][0]["at"], "theta4");
+  EXPECT_NEAR(answer["alternatives"][0][0]["parameters"]["half_width"]["value"].get<double>(), 0.06, 0.006);
+
+  ASSERT_EQ(run("add " + bench() + " hysteresis@theta4 --out " + path("better.yaml")).exit_code, 0);
+  const auto identified =
+      run("identify " + path("better.yaml") + " " + readings + " --out " + path("fitted.yaml") + " --json -");
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  const json found = json::parse(identified.out);
+  EXPECT_LT(found["rms"]["heldout_after"].get<double>(), 1.1 * found["rms"]["noise_floor"].get<double>());
+
+  const auto ladder = run("ladder " + readings + " " + bench() + " " + path("fitted.yaml") + " --json -");
+  ASSERT_EQ(ladder.exit_code, 0) << ladder.err;
+  const json rungs = json::parse(ladder.out)["rungs"];
+  EXPECT_GT(rungs[0]["rms"]["heldout"].get<double>(), 1.5 * rungs[1]["rms"]["heldout"].get<double>());
+
+  // What was fitted is the cell that every other command reads.
+  const auto again = json::parse(run("diagnose " + path("fitted.yaml") + " " + readings + " --json -").out);
+  EXPECT_TRUE(again["alternatives"].empty()) << again["sentence"];
+}
+
+TEST_F(EffectCommands, ImproveGoesThroughTheLoopByItself) {
+  simulate("encoder-eccentricity@theta3:sine=0.05,cosine=0.08");
+  const auto improved = run("improve " + bench() + " " + path("set/measurements.csv") + " --out " +
+                            path("improved.yaml") + " --json -");
+  ASSERT_EQ(improved.exit_code, 0) << improved.err;
+  const json figures = json::parse(improved.out);
+  EXPECT_EQ(figures["steps"][0]["added"][0], "encoder-eccentricity@theta3");
+  EXPECT_TRUE(figures["steps"].back()["added"].empty());
+  EXPECT_LT(figures["rungs"].back()["rms"]["heldout"].get<double>(),
+            1.1 * figures["rungs"].back()["rms"]["noise_floor"].get<double>());
+  const Cell cell = readCell(path("improved.yaml"));
+  ASSERT_EQ(cell.arm.effects.size(), 1U);
+  EXPECT_NEAR(cell.arm.effects[0].values[1] / cell.units.factor(dimension::kAngle), 0.08, 0.01);
+}
+
+TEST_F(EffectCommands, EffectsOfACellReachThePose) {
+  ASSERT_EQ(run("add " + bench() + " joint-offset@theta2:1deg --out " + path("turned.yaml")).exit_code, 0);
+  const auto turned = json::parse(run("pose " + path("turned.yaml") + " --joints=10,60,-70,5 --json -").out);
+  const auto moved = json::parse(run("pose " + bench() + " --joints=10,61,-70,5 --json -").out);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(turned["flexible"]["position"][static_cast<std::size_t>(k)].get<double>(),
+                moved["flexible"]["position"][static_cast<std::size_t>(k)].get<double>(), 1e-6);
+}
+
+TEST_F(EffectCommands, WrongNamesPlacesAndSizesAreRefused) {
+  const auto refused = [&](const std::string& effect, const std::string& says) {
+    const auto outcome = run("add " + bench() + " " + effect + " --out " + path("x.yaml"));
+    EXPECT_EQ(outcome.exit_code, 2) << effect;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << effect << ": " << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("x.yaml")));
+  };
+  refused("backlsh@tool.z", "backlash");
+  refused("backlash@tol.z", "tool.z");
+  refused("backlash", "EFFECT@AT");
+  refused("backlash@tool.z:0.1mm", "deg");
+  refused("backlash@tool.z:-0.1", "from 0");
+  refused("backlash@tool.z:gab=0.1", "gap");
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,104 @@
+// Hidden effects are named, the error falls to the noise on readings kept out, and nothing is named where nothing hides.
+#include "calibration/diagnosis/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/calibration/bench_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+DiagnosisOptions optionsFor(const app::Cell& cell) {
+  DiagnosisOptions options;
+  options.baseline.free = {cell.identify, false};
+  options.draws = 500;
+  return options;
+}
+
+Diagnosis diagnosisOf(const std::string& effect, const std::string& at, const std::vector<double>& values,
+                      std::uint64_t seed, int count = 90) {
+  const auto cell = shippedBench();
+  const auto readings = benchReadings(cell, effect, at, values, count, seed);
+  return diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+}
+
+bool holds(const Diagnosis& diagnosis, const std::string& effect, const std::string& at) {
+  return std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [&](const Explanation& e) {
+    return e.effects.size() == 1 && e.effects.front().effect == effect && e.effects.front().at == at;
+  });
+}
+
+struct Hidden {
+  const char* effect;
+  const char* at;
+  std::vector<double> values;
+};
+
+class HiddenEffect : public testing::TestWithParam<Hidden> {};
+
+TEST_P(HiddenEffect, IsInTheAnswerAndTheErrorFallsToTheNoise) {
+  const Hidden& hidden = GetParam();
+  const Diagnosis found = diagnosisOf(hidden.effect, hidden.at, hidden.values, 5);
+  ASSERT_TRUE(holds(found, hidden.effect, hidden.at)) << found.alternatives.size() << " alternatives";
+  EXPECT_GT(found.heldout_before.rms, 1.5 * found.noise_floor);
+  EXPECT_LT(found.heldout_after.rms, 1.15 * found.noise_floor);
+  EXPECT_GT(found.ranking.front().probability, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, HiddenEffect,
+                         testing::Values(Hidden{"hysteresis", "theta3", {0.0008}},
+                                         Hidden{"encoder-eccentricity", "theta2", {0.0006, 0.0009}},
+                                         Hidden{"joint-offset", "theta4", {0.002}},
+                                         Hidden{"link-twist", "latch-link", {0.0012}},
+                                         Hidden{"tool-offset", "tool", {0.0004, 0.0003, 0.0011}},
+                                         Hidden{"payload-offset", "payload", {0.12, 0, 0.02}}),
+                         [](const auto& info) {
+                           std::string name = info.param.effect;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
+  int alarms = 0;
+  constexpr int kSets = 12;
+  for (std::uint64_t seed = 1; seed <= kSets; ++seed) alarms += !diagnosisOf("", "", {}, seed, 60).alternatives.empty();
+  EXPECT_LE(alarms, 2);  // one in twenty is allowed; three of twelve are not (chance below 2 %)
+}
+
+TEST(Diagnosis, SetsGrossOutliersAsideAndSaysSo) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 90, 8);
+  readings[17].p_W->x() += 0.003;
+  readings[60].p_W->z() -= 0.004;
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.set_aside, (std::vector<int>{17, 60}));
+  EXPECT_TRUE(found.alternatives.empty());
+}
+
+TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 45, 3);
+  for (auto& reading : readings) reading.senses.clear();
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const auto mentions = [&](const std::string& effect) {
+    return std::any_of(found.not_tried.begin(), found.not_tried.end(),
+                       [&](const std::string& why) { return why.starts_with(effect + ":"); });
+  };
+  EXPECT_TRUE(mentions("hysteresis"));
+  EXPECT_TRUE(mentions("thermal-growth"));
+  EXPECT_TRUE(mentions("base-slip"));
+  EXPECT_FALSE(mentions("joint-offset"));
+}
+
+TEST(Diagnosis, SameSeedSameAnswer) {
+  const Diagnosis a = diagnosisOf("hysteresis", "theta3", {0.0002}, 5, 45);
+  const Diagnosis b = diagnosisOf("hysteresis", "theta3", {0.0002}, 5, 45);
+  EXPECT_EQ(a.threshold, b.threshold);
+  ASSERT_EQ(a.ranking.size(), b.ranking.size());
+  for (std::size_t k = 0; k < a.ranking.size(); ++k) EXPECT_EQ(a.ranking[k].probability, b.ranking[k].probability);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
