@@ -89,14 +89,15 @@ std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
   std::vector<std::string> names;
   for (const auto& explanation : result.closest)
     if (explanation.is_near_best) names.push_back(explanationText(explanation, units));
-  const std::string rest = fmt::format("leaves {} where noise leaves {}",
-                                       lengthText(result.closest.front().after.rms, units),
-                                       lengthText(result.noise_floor, units));
+  const std::string rest =
+      fmt::format("leaves {} where noise leaves {}", lengthText(result.closest.front().after.rms, units),
+                  lengthText(result.noise_floor, units));
   if (share < 0.5 || names.empty())
     return fmt::format("{} The closest, {}, explains {:.0f} % of it and {}.", none,
                        explanationText(result.closest.front(), units), 100 * std::max(0., share), rest);
   return fmt::format(
-      "Missing first of all: {}{}, which explains {:.0f} % of the misfit but {}: the rest is none of the effects that are "
+      "Missing first of all: {}{}, which explains {:.0f} % of the misfit but {}: the rest is none of the effects that "
+      "are "
       "known, or the noise is larger than stated.",
       fmt::join(names, "; or "), names.size() > 1 ? " (these readings cannot tell which)" : "", 100 * share, rest);
 }
@@ -162,9 +163,8 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
 }
 
 nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
-  nlohmann::json json = {{"verdict", nameOf(result.verdict)},
-                         {"sentence", diagnosisSentence(result, units)},
-                         {"units", unitsJson(units)}};
+  nlohmann::json json = {
+      {"verdict", nameOf(result.verdict)}, {"sentence", diagnosisSentence(result, units)}, {"units", unitsJson(units)}};
   json["alternatives"] = nlohmann::json::array();
   for (const auto& alternative : result.alternatives) {
     nlohmann::json effects = nlohmann::json::array();
@@ -204,7 +204,8 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
                                   {"beyond_plausible", entry.is_beyond_plausible}});
   json["not_tried"] = result.not_tried;
   json["set_aside"] = nlohmann::json::array();
-  for (const int reading : result.set_aside) json["set_aside"].push_back(readings.at(static_cast<std::size_t>(reading)).id);
+  for (const int reading : result.set_aside)
+    json["set_aside"].push_back(readings.at(static_cast<std::size_t>(reading)).id);
   json["next_readings"] = nlohmann::json::array();
   json["explanations"] = explanationsJson(result, units);
   addViews(result, readings, units, json);
@@ -214,18 +215,19 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
 std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
   if (result.verdict == Verdict::kNotRun) return text;
-  text += fmt::format("chi-square {:.1f} for {} degrees of freedom (p = {:.3g}); evidence {:.1f}, noise reaches {:.1f}\n",
-                      result.chi2, result.degrees_of_freedom, result.p_value, result.evidence, result.threshold);
+  text +=
+      fmt::format("chi-square {:.1f} for {} degrees of freedom (p = {:.3g}); evidence {:.1f}, noise reaches {:.1f}\n",
+                  result.chi2, result.degrees_of_freedom, result.p_value, result.evidence, result.threshold);
   text += "  effect                                  probability   chi-square falls by   size\n";
   for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
     const auto& entry = result.ranking[k];
-    text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability, entry.fall,
-                        numberText(entry.size, units));
+    text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,
+                        entry.fall, numberText(entry.size, units));
   }
   for (std::size_t k = 0; k < result.closest.size() && k < 6; ++k)
-    text += fmt::format("  fitted: {}: chi-square {:.1f}, p = {:.3g}, rms {}\n",
-                        explanationText(result.closest[k], units), result.closest[k].chi2, result.closest[k].p_value,
-                        lengthText(result.closest[k].after.rms, units));
+    text +=
+        fmt::format("  fitted: {}: chi-square {:.1f}, p = {:.3g}, rms {}\n", explanationText(result.closest[k], units),
+                    result.closest[k].chi2, result.closest[k].p_value, lengthText(result.closest[k].after.rms, units));
   for (const int reading : result.set_aside)
     text += fmt::format("  set aside as an outlier: reading {}\n", readings.at(static_cast<std::size_t>(reading)).id);
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";

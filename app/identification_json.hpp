@@ -18,7 +18,6 @@ namespace tubeplan::app {
                                                 const Units& units);
 
 [[nodiscard]] std::string identificationText(const calibration::Identification& result,
-                                             const std::vector<calibration::Measurement>& readings,
-                                             const Units& units);
+                                             const std::vector<calibration::Measurement>& readings, const Units& units);
 
 }  // namespace tubeplan::app

@@ -93,7 +93,8 @@ std::string pointsText(const TruthFile& file) {
 /// What the truth has and the cell has not.
 std::string hiddenText(const TruthFile& file) {
   deflection::Arm hidden = file.truth.arm;
-  hidden.effects.erase(hidden.effects.begin(), hidden.effects.begin() + static_cast<long>(file.cell.arm.effects.size()));
+  hidden.effects.erase(hidden.effects.begin(),
+                       hidden.effects.begin() + static_cast<long>(file.cell.arm.effects.size()));
   return effectsText(hidden, file.cell.units);
 }
 

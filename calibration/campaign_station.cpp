@@ -3,8 +3,8 @@
 #include <array>
 
 #include "calibration/measurement_posture.hpp"
-#include "deflection/effects/situation.hpp"
 #include "calibration/tip_placement.hpp"
+#include "deflection/effects/situation.hpp"
 
 namespace tubeplan::calibration {
 

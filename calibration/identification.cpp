@@ -345,7 +345,8 @@ Identification identify(const PlacedArm& start, const std::vector<Measurement>& 
     now.free.names = names;
     const double p = chiSquareTail(needOf(number) * needOf(number), 1);
     dropped.push_back(number.unknown.name + ": the readings do not need it (p = " + std::to_string(p).substr(0, 5) +
-                      "); " + (number.unknown.scale == Unknown::Scale::kLinear ? "kept at its start" : "taken as rigid"));
+                      "); " +
+                      (number.unknown.scale == Unknown::Scale::kLinear ? "kept at its start" : "taken as rigid"));
     giveUp(number, from);
   }
 }

@@ -19,8 +19,8 @@ constexpr double kNoMisfit = 1e-6;  // chi2 below which the tolerance is no long
 std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
   std::vector<Index> free;
   for (Index k = 0; k < x.size(); ++k) {
-    const bool is_pressed = (x[k] <= problem.lower()[k] && gradient[k] > 0) ||
-                            (x[k] >= problem.upper()[k] && gradient[k] < 0);
+    const bool is_pressed =
+        (x[k] <= problem.lower()[k] && gradient[k] > 0) || (x[k] >= problem.upper()[k] && gradient[k] < 0);
     if (!is_pressed && problem.lower()[k] < problem.upper()[k]) free.push_back(k);
   }
   return free;
@@ -67,7 +67,8 @@ LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& probl
     const MatrixXd normal = jacobian.transpose() * jacobian;
     const VectorXd gradient = jacobian.transpose() * r;
     const auto free = movable(scaled, x, gradient);
-    if (free.empty()) return scaled.resultAt(x, chi2, Status::kConverged, "every variable rests on a bound", iterations);
+    if (free.empty())
+      return scaled.resultAt(x, chi2, Status::kConverged, "every variable rests on a bound", iterations);
     if (iterations == stop.max_iterations)
       return scaled.resultAt(x, chi2, Status::kIterationLimit, "stopped at the iteration limit", iterations);
     double fall = 0, expected = 0;

@@ -41,9 +41,9 @@ struct Unknown {
   int placing = -1, component = -1;
   enum class Scale { kLinear, kLogarithm, kCompliance };
   Scale scale = Scale::kLinear;
-  bool is_geometry = false;  ///< freed by `geometry`
-  double typical = 1;  ///< how far the variable may well be from its start; the yardstick of what data tell
-  double start = 0;  ///< of the parameter
+  bool is_geometry = false;     ///< freed by `geometry`
+  double typical = 1;           ///< how far the variable may well be from its start; the yardstick of what data tell
+  double start = 0;             ///< of the parameter
   double lower = 0, upper = 0;  ///< of the variable x (0 at the start)
 };
 

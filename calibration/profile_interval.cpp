@@ -37,8 +37,8 @@ struct Profile {
   /// The offset in one direction where the rise is reached; infinite where it is not.
   [[nodiscard]] double end(double direction, double sigma) const {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(variable)];
-    const double room = direction > 0 ? unknown.upper - best.solution.x[variable]
-                                      : best.solution.x[variable] - unknown.lower;
+    const double room =
+        direction > 0 ? unknown.upper - best.solution.x[variable] : best.solution.x[variable] - unknown.lower;
     double inside = 0, inside_rise = -1, outside = std::numeric_limits<double>::quiet_NaN(), outside_rise = 0;
     double step = std::min(1.96 * sigma, room);
     VectorXd x = best.solution.x;

@@ -1,10 +1,10 @@
 #include "calibration/reading_prediction.hpp"
 
-#include "calibration/measurement_posture.hpp"
-#include "deflection/effects/effect.hpp"
-
 #include <cassert>
 #include <cmath>
+
+#include "calibration/measurement_posture.hpp"
+#include "deflection/effects/effect.hpp"
 
 namespace tubeplan::calibration {
 
@@ -47,11 +47,9 @@ Prediction placeTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, c
     tip.by_base.resize(3, 6);
     tip.by_base.leftCols<3>().setIdentity();
     // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
-    tip.by_base.rightCols<3>() =
-        -crossMatrix(r_W) - R * derivatives.position_B.middleCols<3>(numbers) * R.transpose();
+    tip.by_base.rightCols<3>() = -crossMatrix(r_W) - R * derivatives.position_B.middleCols<3>(numbers) * R.transpose();
   }
-  if (request.by_joints)
-    tip.by_joints = R * derivatives.position_B.rightCols(posture.q.size());
+  if (request.by_joints) tip.by_joints = R * derivatives.position_B.rightCols(posture.q.size());
   return tip;
 }
 
@@ -99,8 +97,7 @@ void measureFrom(const Vector3d& anchor, Prediction& tip) {
 
 int rowsOf(const Measurement& reading) { return reading.kind == MeasurementKind::kDistance ? 1 : 3; }
 
-deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
-                              const Eigen::Isometry3d& X_WB) {
+deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
   return postureOf(reading, deflection::gravityInBase(arm, X_WB));
 }
 

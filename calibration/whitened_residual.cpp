@@ -31,13 +31,15 @@ void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& w
     const auto n = static_cast<Index>(point.readings.size());
     MatrixXd stacked(3 * n, 3);
     for (Index i = 0; i < n; ++i)
-      stacked.middleRows(3 * i, 3) = weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+      stacked.middleRows(3 * i, 3) =
+          weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
     const Eigen::HouseholderQR<MatrixXd> qr(stacked);
     point.Q = qr.householderQ() * MatrixXd::Identity(3 * n, 3);
     const MatrixXd R = point.Q.transpose() * stacked;
     point.estimate = R.inverse() * point.Q.transpose();
     for (Index i = 0; i < n; ++i)
-      point.estimate.middleCols(3 * i, 3) *= weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+      point.estimate.middleCols(3 * i, 3) *=
+          weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
     weights.degrees_of_freedom -= 3;
   }
 }

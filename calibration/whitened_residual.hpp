@@ -14,8 +14,8 @@ namespace tubeplan::calibration {
 
 /// Where each reading's rows stand, how they are weighted, and which readings touched one unknown point.
 ///
-/// Elimination: whitened readings of one unknown point P are W_i p_i with Q an orthonormal basis of the stacked W_i; the
-/// best P leaves (I - Q Q^T) W p. So the point costs 3 degrees of freedom and no variable.
+/// Elimination: whitened readings of one unknown point P are W_i p_i with Q an orthonormal basis of the stacked W_i;
+/// the best P leaves (I - Q Q^T) W p. So the point costs 3 degrees of freedom and no variable.
 struct ReadingWeights {
   struct UnknownPoint {
     std::string name;

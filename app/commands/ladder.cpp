@@ -1,4 +1,6 @@
 // tubeplan ladder: the error of each model in turn, fitted and held-out, against the noise floor.
+#include "app/ladder.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +12,6 @@
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
-#include "app/ladder.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
 #include "app/report/diagnosis_report.hpp"
@@ -29,12 +30,9 @@ struct LadderOptions {
 
 /// What the page wants of the figures.
 nlohmann::json ladderPage(const nlohmann::json& figures, const LadderOptions& options) {
-  nlohmann::json page = {{"title", "Ladder of models"},
-                         {"measurements", options.measurements},
-                         {"seed", options.seed},
-                         {"version", kVersion},
-                         {"units", figures["units"]},
-                         {"models", nlohmann::json::array()}};
+  nlohmann::json page = {{"title", "Ladder of models"}, {"measurements", options.measurements},
+                         {"seed", options.seed},        {"version", kVersion},
+                         {"units", figures["units"]},   {"models", nlohmann::json::array()}};
   for (const auto& rung : figures["rungs"]) {
     page["noise_floor"] = rung["rms"]["noise_floor"];
     page["models"].push_back({{"name", rung["name"]},
@@ -60,7 +58,8 @@ int run(const LadderOptions& options) {
   }
   const auto json = ladderJson(rungs, *units);
   writeJson(options.json, json);
-  if (!options.report.empty()) writeFileAtomically(options.report, renderLadderReport(ladderPage(json, options)), "--report");
+  if (!options.report.empty())
+    writeFileAtomically(options.report, renderLadderReport(ladderPage(json, options)), "--report");
   if (printsText(options.json)) fmt::print("{}", ladderText(rungs, *units));
   return kDone;
 }

@@ -131,7 +131,8 @@ BaseError baseErrorOf(const SimulateOptions& options, const Cell& cell, const Ca
 deflection::Effect ofTypicalSize(deflection::Effect effect) {
   const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
   for (std::size_t v = 0; v < effect.values.size(); ++v)
-    if (!kind.parameters[v].is_shape) effect.values[v] = kind.parameters[v].neutral + 0.2 * kind.parameters[v].plausible;
+    if (!kind.parameters[v].is_shape)
+      effect.values[v] = kind.parameters[v].neutral + 0.2 * kind.parameters[v].plausible;
   return effect;
 }
 

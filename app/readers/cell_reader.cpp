@@ -93,8 +93,8 @@ Cell readCell(const std::string& path) {
   cell.path = path;
   cell.source = readYamlFile(path);
   const YamlNode& root = cell.source.root;
-  root.expectKeys({"arm", "base"},
-                  {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance"});
+  root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
+                                    "link_shapes", "clearance"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), cell);
   cell.arm = source.arm;

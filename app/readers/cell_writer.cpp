@@ -63,8 +63,7 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
 std::vector<std::pair<std::string, double>> foundNumbers(const calibration::Identification& result) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& number : result.numbers)
-    if (number.unknown.owner == calibration::Unknown::Owner::kArm && !number.is_held &&
-        number.unknown.path.effect < 0)
+    if (number.unknown.owner == calibration::Unknown::Owner::kArm && !number.is_held && number.unknown.path.effect < 0)
       numbers.emplace_back(number.unknown.name, number.value);
   return numbers;
 }
@@ -104,7 +103,8 @@ std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identi
     files.push_back({arm_path, withArmParameters(cell.arm_source.text, arm_node, source, numbers)});
     text = withYamlValue(text, "arm", '"' + arm_path.filename().string() + '"');
   }
-  if (!result.fitted.arm.effects.empty()) text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
+  if (!result.fitted.arm.effects.empty())
+    text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
   if (result.fitted.placings.size() == 1 && !result.fitted.placings.front().is_known)
     text = withBase(text, cell, {result.fitted.placings.front().X_WB, baseCovariance(result), cell.base_known});
   files.push_back({out, text});

@@ -130,10 +130,10 @@ ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, co
   const auto made = deflection::makeEffect(arm, text.substr(0, at), text.substr(at + 1, colon - at - 1));
   if (made.status != EffectStatus::kMade) {
     const bool is_effect = made.status == EffectStatus::kUnknownEffect;
-    throw InputError(where, inQuotes(text) + " (" + made.reason + ")",
-                     made.known.empty() ? "an effect this arm can have"
-                                        : fmt::format("one of {}", fmt::join(made.known, ", ")),
-                     suggestion(is_effect ? text.substr(0, at) : text.substr(at + 1, colon - at - 1), made.known));
+    throw InputError(
+        where, inQuotes(text) + " (" + made.reason + ")",
+        made.known.empty() ? "an effect this arm can have" : fmt::format("one of {}", fmt::join(made.known, ", ")),
+        suggestion(is_effect ? text.substr(0, at) : text.substr(at + 1, colon - at - 1), made.known));
   }
   ParsedEffect parsed{made.effect, colon != std::string::npos};
   if (parsed.has_sizes) readSizes(text.substr(colon + 1), arm, units, where, parsed.effect);

@@ -88,7 +88,8 @@ Candidate candidateOf(const deflection::Arm& arm, const EffectKind& kind, const 
   candidate.neutral = neutral;
   for (int v = 0; v < static_cast<int>(kind.parameters.size()); ++v) {
     const auto number = deflection::numberOf(arm, neutral, v);
-    (kind.parameters[static_cast<std::size_t>(v)].is_shape ? (candidate.shape = v, void()) : candidate.sizes.push_back(v));
+    (kind.parameters[static_cast<std::size_t>(v)].is_shape ? (candidate.shape = v, void())
+                                                           : candidate.sizes.push_back(v));
     candidate.unit.push_back(kind.parameters[static_cast<std::size_t>(v)].plausible);
     candidate.lower.push_back(number.lower);
     candidate.upper.push_back(number.upper);
@@ -99,8 +100,8 @@ Candidate candidateOf(const deflection::Arm& arm, const EffectKind& kind, const 
 /// Columns of all effects that an arm carries, whitened, by their values.
 MatrixXd effectColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
                        const std::vector<Unknown>& unknowns) {
-  const auto residual = whitenedResidual(placed, unknowns, readings, weights,
-                                         VectorXd::Zero(static_cast<Index>(unknowns.size())), true);
+  const auto residual =
+      whitenedResidual(placed, unknowns, readings, weights, VectorXd::Zero(static_cast<Index>(unknowns.size())), true);
   return residual.ok ? residual.jacobian : MatrixXd();
 }
 

@@ -12,12 +12,12 @@ namespace tubeplan::calibration {
 /// An effect at a place: one answer that a diagnosis can give.
 struct Candidate {
   std::string effect, at;
-  deflection::Effect neutral;              ///< at neutral values
-  std::vector<int> sizes;                  ///< indices of its values that are not shapes
-  int shape = -1;                          ///< index of its shape value; -1 without
-  std::vector<double> levels;              ///< shape values that are tried; one (unused) without a shape
-  std::vector<double> unit;                ///< of each value: the largest plausible size
-  std::vector<double> lower, upper;        ///< of each value
+  deflection::Effect neutral;        ///< at neutral values
+  std::vector<int> sizes;            ///< indices of its values that are not shapes
+  int shape = -1;                    ///< index of its shape value; -1 without
+  std::vector<double> levels;        ///< shape values that are tried; one (unused) without a shape
+  std::vector<double> unit;          ///< of each value: the largest plausible size
+  std::vector<double> lower, upper;  ///< of each value
 };
 
 /// Columns of a candidate at one of its shape levels, one for each size, for a change by its unit.

@@ -15,11 +15,11 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kTwinFall = 20;     // criterion beyond the best to which candidates are fitted too
+constexpr double kTwinFall = 20;  // criterion beyond the best to which candidates are fitted too
 constexpr int kMostLeaders = 14;
 constexpr int kMostAlternatives = 8;
 constexpr int kPairsFitted = 10;
-constexpr int kPairFirsts = 40;      // candidates, best first, that pairs are made of
+constexpr int kPairFirsts = 40;  // candidates, best first, that pairs are made of
 
 /// One set of variants with its fall of chi-square to first order.
 struct Scored {
@@ -50,7 +50,8 @@ std::vector<Scored> bestVariants(const Work& work) {
   }
   std::vector<Scored> list;
   for (const auto& [candidate, scored] : best) list.push_back(scored);
-  std::stable_sort(list.begin(), list.end(), [](const Scored& a, const Scored& b) { return a.criterion < b.criterion; });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Scored& a, const Scored& b) { return a.criterion < b.criterion; });
   return list;
 }
 
@@ -103,14 +104,16 @@ std::vector<Scored> bestPairs(const Work& work, const std::vector<Scored>& singl
       for (const int b : some) {
         const Score score = work.space.score({a, b});
         if (!score.is_physical) continue;
-        const int numbers = variants[static_cast<std::size_t>(a)].numbers + variants[static_cast<std::size_t>(b)].numbers;
+        const int numbers =
+            variants[static_cast<std::size_t>(a)].numbers + variants[static_cast<std::size_t>(b)].numbers;
         if (numbers * work.log_n - score.fall < best.criterion)
           best = {{a, b}, score.fall, numbers * work.log_n - score.fall};
       }
       if (!best.variants.empty()) pairs.push_back(best);
     }
   }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Scored& a, const Scored& b) { return a.criterion < b.criterion; });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Scored& a, const Scored& b) { return a.criterion < b.criterion; });
   std::set<std::set<int>> seen;
   std::vector<Scored> distinct;
   for (const Scored& pair : pairs) {
@@ -194,7 +197,8 @@ FoundNumber mainSize(const Work& work, const Scored& scored) {
   const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(candidate.neutral.kind)];
   return {kind.parameters[static_cast<std::size_t>(value)].name,
           deflection::numberOf(work.basis.fitted.arm, candidate.neutral, value).quantity,
-          candidate.neutral.values[static_cast<std::size_t>(value)] + score.sizes[most] * unit, score.sigma[most] * unit};
+          candidate.neutral.values[static_cast<std::size_t>(value)] + score.sizes[most] * unit,
+          score.sigma[most] * unit};
 }
 
 void listDetectable(const Work& work, double threshold, Diagnosis& result) {
@@ -251,7 +255,8 @@ void rank(const Work& work, const std::vector<Scored>& singles, const std::vecto
     criteria.push_back(criterion);
     result.ranking.push_back(std::move(entry));
   }
-  const double least = std::min({none, unknown, criteria.empty() ? none : *std::min_element(criteria.begin(), criteria.end())});
+  const double least =
+      std::min({none, unknown, criteria.empty() ? none : *std::min_element(criteria.begin(), criteria.end())});
   double total = std::exp(-(none - least) / 2) + std::exp(-(unknown - least) / 2);
   for (const double criterion : criteria) total += std::exp(-(criterion - least) / 2);
   for (std::size_t k = 0; k < criteria.size(); ++k)
@@ -368,8 +373,7 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   result.chi2 = work.basis.residual.r.squaredNorm();
   result.degrees_of_freedom = work.basis.weights.degrees_of_freedom - static_cast<int>(work.basis.unknowns.size());
   result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
-  result.smooth_p_value =
-      findSmoothMisfit(work.basis.fitted, used, work.basis.weights, work.basis.residual).p_value;
+  result.smooth_p_value = findSmoothMisfit(work.basis.fitted, used, work.basis.weights, work.basis.residual).p_value;
   result.noise_floor = noiseFloor(used, work.basis.weights);
   result.before = errorSize(used, work.basis.weights, work.basis.residual.error);
   const auto singles = bestVariants(work);
@@ -377,7 +381,8 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
     result.evidence = std::max(result.evidence, work.space.evidence(v, work.space.score({v})));
   result.threshold = work.space.familyThreshold(options.false_alarm, options.draws, options.seed);
   Finding finding;
-  if (result.evidence > result.threshold || std::min(result.p_value, result.smooth_p_value) < options.misfit) finding = findExplanations(work, singles);
+  if (result.evidence > result.threshold || std::min(result.p_value, result.smooth_p_value) < options.misfit)
+    finding = findExplanations(work, singles);
   rank(work, singles, finding.fits, result);
   decide(work, std::move(finding), result.threshold, result);
   listDetectable(work, result.threshold, result);

@@ -48,8 +48,8 @@ struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  double criterion = std::numeric_limits<double>::quiet_NaN();  ///< chi2 + numbers ln n (BIC)
-  double p_value = std::numeric_limits<double>::quiet_NaN();    ///< of the misfit that remains, over all readings
+  double criterion = std::numeric_limits<double>::quiet_NaN();       ///< chi2 + numbers ln n (BIC)
+  double p_value = std::numeric_limits<double>::quiet_NaN();         ///< of the misfit that remains, over all readings
   double smooth_p_value = std::numeric_limits<double>::quiet_NaN();  ///< the same of what follows the joints smoothly
   ErrorSize after, heldout;
   bool is_near_best = false;  ///< of models none of which is enough: this one does as well as the best

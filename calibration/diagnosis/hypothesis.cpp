@@ -43,7 +43,8 @@ double refinedTime(const DiagnosisBasis& basis, const Candidate& candidate, int 
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   const MatrixXd& J = basis.residual.jacobian;
-  const MatrixXd Q = MatrixXd(Eigen::HouseholderQR<MatrixXd>(J).householderQ() * MatrixXd::Identity(J.rows(), J.cols()));
+  const MatrixXd Q =
+      MatrixXd(Eigen::HouseholderQR<MatrixXd>(J).householderQ() * MatrixXd::Identity(J.rows(), J.cols()));
   const VectorXd rest = -basis.residual.r + Q * (Q.transpose() * basis.residual.r);
   double best = candidate.levels[static_cast<std::size_t>(level)], most = -1;
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
@@ -86,9 +87,9 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
     x.tail(start.size()) = start;
     model.unknowns.insert(model.unknowns.end(), own.begin(), own.end());
   }
-  const auto solution = minimizeLeastSquares(fitProblem(model.placed, model.unknowns, basis.readings, basis.weights, x), kRefit);
-  const auto residual =
-      whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, solution.x, true);
+  const auto solution =
+      minimizeLeastSquares(fitProblem(model.placed, model.unknowns, basis.readings, basis.weights, x), kRefit);
+  const auto residual = whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, solution.x, true);
   if (!residual.ok || solution.status == LeastSquaresStatus::kFailed) return result;
   result.fitted = applied(model.placed, model.unknowns, solution.x);
   result.chi2 = residual.r.squaredNorm();
@@ -100,15 +101,13 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
   result.smooth_p_value = findSmoothMisfit(result.fitted, basis.readings, basis.weights, residual).p_value;
   result.criterion = result.chi2 + numbers * std::log(std::max(2, basis.weights.degrees_of_freedom));
   const MatrixXd& J = residual.jacobian;
-  const VectorXd sigma = (J.transpose() * J)
-                             .completeOrthogonalDecomposition()
-                             .pseudoInverse()
-                             .diagonal()
-                             .cwiseMax(0)
-                             .cwiseSqrt();
+  const VectorXd sigma =
+      (J.transpose() * J).completeOrthogonalDecomposition().pseudoInverse().diagonal().cwiseMax(0).cwiseSqrt();
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    FoundEffect found{parts[p].candidate->effect, parts[p].candidate->at,
-                      result.fitted.arm.effects[static_cast<std::size_t>(effects[p])], {}};
+    FoundEffect found{parts[p].candidate->effect,
+                      parts[p].candidate->at,
+                      result.fitted.arm.effects[static_cast<std::size_t>(effects[p])],
+                      {}};
     const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(found.fitted.kind)];
     for (std::size_t v = 0; v < found.fitted.values.size(); ++v) {
       FoundNumber number{kind.parameters[v].name,
@@ -155,7 +154,8 @@ Explanation fitExplanation(const DiagnosisBasis& basis, const Catalogue& catalog
     Part part{&candidate, variant.sizes, candidate.levels[static_cast<std::size_t>(variant.level)], {}};
     part.start.resize(static_cast<Index>(variant.sizes.size()));
     for (std::size_t k = 0; k < variant.sizes.size(); ++k, ++at)
-      part.start[static_cast<Index>(k)] = (at < score.sizes.size() ? score.sizes[at] : 0) * unitOf(candidate, variant.sizes[k]);
+      part.start[static_cast<Index>(k)] =
+          (at < score.sizes.size() ? score.sizes[at] : 0) * unitOf(candidate, variant.sizes[k]);
     if (isTime(candidate)) part.shape = refinedTime(basis, candidate, variant.level, variant.sizes);
     parts.push_back(std::move(part));
   }
@@ -195,14 +195,15 @@ ErrorSize judgeOnFolds(const DiagnosisBasis& basis, const ExplanationModel& mode
   ErrorSize total;
   for (int fold = 0; fold < count; ++fold) {
     std::vector<Measurement> kept, out;
-    for (std::size_t k = 0; k < basis.readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(basis.readings[k]);
+    for (std::size_t k = 0; k < basis.readings.size(); ++k)
+      (folds[k] == fold ? out : kept).push_back(basis.readings[k]);
     if (kept.empty() || out.empty()) continue;
     const ReadingWeights weights = weightsOf(kept, model.placed);
     if (weights.rows == 0) return {};
     const LeastSquaresOptions quick{1e-5, 4, LeastSquaresMethod::kLevenbergMarquardt};
-    const auto solution = minimizeLeastSquares(
-        fitProblem(model.placed, model.unknowns, kept, weights, VectorXd::Zero(static_cast<Index>(model.unknowns.size()))),
-        quick);
+    const auto solution = minimizeLeastSquares(fitProblem(model.placed, model.unknowns, kept, weights,
+                                                          VectorXd::Zero(static_cast<Index>(model.unknowns.size()))),
+                                               quick);
     if (solution.status == LeastSquaresStatus::kFailed) return {};
     const ErrorSize part = judge(applied(model.placed, model.unknowns, solution.x), out);
     if (part.readings == 0) continue;

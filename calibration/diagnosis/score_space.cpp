@@ -14,9 +14,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kAbsorbed = 1e-4;    // kept share of a column below which it is the fit's own
-constexpr double kBeyondBand = 2;     // sigmas by which a size may pass the plausible band
-constexpr double kSingular = 1e-8;    // of the largest eigenvalue
+constexpr double kAbsorbed = 1e-4;  // kept share of a column below which it is the fit's own
+constexpr double kBeyondBand = 2;   // sigmas by which a size may pass the plausible band
+constexpr double kSingular = 1e-8;  // of the largest eigenvalue
 
 constexpr std::size_t kMostColumns = 8;
 

@@ -1,8 +1,8 @@
 // The catalogue's signatures with what the fit could absorb taken off, and the score tests in that space.
 //
-// With P = I - J (J^T J)^-1 J^T the projection off the fitted unknowns, G = S^T P S and b = S^T P (-r): a set A of columns
-// lowers chi-square by T = b_A^T G_AA^-1 b_A at sizes phi = G_AA^-1 b_A (Rao's score test; lavaan's modification index and
-// expected parameter change).
+// With P = I - J (J^T J)^-1 J^T the projection off the fitted unknowns, G = S^T P S and b = S^T P (-r): a set A of
+// columns lowers chi-square by T = b_A^T G_AA^-1 b_A at sizes phi = G_AA^-1 b_A (Rao's score test; lavaan's
+// modification index and expected parameter change).
 #pragma once
 
 #include <cstdint>

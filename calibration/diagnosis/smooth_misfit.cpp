@@ -78,7 +78,8 @@ SmoothMisfit findSmoothMisfit(const PlacedArm& placed, const std::vector<Measure
   VectorXd rest = residual.r;
   const MatrixXd& J = residual.jacobian;
   if (J.cols() > 0) {
-    const MatrixXd Q = MatrixXd(Eigen::HouseholderQR<MatrixXd>(J).householderQ() * MatrixXd::Identity(J.rows(), J.cols()));
+    const MatrixXd Q =
+        MatrixXd(Eigen::HouseholderQR<MatrixXd>(J).householderQ() * MatrixXd::Identity(J.rows(), J.cols()));
     S -= (Q * (Q.transpose() * S)).eval();
     rest -= (Q * (Q.transpose() * rest)).eval();
   }

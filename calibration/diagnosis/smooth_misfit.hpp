@@ -13,8 +13,8 @@ struct SmoothMisfit {
 };
 
 /// Fits what a fit left over (`residual`, with its Jacobian by everything that was free) by errors of each joint that
-/// are second and third harmonics of any joint, products of two joints, or a joint's own motion under load, and tells how
-/// likely noise alone falls as much.
+/// are second and third harmonics of any joint, products of two joints, or a joint's own motion under load, and tells
+/// how likely noise alone falls as much.
 [[nodiscard]] SmoothMisfit findSmoothMisfit(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                             const ReadingWeights& weights, const WhitenedResidual& residual);
 

@@ -94,7 +94,8 @@ class DiagnosisReportOfProgram : public ProgramTest {
   /// A CSV of readings, each of whose ids would end a script block.
   [[nodiscard]] static std::string measurements(const std::string& effect, const std::vector<double>& values) {
     using calibration::kDegree, calibration::kInch, calibration::kPoundForce;
-    const auto readings = calibration::benchReadings(calibration::shippedBench(), effect, "theta4", values, kReadings, 7);
+    const auto readings =
+        calibration::benchReadings(calibration::shippedBench(), effect, "theta4", values, kReadings, 7);
     std::string csv =
         "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,theta1_dir,theta2_dir,"
         "theta3_dir,theta4_dir\n";

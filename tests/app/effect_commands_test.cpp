@@ -53,8 +53,8 @@ TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
 
 TEST_F(EffectCommands, ImproveGoesThroughTheLoopByItself) {
   simulate("encoder-eccentricity@theta3:sine=0.05,cosine=0.08");
-  const auto improved = run("improve " + bench() + " " + path("set/measurements.csv") + " --out " +
-                            path("improved.yaml") + " --json -");
+  const auto improved =
+      run("improve " + bench() + " " + path("set/measurements.csv") + " --out " + path("improved.yaml") + " --json -");
   ASSERT_EQ(improved.exit_code, 0) << improved.err;
   const json figures = json::parse(improved.out);
   EXPECT_EQ(figures["steps"][0]["added"][0], "encoder-eccentricity@theta3");
@@ -64,6 +64,26 @@ TEST_F(EffectCommands, ImproveGoesThroughTheLoopByItself) {
   const Cell cell = readCell(path("improved.yaml"));
   ASSERT_EQ(cell.arm.effects.size(), 1U);
   EXPECT_NEAR(cell.arm.effects[0].values[1] / cell.units.factor(dimension::kAngle), 0.08, 0.01);
+}
+
+TEST_F(EffectCommands, TheTutorialDoesWhatItSays) {
+  const std::string text = contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "docs/tutorial.md");
+  int commands = 0;
+  for (std::size_t at = text.find("\n    tubeplan "); at != std::string::npos;
+       at = text.find("\n    tubeplan ", at + 1)) {
+    const std::size_t from = at + std::string("\n    tubeplan ").size();
+    std::string command = text.substr(from, text.find('\n', from) - from);
+    for (std::size_t cell = command.find("app/cells/"); cell != std::string::npos;
+         cell = command.find("app/cells/", cell + 99))
+      command.replace(cell, std::string("app/cells").size(), shippedCells().string());
+    const auto outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, command.starts_with("compare") ? 1 : 0) << command << outcome.err;
+    if (command.starts_with("diagnose")) EXPECT_TRUE(outcome.out.starts_with("explained")) << outcome.out;
+    ++commands;
+  }
+  EXPECT_EQ(commands, 6);
+  for (const char* page : {"compare.html", "diagnose.html", "ladder.html"})
+    EXPECT_TRUE(std::filesystem::exists(folder / page)) << page;
 }
 
 TEST_F(EffectCommands, EffectsOfACellReachThePose) {

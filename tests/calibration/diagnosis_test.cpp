@@ -1,4 +1,5 @@
-// Hidden effects are named, the error falls to the noise on readings kept out, and nothing is named where nothing hides.
+// Hidden effects are named, the error falls to the noise on readings kept out, and nothing is named where nothing
+// hides.
 #include "calibration/diagnosis/diagnosis.hpp"
 
 #include <gtest/gtest.h>
