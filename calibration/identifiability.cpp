@@ -42,7 +42,8 @@ struct Selection {
 
   [[nodiscard]] bool isTold(int k, const VectorXd& own) const {
     if (own.norm() < options.least_share * columns.col(k).norm()) return false;
-    if (own.norm() >= options.noise) return true;
+    const bool is_geometry = unknowns[static_cast<std::size_t>(k)].is_geometry;
+    if (own.norm() >= options.noise * (is_geometry ? 1 : options.least_told)) return true;
     if (options.offset.size() == 0) return false;
     const double way_back = std::abs(options.offset[k]) / unknowns[static_cast<std::size_t>(k)].typical;
     return own.norm() * way_back >= kSeen * options.noise;

@@ -12,6 +12,8 @@ namespace tubeplan::calibration {
 struct IdentifiabilityOptions {
   double least_share = 1e-5;  ///< of a column's length that must be its own, for the number to be told apart at all
   double named_share = 0.15;  ///< of the largest part in a combination, for a name to be said
+  double least_told = 0.25;   ///< of the noise that a named number's typical change must show at least: one that shows
+                              ///< less wanders; geometry must show all of it
   double noise = 1;        ///< what a number's typical change must show at least: sigma of a whitened residual, above
                            ///< 1 where the model is known to be off
   Eigen::VectorXd offset;  ///< of each variable from its start, where the state is not the start: a number that could
