@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace tubeplan::calibration {
 
@@ -51,8 +52,9 @@ struct Selection {
 
   void takeInOrder(int k) {
     const VectorXd own = basis.outside(columns.col(k));
-    if (!isTold(k, own)) return held.push_back(k);
-    basis.add(own);
+    const bool is_apart = own.norm() > options.least_share * columns.col(k).norm();
+    if (!isTold(k, options.twins_stay ? columns.col(k) : own)) return held.push_back(k);
+    if (is_apart) basis.add(own);
     kept.push_back(k);
   }
 
@@ -114,12 +116,15 @@ Identifiability findIdentifiable(const MatrixXd& jacobian, const std::vector<Unk
   for (Index k = 0; k < columns.cols(); ++k) columns.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
   Selection selection{columns, unknowns, options, Basis(columns.rows()), {}, {}};
   std::vector<int> geometry;
+  const std::set<int> last(options.at_bound.begin(), options.at_bound.end());
   for (int k = 0; k < static_cast<int>(unknowns.size()); ++k) {
     if (unknowns[static_cast<std::size_t>(k)].is_geometry)
       geometry.push_back(k);
-    else
+    else if (!last.contains(k))
       selection.takeInOrder(k);
   }
+  for (const int k : last)
+    if (!unknowns[static_cast<std::size_t>(k)].is_geometry) selection.takeInOrder(k);
   selection.takeByPivot(geometry);
   Identifiability result;
   result.kept = selection.kept;

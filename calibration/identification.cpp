@@ -4,6 +4,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
+#include <tuple>
 
 #include "calibration/fit.hpp"
 #include "calibration/held_out.hpp"
@@ -20,7 +21,10 @@ namespace {
 
 constexpr double kMisfitLevel = 0.01;  // p below which the stated noise is taken to be too small
 constexpr double kStrongCorrelation = 0.9;
-constexpr double kPoorNormal = 0.2;  // sigma of a logarithm from which the normal interval is poor
+constexpr double kPoorNormal = 0.2;  // sigma of a compliance over itself from which the normal interval is poor
+constexpr double kLeaning = 0.3;       // correlation with a number near its bound that spoils the normal interval
+constexpr double kUnseenRise = 0.05;   // of chi-square, that nobody notices
+constexpr double kBoundMargin = 1e-4;  // of a typical size, that counts as at the bound
 constexpr double kFirstLook = 0.1;   // noise sigmas that a number must show at the start, which may be far too stiff
 
 std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
@@ -128,8 +132,43 @@ Fit fitFromStarts(const Work& work, const VectorXd& first, Identification& resul
   return best;
 }
 
+std::vector<int> atBound(const std::vector<Unknown>& unknowns, const VectorXd& x) {
+  std::vector<int> found;
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    const double margin = kBoundMargin * unknown.typical;
+    if (x[k] <= unknown.lower + margin || x[k] >= unknown.upper - margin) found.push_back(static_cast<int>(k));
+  }
+  return found;
+}
+
+/// The variables of the unknowns that are still kept.
+VectorXd stillKept(const VectorXd& x, const std::vector<int>& before, const std::vector<int>& kept) {
+  VectorXd some(static_cast<Index>(kept.size()));
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    some[static_cast<Index>(k)] = x[std::find(before.begin(), before.end(), kept[k]) - before.begin()];
+  return some;
+}
+
+/// Leaves those that are no longer kept where the fit had brought them: back at their start, they would show, since
+/// what should make up for them is at its bound.
+void leaveWhereTheyAre(const VectorXd& x, const std::vector<int>& before, Work& work) {
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const Unknown& unknown = work.unknowns[static_cast<std::size_t>(before[k])];
+    const bool is_kept = std::count(work.told.kept.begin(), work.told.kept.end(), before[k]) > 0;
+    if (!is_kept && unknown.owner == Unknown::Owner::kArm)
+      deflection::locate(work.start.arm, unknown.path) = valueAt(unknown, x[static_cast<Index>(k)]);
+  }
+}
+
+bool fitKept(Work& work, const VectorXd& x, Identification& result) {
+  work.fit = fitFromStarts(work, x, result);
+  return work.fit.solution.status != LeastSquaresStatus::kFailed && work.fit.residual.ok;
+}
+
 /// Fits; what the optimum shows to be untold after all is held at its start, unless that would show, and the rest
-/// fitted again. The start holds only what hardly shows at all there, since it may be off by a factor.
+/// fitted again. The start holds only what hardly shows at all there, since it may be off by a factor: a twin held
+/// there may leave the other no room.
 bool fitTold(Work& work, Identification& result) {
   const auto n = static_cast<Index>(work.unknowns.size());
   const auto weights = weighReadings(work.start, work.fitted);
@@ -140,20 +179,22 @@ bool fitTold(Work& work, Identification& result) {
   if (!residual.ok) return false;
   IdentifiabilityOptions options;
   options.noise = kFirstLook;
+  options.twins_stay = true;
   holdUntold(work, residual.jacobian, options);
-  VectorXd x = VectorXd::Zero(static_cast<Index>(work.told.kept.size()));
+  options.twins_stay = false;
+  if (!fitKept(work, VectorXd::Zero(static_cast<Index>(work.told.kept.size())), result)) return false;
   while (true) {
-    work.fit = fitFromStarts(work, x, result);
-    if (work.fit.solution.status == LeastSquaresStatus::kFailed || !work.fit.residual.ok) return false;
     const auto before = work.told.kept;
-    options.noise =
-        wideningOf(work.fit.solution.chi2, work.fit.weights.degrees_of_freedom - static_cast<int>(before.size()));
-    options.offset = work.fit.solution.x;
+    const LeastSquaresResult solution = work.fit.solution;
+    options.noise = wideningOf(solution.chi2, work.fit.weights.degrees_of_freedom - static_cast<int>(before.size()));
+    options.offset = solution.x;
+    options.at_bound = atBound(work.kept(), solution.x);
     if (!holdUntold(work, work.fit.residual.jacobian, options)) return true;
-    x.resize(static_cast<Index>(work.told.kept.size()));
-    for (std::size_t k = 0; k < work.told.kept.size(); ++k)
-      x[static_cast<Index>(k)] =
-          work.fit.solution.x[std::find(before.begin(), before.end(), work.told.kept[k]) - before.begin()];
+    const VectorXd x = stillKept(solution.x, before, work.told.kept);
+    if (!fitKept(work, x, result)) return false;
+    if (work.fit.solution.chi2 <= solution.chi2 + kUnseenRise * options.noise * options.noise) continue;
+    leaveWhereTheyAre(solution.x, before, work);
+    if (!fitKept(work, x, result)) return false;
   }
 }
 
@@ -168,7 +209,9 @@ void sayHeld(const Work& work, Identification& result) {
   for (const HeldUnknown& held : work.told.held) {
     auto& number = result.numbers[static_cast<std::size_t>(held.unknown)];
     number.is_held = true;
-    number.value = number.unknown.start;
+    const bool is_of_arm = number.unknown.owner == Unknown::Owner::kArm;
+    number.value = is_of_arm ? deflection::findParameter(work.start.arm, number.unknown.name)->value : 0;
+    const std::string where = number.value == number.unknown.start ? "held at its start" : "held where the fit left it";
     number.told = held.is_seen && !held.with.empty() ? Told::kWith : Told::kNo;
     for (const int other : held.with) {
       number.with.push_back(work.unknowns[static_cast<std::size_t>(other)].name);
@@ -178,13 +221,53 @@ void sayHeld(const Work& work, Identification& result) {
       partner.with.push_back(number.unknown.name);
     }
     if (number.told == Told::kNo)
-      number.note = "the readings do not depend on it enough to tell it: held at its start";
+      number.note = "the readings do not depend on it enough to tell it: " + where;
     else
-      number.note = "told only in a combination with " + namesOf(number.with) + ": held at its start";
+      number.note = "told only in a combination with " + namesOf(number.with) + ": " + where;
   }
 }
 
+std::string noteOf(const IdentifiedNumber& number, bool hardly_gives) {
+  if (number.is_at_bound && hardly_gives)
+    return "the readings ask for no give at all, or less than none, which no part has: take it as rigid, or look "
+           "for a missing effect";
+  if (number.is_at_bound) return "at its bound: the readings ask for more than is physical";
+  return hardly_gives ? "its compliance is within two sigmas of none: the readings hardly need it" : "";
+}
+
+/// Whether the normal interval of a stiffness is poor: it is wide, or made wide by another that can hardly go on in the
+/// direction that would make up for it.
+bool isNormalPoor(const std::vector<Unknown>& unknowns, const VectorXd& x, const MatrixXd& covariance, Index k) {
+  const auto sigma = [&](Index i) { return std::sqrt(covariance(i, i)); };
+  if (sigma(k) > kPoorNormal / valueAt(unknowns[static_cast<std::size_t>(k)], x[k])) return true;
+  for (Index i = 0; i < x.size(); ++i) {
+    const Unknown& other = unknowns[static_cast<std::size_t>(i)];
+    const double room = std::min(x[i] - other.lower, other.upper - x[i]);
+    if (i != k && room < 2 * sigma(i) && std::abs(covariance(i, k)) > kLeaning * sigma(i) * sigma(k)) return true;
+  }
+  return false;
+}
+
+/// The profile of a kept number; those held that it is tied to may move as well.
+ProfileInterval profileOf(const Work& work, const IdentifiedNumber& number, int kept, double sigma, double noise) {
+  auto unknowns = work.kept();
+  Fit fit = work.fit;
+  std::vector<double> x(fit.solution.x.begin(), fit.solution.x.end());
+  for (const HeldUnknown& held : work.told.held) {
+    const Unknown& unknown = work.unknowns[static_cast<std::size_t>(held.unknown)];
+    if (std::count(number.with.begin(), number.with.end(), unknown.name) == 0) continue;
+    const bool is_of_arm = unknown.owner == Unknown::Owner::kArm;
+    unknowns.push_back(
+        is_of_arm ? rebased(unknown, deflection::findParameter(work.start.arm, unknown.name)->value) : unknown);
+    x.push_back(0);
+  }
+  fit.solution.x = Eigen::Map<VectorXd>(x.data(), static_cast<Index>(x.size()));
+  return profileInterval(work.start, unknowns, work.fitted, fit, kept, sigma, noise);
+}
+
 void sayFitted(const Work& work, Identification& result) {
+  const auto kept = work.kept();
+  const auto at_bound = atBound(kept, work.fit.solution.x);
   for (std::size_t i = 0; i < work.told.kept.size(); ++i) {
     auto& number = result.numbers[static_cast<std::size_t>(work.told.kept[i])];
     const Unknown& unknown = number.unknown;
@@ -195,26 +278,18 @@ void sayFitted(const Work& work, Identification& result) {
     number.value = valueAt(unknown, x);
     number.sigma = sigma * std::abs(slopeAt(unknown, x));
     double lower = x - 1.959964 * sigma, upper = x + 1.959964 * sigma;
-    const bool is_logarithm = unknown.scale == Unknown::Scale::kLogarithm;
     const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
-    if (work.options.intervals_by_profile && is_logarithm && sigma > kPoorNormal) {
-      const auto profile = profileInterval(work.start, work.kept(), work.fitted, work.fit, static_cast<int>(k), sigma,
-                                           result.widening, work.options.solver);
+    const double give = 1 / number.value;  // of a stiffness: its compliance
+    const bool is_tied = !number.with.empty();
+    if (work.options.intervals_by_profile && is_compliance &&
+        (is_tied || isNormalPoor(kept, work.fit.solution.x, result.covariance * result.widening * result.widening, k))) {
+      const auto profile = profileOf(work, number, static_cast<int>(k), sigma, result.widening);
       lower = profile.lower, upper = profile.upper;
       number.is_profile = true;
     }
-    number.lower = valueAt(unknown, is_compliance ? upper : lower);
-    number.upper = valueAt(unknown, is_compliance ? std::max(lower, unknown.lower) : upper);
-    const double margin = 1e-4 * unknown.typical;
-    number.is_at_bound = x <= unknown.lower + margin || x >= unknown.upper - margin;
-    if ((is_logarithm && (number.is_at_bound || x > std::log(300.))) || (is_compliance && number.is_at_bound))
-      number.note =
-          "the readings ask for no give at all, or less than none, which no part has: take it as rigid, or look "
-          "for a missing effect";
-    else if (number.is_at_bound)
-      number.note = "at its bound: the readings ask for more than is physical";
-    else if ((is_logarithm && sigma > 0.5) || (is_compliance && x < 2 * sigma))
-      number.note = "its compliance is within two sigmas of none: the readings hardly need it";
+    std::tie(number.lower, number.upper) = valuesBetween(unknown, lower, upper);
+    number.is_at_bound = std::count(at_bound.begin(), at_bound.end(), static_cast<int>(i)) > 0;
+    number.note = noteOf(number, is_compliance && give < 2 * sigma);
   }
 }
 

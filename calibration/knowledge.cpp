@@ -16,15 +16,7 @@ namespace {
 
 /// The other way round of valueAt().
 double variableAt(const Unknown& unknown, double value) {
-  switch (unknown.scale) {
-    case Unknown::Scale::kLogarithm:
-      return std::log(value / unknown.start);
-    case Unknown::Scale::kCompliance:
-      return 1 / value - 1 / unknown.start;
-    case Unknown::Scale::kLinear:
-      break;
-  }
-  return value - unknown.start;
+  return unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
 }
 
 void takeFit(const Identification& fit, Knowledge& knowledge) {

@@ -14,7 +14,8 @@ namespace {
 using deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStiffnessRange = 1e4;  // a fit may make an axis that much softer or stiffer
+constexpr double kStiffest = 1e4;        // a fit may make an axis that much stiffer than its start ...
+constexpr double kSoftest = 100;         // ... or give that often what it may well give
 constexpr double kHardlyGives = 1e-5;    // rad under the arm's whole weight at its reach: the start of a rigid axis
 constexpr double kMayGive = 0.02;        // rad under the same: what a rigid axis may typically turn out to give
 
@@ -56,6 +57,24 @@ double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   }
 }
 
+/// What a stiffness's number is multiplied by to be one of an angle: 1, or the rest of a member's E I / L or G J / L.
+double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) {
+  if (parameter.quantity == Quantity::kTorquePerAngle) return 1;
+  const auto& beam = *arm.rows.at(static_cast<std::size_t>(parameter.path.row)).beam;
+  const double length = deflection::reachOf(arm) / static_cast<double>(arm.rows.size());
+  const bool is_torsion = parameter.name.ends_with(".G") || parameter.name.ends_with(".J");
+  if (parameter.quantity == Quantity::kPressure) return (is_torsion ? beam.J : beam.I.minCoeff()) / length;
+  return (is_torsion ? beam.G : beam.E) / length;
+}
+
+/// The change of a stiffness's inverse by which its part gives what a part may well give under the arm's weight, or
+/// all that it is drawn to give. Not the start alone: that may be far too stiff, and what is told must not hang on it.
+double typicalCompliance(const Parameter& parameter, const deflection::Arm& arm) {
+  const double moment = weightOf(arm) * deflection::reachOf(arm);
+  const double of_angle = kMayGive / moment * angleStiffnessOf(parameter, arm);
+  return std::isfinite(of_angle) ? std::max(1 / parameter.value, of_angle) : 1 / parameter.value;
+}
+
 Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool was_rigid) {
   Unknown unknown;
   unknown.name = parameter.name;
@@ -63,15 +82,11 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
   unknown.path = parameter.path;
   unknown.start = parameter.value;
   unknown.typical = typicalOf(parameter, arm);
-  if (was_rigid) {
+  if (isStiffness(parameter.quantity) && parameter.path.effect < 0) {
     unknown.scale = Unknown::Scale::kCompliance;
-    unknown.typical = kMayGive / kHardlyGives / parameter.value;
-    unknown.lower = -0.99 / parameter.value;
-    unknown.upper = kInfinity;
-  } else if (isStiffness(parameter.quantity) && parameter.path.effect < 0) {
-    unknown.scale = Unknown::Scale::kLogarithm;
-    unknown.lower = -std::log(kStiffnessRange);
-    unknown.upper = std::log(kStiffnessRange);
+    unknown.typical = typicalCompliance(parameter, arm);
+    unknown.lower = (was_rigid ? -0.99 : 1 / kStiffest - 1) / parameter.value;
+    unknown.upper = kSoftest * unknown.typical;
   } else {
     unknown.lower = parameter.lower - parameter.value;
     unknown.upper = parameter.upper - parameter.value;
@@ -183,22 +198,13 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
 }
 
 double valueAt(const Unknown& unknown, double x) {
-  switch (unknown.scale) {
-    case Unknown::Scale::kLogarithm:
-      return unknown.start * std::exp(x);
-    case Unknown::Scale::kCompliance:
-      return 1 / (1 / unknown.start + x);
-    case Unknown::Scale::kLinear:
-      break;
-  }
-  return unknown.start + x;
+  return unknown.scale == Unknown::Scale::kCompliance ? 1 / (1 / unknown.start + x) : unknown.start + x;
 }
 
 Unknown rebased(Unknown unknown, double value) {
   if (unknown.owner == Unknown::Owner::kBase) return unknown;
-  const double x = unknown.scale == Unknown::Scale::kLogarithm    ? std::log(value / unknown.start)
-                   : unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start
-                                                                  : value - unknown.start;
+  const double x =
+      unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
   unknown.start = value;
   unknown.lower -= x;
   unknown.upper -= x;
@@ -207,15 +213,13 @@ Unknown rebased(Unknown unknown, double value) {
 
 double slopeAt(const Unknown& unknown, double x) {
   const double value = valueAt(unknown, x);
-  switch (unknown.scale) {
-    case Unknown::Scale::kLogarithm:
-      return value;
-    case Unknown::Scale::kCompliance:
-      return -value * value;
-    case Unknown::Scale::kLinear:
-      break;
-  }
-  return 1;
+  return unknown.scale == Unknown::Scale::kCompliance ? -value * value : 1;
+}
+
+std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, double upper) {
+  if (unknown.scale == Unknown::Scale::kLinear) return {valueAt(unknown, lower), valueAt(unknown, upper)};
+  const bool may_be_rigid = lower <= unknown.lower;
+  return {valueAt(unknown, upper), may_be_rigid ? deflection::kRigid : valueAt(unknown, lower)};
 }
 
 PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) {

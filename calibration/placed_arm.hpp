@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "calibration/measurement.hpp"
@@ -30,8 +31,8 @@ struct PlacedArm {
 [[nodiscard]] int placingOf(const PlacedArm& placed, const Measurement& reading);
 
 /// One number that a fit may change: of the arm, or one of the six of a placing (a shift [m] along, then a turn [rad]
-/// about, the world's axes, from where the placing started). Stiffnesses change by their logarithm, so that they stay
-/// positive; those of an axis that was rigid by its compliance, which starts next to nothing.
+/// about, the world's axes, from where the placing started). Stiffnesses change by their compliance, to which readings
+/// are all but linear up to the rigid axis itself; its bound keeps them positive.
 struct Unknown {
   enum class Owner { kArm, kBase };
   std::string name;  ///< "tool.joint_stiffness.z", "base.shift.x", "base.turn.z@SETUP"
@@ -39,7 +40,7 @@ struct Unknown {
   Owner owner = Owner::kArm;
   deflection::ParameterPath path;
   int placing = -1, component = -1;
-  enum class Scale { kLinear, kLogarithm, kCompliance };
+  enum class Scale { kLinear, kCompliance };
   Scale scale = Scale::kLinear;
   bool is_geometry = false;     ///< freed by `geometry`
   double typical = 1;           ///< how far the variable may well be from its start; the yardstick of what data tell
@@ -77,5 +78,8 @@ struct Unknowns {
 /// The value of a parameter for its variable, and the slope between them.
 [[nodiscard]] double valueAt(const Unknown& unknown, double x);
 [[nodiscard]] double slopeAt(const Unknown& unknown, double x);
+
+/// The values, least first, between two variables: a stiffness whose compliance may be none has no upper end.
+[[nodiscard]] std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, double upper);
 
 }  // namespace tubeplan::calibration

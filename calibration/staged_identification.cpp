@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "calibration/fit.hpp"
 #include "calibration/identification.hpp"
@@ -40,9 +41,7 @@ void widen(Identification& stage) {
     const double sigma = std::sqrt(stage.covariance(static_cast<Index>(i), static_cast<Index>(i))) * stage.widening;
     const Unknown unknown = rebased(number.unknown, number.value);
     number.sigma = sigma * std::abs(slopeAt(unknown, 0));
-    const double a = valueAt(unknown, -1.959964 * sigma), b = valueAt(unknown, 1.959964 * sigma);
-    number.lower = std::min(a, b);
-    number.upper = std::max(a, b);
+    std::tie(number.lower, number.upper) = valuesBetween(unknown, -1.959964 * sigma, 1.959964 * sigma);
     number.is_profile = false;
   }
 }

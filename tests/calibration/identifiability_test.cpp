@@ -53,11 +53,16 @@ std::vector<Measurement> positions(const PlacedArm& placed, int count, const std
   return maker.readings;
 }
 
-/// Rank by singular values, columns over their typical sizes.
-int rankOf(const Seen& seen) {
+Eigen::MatrixXd inTypicalSizes(const Seen& seen) {
   Eigen::MatrixXd columns = seen.jacobian;
   for (Eigen::Index k = 0; k < columns.cols(); ++k)
     columns.col(k) *= seen.unknowns[static_cast<std::size_t>(k)].typical;
+  return columns;
+}
+
+/// Rank by singular values, columns over their typical sizes.
+int rankOf(const Seen& seen) {
+  const Eigen::MatrixXd columns = inTypicalSizes(seen);
   const Eigen::VectorXd values = columns.bdcSvd().singularValues();
   return static_cast<int>((values.array() > 1e-8 * values[0]).count());
 }
@@ -203,17 +208,45 @@ TEST(Identifiability, WhatNoiseHidesIsNotTold) {
   const auto choice = FreeChoice{{"tool.joint_stiffness.z", "forearm.joint_stiffness.z"}, false};
   auto readings = positions(cobra(), 12);
   EXPECT_EQ(see(cobra(), readings, choice).found.kept.size(), 2u);
-  for (auto& m : readings) m.sigma = 0.05 * kInch;
+  for (auto& m : readings) m.sigma = 10 * kInch;
   const Seen blurred = see(cobra(), readings, choice);
-  EXPECT_TRUE(blurred.keeps("tool.joint_stiffness.z"));
-  EXPECT_FALSE(blurred.keeps("forearm.joint_stiffness.z"));
+  EXPECT_TRUE(blurred.found.kept.empty());
+}
+
+// What is told must not hang on a start that may be off by a factor.
+TEST(Identifiability, AStartFarTooStiffTellsTheSame) {
+  auto readings = positions(cobra(), 12);
+  for (const double factor : {1 / 3., 1., 3., 1000.}) {
+    PlacedArm off = cobra();
+    for (auto& row : off.arm.rows) row.joint_stiffness *= factor;
+    const Seen seen = see(off, readings, {{"tool.joint_stiffness.z", "forearm.joint_stiffness.z"}, false});
+    EXPECT_EQ(seen.found.kept.size(), 2u) << factor;
+  }
+}
+
+// What stands at its bound takes nothing from what can move.
+TEST(Identifiability, OfTwinsTheOneAtItsBoundIsHeld) {
+  PlacedArm placed = cobra();
+  const auto readings = positions(placed, 12);
+  Seen seen = see(placed, readings, {{"tool.tip.x", "geometry"}, true});
+  const int first = seen.found.kept.front();
+  IdentifiabilityOptions options;
+  Eigen::MatrixXd twice(seen.jacobian.rows(), 2);
+  twice << seen.jacobian.col(first), 2 * seen.jacobian.col(first);
+  const std::vector<Unknown> unknowns{seen.unknowns[static_cast<std::size_t>(first)],
+                                      seen.unknowns[static_cast<std::size_t>(first)]};
+  EXPECT_EQ(findIdentifiable(twice, unknowns, options).kept, std::vector<int>{0});
+  options.at_bound = {0};
+  EXPECT_EQ(findIdentifiable(twice, unknowns, options).kept, std::vector<int>{1});
+  options.twins_stay = true;
+  EXPECT_EQ(findIdentifiable(twice, unknowns, options).kept, (std::vector<int>{0, 1}));
 }
 
 TEST(Identifiability, SingularValuesAreThoseOfTheKeptColumns) {
   const Seen seen = see(cobra(), positions(cobra(), 12), {{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, false});
   ASSERT_EQ(seen.found.singular_values.size(), 2);
-  EXPECT_NEAR(seen.found.singular_values.squaredNorm(), seen.jacobian.squaredNorm(),
-              1e-9 * seen.jacobian.squaredNorm());
+  const double squares = inTypicalSizes(seen).squaredNorm();
+  EXPECT_NEAR(seen.found.singular_values.squaredNorm(), squares, 1e-9 * squares);
   EXPECT_GE(seen.found.singular_values[0], seen.found.singular_values[1]);
 }
 

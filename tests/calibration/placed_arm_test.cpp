@@ -56,8 +56,8 @@ TEST(PlacedArm, VariablesMeanWhatTheirScaleSays) {
   const auto unknowns =
       chooseUnknowns(placed, {{"tool.joint_stiffness.z", "tool.joint_stiffness.x", "forearm.dh.a"}, true}).list;
   const Unknown& soft = named(unknowns, "tool.joint_stiffness.z");
-  EXPECT_EQ(soft.scale, Unknown::Scale::kLogarithm);
-  EXPECT_NEAR(valueAt(soft, std::log(2)), 2 * soft.start, 1e-9 * soft.start);
+  EXPECT_EQ(soft.scale, Unknown::Scale::kCompliance);
+  EXPECT_NEAR(valueAt(soft, -0.5 / soft.start), 2 * soft.start, 1e-9 * soft.start);
   const Unknown& rigid = named(unknowns, "tool.joint_stiffness.x");
   EXPECT_EQ(rigid.scale, Unknown::Scale::kCompliance);
   EXPECT_TRUE(std::isfinite(placed.arm.rows[5].joint_stiffness.x())) << "becomes finite";

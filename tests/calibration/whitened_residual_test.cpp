@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Logarithms, a compliance, lengths, angles, a weight, a beam and twelve base steps.
+/// Stiffnesses, one of a rigid axis, lengths, angles, a weight, a beam and twelve base steps.
 FreeChoice everyScale() {
   return {{"tool.joint_stiffness.z", "latch-link.beam.Iz", "base-link.joint_stiffness.y", "forearm.dh.a",
            "latch-link.joint.offset", "forearm.weight.end", "tool.tip"},
@@ -88,12 +88,17 @@ TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
   addEveryKind(maker, 4, "B");
   PlacedArm start = cobraTwice();
   const auto unknowns = chooseUnknowns(start, {{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, true}).list;
-  const VectorXd x = VectorXd::Constant(static_cast<Index>(unknowns.size()), 0.01);
+  VectorXd x(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < x.size(); ++k) x[k] = 0.01 * unknowns[static_cast<std::size_t>(k)].typical;
   const auto weights = weighReadings(applied(start, unknowns, x), maker.readings);
   ASSERT_EQ(weights->points.size(), 8u);
   EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
-  const auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
-  const auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
+  auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
+  auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
+  for (Index k = 0; k < x.size(); ++k) {  // a compliance and an angle differ by many powers of ten
+    eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+    whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+  }
   const VectorXd step = eliminated.jacobian.colPivHouseholderQr().solve(-eliminated.r);
   const VectorXd whole_step = whole.jacobian.colPivHouseholderQr().solve(-whole.r);
   EXPECT_LE((step - whole_step.head(x.size())).norm(), 1e-9 * step.norm());
