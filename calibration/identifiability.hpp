@@ -14,8 +14,8 @@ struct IdentifiabilityOptions {
   double named_share = 0.15;  ///< of the largest part in a combination, for a name to be said
   double least_told = 0.25;   ///< of the noise that a named number's typical change must show at least: one that shows
                               ///< less wanders; geometry must show all of it
-  double noise = 1;        ///< what a number's typical change must show at least: sigma of a whitened residual, above
-                           ///< 1 where the model is known to be off
+  double noise = 1;         ///< what a number's typical change must show at least: sigma of a whitened residual, above
+                            ///< 1 where the model is known to be off
   bool twins_stay = false;  ///< named numbers stay wherever they show at all, also in what others do as well
   std::vector<int> at_bound;  ///< numbers that can move one way only: what others can do as well is not theirs
   Eigen::VectorXd offset;  ///< of each variable from its start, where the state is not the start: a number that could

@@ -14,10 +14,10 @@ namespace {
 using deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStiffest = 1e4;        // a fit may make an axis that much stiffer than its start ...
-constexpr double kSoftest = 100;         // ... or give that often what it may well give
-constexpr double kHardlyGives = 1e-5;    // rad under the arm's whole weight at its reach: the start of a rigid axis
-constexpr double kMayGive = 0.02;        // rad under the same: what a rigid axis may typically turn out to give
+constexpr double kStiffest = 1e4;      // a fit may make an axis that much stiffer than its start ...
+constexpr double kSoftest = 100;       // ... or give that often what it may well give
+constexpr double kHardlyGives = 1e-5;  // rad under the arm's whole weight at its reach: the start of a rigid axis
+constexpr double kMayGive = 0.02;      // rad under the same: what a rigid axis may typically turn out to give
 
 bool isStiffness(Quantity quantity) {
   return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
@@ -203,8 +203,7 @@ double valueAt(const Unknown& unknown, double x) {
 
 Unknown rebased(Unknown unknown, double value) {
   if (unknown.owner == Unknown::Owner::kBase) return unknown;
-  const double x =
-      unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
+  const double x = unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
   unknown.start = value;
   unknown.lower -= x;
   unknown.upper -= x;

@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, HiddenEffect,
                                          Hidden{"link-twist", "latch-link", {0.0012}},
                                          Hidden{"tool-offset", "tool", {0.0004, 0.0003, 0.0011}},
                                          Hidden{"payload-offset", "payload", {0.12, 0, 0.02}}),
-                         [](const auto& info) {
-                           std::string name = info.param.effect;
+                         [](const auto& case_info) {
+                           std::string name = case_info.param.effect;
                            std::erase(name, '-');
                            return name;
                          });
