@@ -104,26 +104,26 @@ VectorXd measuredOf(const Measurement& reading) {
   return reading.p_W ? VectorXd(*reading.p_W) : VectorXd::Zero(3);
 }
 
-void projectPoints(const std::vector<Measurement>&, const ReadingWeights& weights, WhitenedResidual& result) {
+/// Rows of a point's readings, one above the other.
+MatrixXd stackedRows(const ReadingWeights& weights, const ReadingWeights::UnknownPoint& point, const MatrixXd& of) {
+  MatrixXd stacked(3 * static_cast<Index>(point.readings.size()), of.cols());
+  for (std::size_t i = 0; i < point.readings.size(); ++i)
+    stacked.middleRows(3 * static_cast<Index>(i), 3) =
+        of.middleRows(weights.first_row[static_cast<std::size_t>(point.readings[i])], 3);
+  return stacked;
+}
+
+void spreadRows(const ReadingWeights& weights, const ReadingWeights::UnknownPoint& point, const MatrixXd& stacked,
+                MatrixXd& to) {
+  for (std::size_t i = 0; i < point.readings.size(); ++i)
+    to.middleRows(weights.first_row[static_cast<std::size_t>(point.readings[i])], 3) =
+        stacked.middleRows(3 * static_cast<Index>(i), 3);
+}
+
+void takePointsOffErrors(const ReadingWeights& weights, VectorXd& error) {
   for (const auto& point : weights.points) {
-    const auto n = static_cast<Index>(point.readings.size());
-    const Index columns = result.jacobian.cols();
-    MatrixXd stacked(3 * n, 1 + columns);
-    VectorXd places(3 * n);
-    for (Index i = 0; i < n; ++i) {
-      const Index row = weights.first_row[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
-      stacked.block(3 * i, 0, 3, 1) = result.r.segment(row, 3);
-      if (columns) stacked.block(3 * i, 1, 3, columns) = result.jacobian.middleRows(row, 3);
-      places.segment(3 * i, 3) = result.error.segment(row, 3);
-    }
-    stacked -= (point.Q * (point.Q.transpose() * stacked)).eval();
-    const Vector3d estimate = point.estimate * places;
-    for (Index i = 0; i < n; ++i) {
-      const Index row = weights.first_row[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
-      result.r.segment(row, 3) = stacked.block(3 * i, 0, 3, 1);
-      if (columns) result.jacobian.middleRows(row, 3) = stacked.block(3 * i, 1, 3, columns);
-      result.error.segment(row, 3) -= estimate;
-    }
+    const Vector3d estimate = point.estimate * stackedRows(weights, point, error);
+    for (const int k : point.readings) error.segment<3>(weights.first_row[static_cast<std::size_t>(k)]) -= estimate;
   }
 }
 
@@ -190,8 +190,22 @@ WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unkn
     if (with_jacobian) scatter(columns, placing, prediction, weights.whitener[k], row, result.jacobian);
   });
   result.ok = ok;
-  if (result.ok) projectPoints(readings, weights, result);
+  if (!result.ok) return result;
+  MatrixXd r = result.r;
+  takePointsOff(weights, r);
+  result.r = r;
+  takePointsOff(weights, result.jacobian);
+  takePointsOffErrors(weights, result.error);
   return result;
+}
+
+void takePointsOff(const ReadingWeights& weights, MatrixXd& columns) {
+  if (columns.cols() == 0) return;
+  for (const auto& point : weights.points) {
+    MatrixXd stacked = stackedRows(weights, point, columns);
+    stacked -= (point.Q * (point.Q.transpose() * stacked)).eval();
+    spreadRows(weights, point, stacked, columns);
+  }
 }
 
 VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {

@@ -49,6 +49,9 @@ struct WhitenedResidual {
                                                 const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                                 const Eigen::VectorXd& x, bool with_jacobian);
 
+/// Takes what the unknown points absorb off whitened columns (rows of `weights`).
+void takePointsOff(const ReadingWeights& weights, Eigen::MatrixXd& columns);
+
 /// Length of each reading's error [m].
 [[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                            const Eigen::VectorXd& error);

@@ -97,15 +97,29 @@ Candidate candidateOf(const deflection::Arm& arm, const EffectKind& kind, const 
   return candidate;
 }
 
-/// Columns of all effects that an arm carries, whitened, by their values.
+/// Columns of effects that an arm carries, whitened, for changes of their values by a unit.
 MatrixXd effectColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
                        const std::vector<Unknown>& unknowns) {
   const auto residual =
       whitenedResidual(placed, unknowns, readings, weights, VectorXd::Zero(static_cast<Index>(unknowns.size())), true);
-  return residual.ok ? residual.jacobian : MatrixXd();
+  if (!residual.ok) return {};
+  MatrixXd columns = residual.jacobian;
+  for (Index k = 0; k < columns.cols(); ++k) columns.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+  return columns;
+}
+
+std::vector<int> allSizes(const Candidate& candidate) {
+  std::vector<int> sizes(candidate.sizes.size());
+  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = static_cast<int>(k);
+  return sizes;
 }
 
 }  // namespace
+
+bool isStep(const Candidate& candidate) {
+  const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(candidate.neutral.kind)];
+  return candidate.shape >= 0 && kind.parameters[static_cast<std::size_t>(candidate.shape)].quantity == Quantity::kTime;
+}
 
 int placeEffect(deflection::Arm& arm, const Candidate& candidate, double shape) {
   arm.effects.push_back(candidate.neutral);
@@ -137,13 +151,60 @@ MatrixXd linearizeCandidate(const PlacedArm& placed, const std::vector<Measureme
                             const ReadingWeights& weights, const Candidate& candidate, double shape) {
   PlacedArm with = placed;
   const int effect = placeEffect(with.arm, candidate, shape);
-  std::vector<int> sizes(candidate.sizes.size());
-  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = static_cast<int>(k);
-  const auto unknowns = effectUnknowns(with.arm, candidate, effect, sizes);
-  MatrixXd columns = effectColumns(with, readings, weights, unknowns);
-  for (Index k = 0; k < columns.cols(); ++k) columns.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
-  return columns;
+  return effectColumns(with, readings, weights, effectUnknowns(with.arm, candidate, effect, allSizes(candidate)));
 }
+
+namespace {
+
+/// Columns of candidates that share an arm, level by level: shapes at one place would add up.
+void linearizeLevels(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                     Catalogue& catalogue) {
+  std::size_t most_levels = 0;
+  for (const auto& candidate : catalogue.candidates)
+    if (!isStep(candidate)) most_levels = std::max(most_levels, candidate.levels.size());
+  for (std::size_t level = 0; level < most_levels; ++level) {
+    PlacedArm with = placed;
+    std::vector<Unknown> unknowns;
+    std::vector<std::pair<int, Index>> owners;
+    for (std::size_t c = 0; c < catalogue.candidates.size(); ++c) {
+      const Candidate& candidate = catalogue.candidates[c];
+      if (level >= candidate.levels.size() || isStep(candidate)) continue;
+      const int effect = placeEffect(with.arm, candidate, candidate.levels[level]);
+      const auto own = effectUnknowns(with.arm, candidate, effect, allSizes(candidate));
+      owners.emplace_back(static_cast<int>(c), static_cast<Index>(unknowns.size()));
+      unknowns.insert(unknowns.end(), own.begin(), own.end());
+    }
+    const MatrixXd columns = effectColumns(with, readings, weights, unknowns);
+    if (columns.cols() == 0) continue;
+    for (const auto& [c, first] : owners) {
+      const auto count = static_cast<Index>(catalogue.candidates[static_cast<std::size_t>(c)].sizes.size());
+      catalogue.columns.push_back({c, static_cast<int>(level), columns.middleCols(first, count)});
+    }
+  }
+}
+
+/// A step's columns at every time from one linearisation: before its time it does nothing.
+void linearizeSteps(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                    Catalogue& catalogue) {
+  ReadingWeights apart = weights;
+  apart.points.clear();
+  for (std::size_t c = 0; c < catalogue.candidates.size(); ++c) {
+    const Candidate& candidate = catalogue.candidates[c];
+    if (!isStep(candidate)) continue;
+    const MatrixXd always =
+        linearizeCandidate(placed, readings, apart, candidate, -std::numeric_limits<double>::infinity());
+    for (std::size_t level = 0; level < candidate.levels.size(); ++level) {
+      MatrixXd columns = always;
+      for (std::size_t k = 0; k < readings.size(); ++k)
+        if (readings[k].time < candidate.levels[level])
+          columns.middleRows(weights.first_row[k], rowsOf(readings[k])).setZero();
+      takePointsOff(weights, columns);
+      catalogue.columns.push_back({static_cast<int>(c), static_cast<int>(level), std::move(columns)});
+    }
+  }
+}
+
+}  // namespace
 
 Catalogue linearizeCatalogue(const PlacedArm& placed, const std::vector<Measurement>& readings,
                              const ReadingWeights& weights, const CatalogueOptions& options) {
@@ -160,34 +221,8 @@ Catalogue linearizeCatalogue(const PlacedArm& placed, const std::vector<Measurem
       catalogue.candidates.back().levels = levelsOf(catalogue.candidates.back(), placed, readings, options);
     }
   }
-  // Effects of one level share an arm; each level of a shape needs one of its own, for shapes at a place add up.
-  std::size_t most_levels = 0;
-  for (const auto& candidate : catalogue.candidates) most_levels = std::max(most_levels, candidate.levels.size());
-  for (std::size_t level = 0; level < most_levels; ++level) {
-    PlacedArm with = placed;
-    std::vector<Unknown> unknowns;
-    std::vector<std::pair<int, Index>> owners;
-    for (std::size_t c = 0; c < catalogue.candidates.size(); ++c) {
-      const Candidate& candidate = catalogue.candidates[c];
-      if (level >= candidate.levels.size()) continue;
-      const int effect = placeEffect(with.arm, candidate, candidate.levels[level]);
-      std::vector<int> sizes(candidate.sizes.size());
-      for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = static_cast<int>(k);
-      const auto own = effectUnknowns(with.arm, candidate, effect, sizes);
-      owners.emplace_back(static_cast<int>(c), static_cast<Index>(unknowns.size()));
-      unknowns.insert(unknowns.end(), own.begin(), own.end());
-    }
-    const MatrixXd columns = effectColumns(with, readings, weights, unknowns);
-    if (columns.cols() == 0) continue;
-    for (const auto& [c, first] : owners) {
-      const Candidate& candidate = catalogue.candidates[static_cast<std::size_t>(c)];
-      CandidateColumns entry{c, static_cast<int>(level),
-                             columns.middleCols(first, static_cast<Index>(candidate.sizes.size()))};
-      for (Index k = 0; k < entry.columns.cols(); ++k)
-        entry.columns.col(k) *= unknowns[static_cast<std::size_t>(first + k)].typical;
-      catalogue.columns.push_back(std::move(entry));
-    }
-  }
+  linearizeLevels(placed, readings, weights, catalogue);
+  linearizeSteps(placed, readings, weights, catalogue);
   return catalogue;
 }
 

@@ -20,6 +20,9 @@ struct Candidate {
   std::vector<double> lower, upper;  ///< of each value
 };
 
+/// Whether its shape is the time of a step, before which it does nothing.
+[[nodiscard]] bool isStep(const Candidate& candidate);
+
 /// Columns of a candidate at one of its shape levels, one for each size, for a change by its unit.
 struct CandidateColumns {
   int candidate = -1;

@@ -305,15 +305,14 @@ void sortByRemainingNoise(const Work& work, std::vector<Explanation>& fits) {
   for (auto& fit : fits) fit.is_near_best = criterion(fit) <= best + work.options.gap;
 }
 
-void decide(const Work& work, Finding finding, double evidence_needed, Diagnosis& result) {
-  const bool is_seen = result.evidence > evidence_needed;
+void decide(const Work& work, Finding finding, Diagnosis& result) {
+  const bool is_seen = result.evidence > result.threshold;
   if (finding.good.empty()) sortByRemainingNoise(work, finding.fits);
   const bool is_off = result.p_value < work.options.misfit || result.smooth_p_value < work.options.misfit;
   result.closest = finding.fits;
   if (result.closest.size() > kMostAlternatives) result.closest.resize(kMostAlternatives);
   if (!is_seen && !is_off) {
-    const bool is_near = result.evidence > evidence_needed - 1;
-    result.verdict = is_near ? Verdict::kInconclusive : Verdict::kAdequate;
+    result.verdict = result.evidence > result.hint_threshold ? Verdict::kInconclusive : Verdict::kAdequate;
     return;
   }
   if (finding.good.empty()) {
@@ -379,12 +378,14 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   const auto singles = bestVariants(work);
   for (int v = 0; v < static_cast<int>(work.space.variants().size()); ++v)
     result.evidence = std::max(result.evidence, work.space.evidence(v, work.space.score({v})));
-  result.threshold = work.space.familyThreshold(options.false_alarm, options.draws, options.seed);
+  const auto thresholds = work.space.familyThresholds({options.false_alarm, options.hint}, options.draws, options.seed);
+  result.threshold = thresholds[0];
+  result.hint_threshold = thresholds[1];
   Finding finding;
   if (result.evidence > result.threshold || std::min(result.p_value, result.smooth_p_value) < options.misfit)
     finding = findExplanations(work, singles);
   rank(work, singles, finding.fits, result);
-  decide(work, std::move(finding), result.threshold, result);
+  decide(work, std::move(finding), result);
   listDetectable(work, result.threshold, result);
   judgeAll(work, held_out, result);
   result.views = viewsOf(work.basis, result, readings);

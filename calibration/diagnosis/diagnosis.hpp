@@ -18,6 +18,7 @@ struct DiagnosisOptions {
   IdentificationOptions baseline;  ///< what is free beside the effect
   CatalogueOptions catalogue;
   double false_alarm = 0.04;   ///< chance of naming anything where nothing is missing, by the best candidate
+  double hint = 0.12;          ///< chance of calling readings inconclusive, or worse, where nothing is missing
   double misfit = 0.003;       ///< the same by what remains, over all readings or smooth in the joints
   double lack_of_fit = 0.003;  ///< chance of refusing a model that is right
   double gap = 8;              ///< in the information criterion: models within it cannot be told apart
@@ -91,6 +92,7 @@ struct Diagnosis {
   double smooth_p_value = 1;     ///< of what of it follows the joints smoothly
   int degrees_of_freedom = 0;
   double evidence = 0, threshold = 0;  ///< of the best candidate, and what noise alone reaches: -log10 p
+  double hint_threshold = 0;           ///< what it reaches more often: below it nothing is hinted at
   DiagnosisViews views;
 };
 

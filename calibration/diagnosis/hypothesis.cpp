@@ -22,12 +22,6 @@ struct Part {
   VectorXd start;  ///< in internal units
 };
 
-bool isTime(const Candidate& candidate) {
-  return candidate.shape >= 0 && deflection::effectKinds()[static_cast<std::size_t>(candidate.neutral.kind)]
-                                         .parameters[static_cast<std::size_t>(candidate.shape)]
-                                         .quantity == deflection::Quantity::kTime;
-}
-
 double unitOf(const Candidate& candidate, int size) {
   return candidate.unit[static_cast<std::size_t>(candidate.sizes[static_cast<std::size_t>(size)])];
 }
@@ -71,7 +65,7 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
     effects.push_back(effect);
     auto own = effectUnknowns(model.placed.arm, *part.candidate, effect, part.sizes);
     VectorXd start = part.start;
-    if (part.candidate->shape >= 0 && !isTime(*part.candidate)) {
+    if (part.candidate->shape >= 0 && !isStep(*part.candidate)) {
       Candidate shape = *part.candidate;
       shape.sizes = {shape.shape};
       auto unknown = effectUnknowns(model.placed.arm, shape, effect, {0}).front();
@@ -95,7 +89,7 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
   result.chi2 = residual.r.squaredNorm();
   result.after = errorSize(basis.readings, basis.weights, residual.error);
   int numbers = static_cast<int>(model.unknowns.size());
-  for (const Part& part : parts) numbers += isTime(*part.candidate);
+  for (const Part& part : parts) numbers += isStep(*part.candidate);
   const int freedom = basis.weights.degrees_of_freedom - numbers;
   result.p_value = chiSquareTail(result.chi2, freedom);
   result.smooth_p_value = findSmoothMisfit(result.fitted, basis.readings, basis.weights, residual).p_value;
@@ -156,7 +150,7 @@ Explanation fitExplanation(const DiagnosisBasis& basis, const Catalogue& catalog
     for (std::size_t k = 0; k < variant.sizes.size(); ++k, ++at)
       part.start[static_cast<Index>(k)] =
           (at < score.sizes.size() ? score.sizes[at] : 0) * unitOf(candidate, variant.sizes[k]);
-    if (isTime(candidate)) part.shape = refinedTime(basis, candidate, variant.level, variant.sizes);
+    if (isStep(candidate)) part.shape = refinedTime(basis, candidate, variant.level, variant.sizes);
     parts.push_back(std::move(part));
   }
   return fitParts(basis, parts);

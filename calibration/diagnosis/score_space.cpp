@@ -1,5 +1,7 @@
 #include "calibration/diagnosis/score_space.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -17,8 +19,9 @@ namespace {
 constexpr double kAbsorbed = 1e-4;  // kept share of a column below which it is the fit's own
 constexpr double kBeyondBand = 2;   // sigmas by which a size may pass the plausible band
 constexpr double kSingular = 1e-8;  // of the largest eigenvalue
+constexpr double kRidge = 1e-10;    // of the largest diagonal
 
-constexpr std::size_t kMostColumns = 8;
+constexpr int kMostColumns = 8;
 
 /// -log10 of the chance of a fall that large by noise alone.
 double evidenceOf(double fall, double degrees, bool one_sided) {
@@ -91,6 +94,14 @@ ScoreSpace::ScoreSpace(const Catalogue& catalogue, const MatrixXd& jacobian, con
   for (Variant& variant : variants_) variant.inverse = inverseOf(G_(variant.columns, variant.columns));
 }
 
+/// A hard bound (a gap below none) ends an effect; the plausible band may be passed by what noise explains.
+bool ScoreSpace::isPhysical(int column, double size, double sigma) const {
+  const auto c = static_cast<std::size_t>(column);
+  const double slack = kBeyondBand * sigma;
+  return !(lower_[c] == 0 && size < 0) && !(upper_[c] == 0 && size > 0) && size >= lower_[c] - slack &&
+         size <= upper_[c] + slack;
+}
+
 Score ScoreSpace::solved(const std::vector<int>& columns, const MatrixXd& inverse, const VectorXd& b) const {
   Score score;
   if (inverse.size() == 0) {
@@ -101,12 +112,7 @@ Score ScoreSpace::solved(const std::vector<int>& columns, const MatrixXd& invers
   score.sizes = inverse * right;
   score.sigma = inverse.diagonal().cwiseSqrt();
   for (Index k = 0; k < right.size(); ++k) {
-    const auto c = static_cast<std::size_t>(columns[static_cast<std::size_t>(k)]);
-    const double slack = kBeyondBand * score.sigma[k];
-    // A hard bound (a gap below none) ends an effect; the plausible band may be passed by what noise explains.
-    if ((lower_[c] == 0 && score.sizes[k] < 0) || (upper_[c] == 0 && score.sizes[k] > 0) ||
-        score.sizes[k] < lower_[c] - slack || score.sizes[k] > upper_[c] + slack)
-      score.is_physical = false;
+    if (!isPhysical(columns[static_cast<std::size_t>(k)], score.sizes[k], score.sigma[k])) score.is_physical = false;
   }
   if (score.is_physical) score.fall = right.dot(score.sizes);
   return score;
@@ -159,35 +165,54 @@ double ScoreSpace::correlation(int a, int b) const {
   return std::min(1., cross.jacobiSvd().singularValues()[0]);
 }
 
-double ScoreSpace::familyThreshold(double level, int draws, std::uint64_t seed) const {
-  if (variants_.empty()) return 0;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(G_);
-  const MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+/// As score(), without a place for the sizes on the heap.
+double ScoreSpace::fallAt(const Variant& variant, const VectorXd& b) const {
+  const auto n = static_cast<Index>(variant.columns.size());
+  if (variant.inverse.size() == 0) return 0;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostColumns, 1> right(n), sizes(n);
+  for (Index k = 0; k < n; ++k) right[k] = b[variant.columns[static_cast<std::size_t>(k)]];
+  sizes.noalias() = variant.inverse * right;
+  for (Index k = 0; k < n; ++k)
+    if (!isPhysical(variant.columns[static_cast<std::size_t>(k)], sizes[k], std::sqrt(variant.inverse(k, k)))) return 0;
+  return right.dot(sizes);
+}
+
+double ScoreSpace::mostEvidence(const VectorXd& b) const {
+  // Within variants of as many columns, the largest fall is the largest evidence: only that one needs its tail.
+  std::array<std::array<double, 2>, kMostColumns + 1> most{};
+  for (std::size_t v = 0; v < variants_.size(); ++v) {
+    double& fall = most[variants_[v].columns.size()][isOneSided(static_cast<int>(v))];
+    fall = std::max(fall, fallAt(variants_[v], b));
+  }
+  double evidence = 0;
+  for (std::size_t degrees = 1; degrees < most.size(); ++degrees)
+    for (const bool one_sided : {false, true})
+      if (most[degrees][one_sided] > 0)
+        evidence = std::max(evidence, evidenceOf(most[degrees][one_sided], static_cast<double>(degrees), one_sided));
+  return evidence;
+}
+
+std::vector<double> ScoreSpace::familyThresholds(const std::vector<double>& levels, int draws,
+                                                 std::uint64_t seed) const {
+  std::vector<double> thresholds(levels.size(), 0);
+  if (variants_.empty()) return thresholds;
+  const Index n = G_.rows();
+  // A ridge far below anything that counts makes the root of a singular G by Cholesky.
+  MatrixXd root = G_;
+  root.diagonal().array() += kRidge * G_.diagonal().maxCoeff();
+  const Eigen::LLT<MatrixXd> factor(root);
   boost::random::mt19937_64 random(seed);
   boost::random::normal_distribution<double> normal;
-  std::vector<double> best;
-  VectorXd z(root.cols());
-  // Within variants of as many columns, the largest fall is the largest evidence: only that one needs its tail.
-  std::vector<std::array<double, 2>> most(kMostColumns + 1);
-  for (int n = 0; n < draws; ++n) {
-    for (double& value : z) value = normal(random);
-    const VectorXd b = root * z;
-    for (auto& falls : most) falls = {0, 0};
-    for (int v = 0; v < static_cast<int>(variants_.size()); ++v) {
-      const Variant& variant = variants_[static_cast<std::size_t>(v)];
-      double& fall = most[variant.columns.size()][isOneSided(v)];
-      fall = std::max(fall, solved(variant.columns, variant.inverse, b).fall);
-    }
-    double evidence = 0;
-    for (std::size_t degrees = 1; degrees < most.size(); ++degrees)
-      for (const bool one_sided : {false, true})
-        if (most[degrees][one_sided] > 0)
-          evidence = std::max(evidence, evidenceOf(most[degrees][one_sided], static_cast<double>(degrees), one_sided));
-    best.push_back(evidence);
-  }
-  const auto at = static_cast<long>((1 - level) * static_cast<double>(draws));
-  std::nth_element(best.begin(), best.begin() + at, best.end());
-  return best[static_cast<std::size_t>(at)];
+  MatrixXd noise(n, draws);
+  for (double& value : noise.reshaped()) value = normal(random);
+  const MatrixXd b = factor.matrixL() * noise;
+  std::vector<double> best(static_cast<std::size_t>(draws));
+  tbb::parallel_for(0, draws,
+                    [&](int k) { best[static_cast<std::size_t>(k)] = mostEvidence(b.col(static_cast<Index>(k))); });
+  std::sort(best.begin(), best.end());
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    thresholds[k] = best[std::min(best.size() - 1, static_cast<std::size_t>((1 - levels[k]) * draws))];
+  return thresholds;
 }
 
 }  // namespace tubeplan::calibration

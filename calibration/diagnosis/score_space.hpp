@@ -50,13 +50,19 @@ class ScoreSpace {
   /// Largest canonical correlation of two variants' projected signatures.
   [[nodiscard]] double correlation(int a, int b) const;
 
-  /// Upper 1 - level quantile, by simulated noise, of the best variant's -log10 p over the whole catalogue.
-  [[nodiscard]] double familyThreshold(double level, int draws, std::uint64_t seed) const;
+  /// Upper 1 - level quantile for each level, by simulated noise, of the best variant's -log10 p over the whole
+  /// catalogue.
+  [[nodiscard]] std::vector<double> familyThresholds(const std::vector<double>& levels, int draws,
+                                                     std::uint64_t seed) const;
 
   /// The evidence of one variant alone: -log10 of the p-value of its fall, one-sided where its size has a sign.
   [[nodiscard]] double evidence(int variant, const Score& score) const;
 
  private:
+  [[nodiscard]] bool isPhysical(int column, double size, double sigma) const;
+  /// The most of -log10 p over the catalogue at one draw of noise.
+  [[nodiscard]] double mostEvidence(const Eigen::VectorXd& b) const;
+  [[nodiscard]] double fallAt(const Variant& variant, const Eigen::VectorXd& b) const;
   [[nodiscard]] Score solved(const std::vector<int>& columns, const Eigen::MatrixXd& inverse,
                              const Eigen::VectorXd& b) const;
   [[nodiscard]] bool isOneSided(int variant) const;

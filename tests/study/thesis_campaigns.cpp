@@ -124,7 +124,6 @@ PlacedArm runCampaign(const Campaign& campaign, PlacedArm truth, PlacedArm start
   for (const auto& name : campaign.free) numberOf(near.arm, name) = numberOf(truth.arm, name);
   const auto reference = identify(near, maker.readings, from_truth);
   ++tally.runs;
-  if (getenv("DBG")) for (const auto* r : {&result, &reference}) { fmt::print("chi2 {:.3f} status {} {}\n", r->chi2, (int)r->status, r->reason); for (const auto& n : r->numbers) fmt::print("   {} true {:.4g} start {:.4g} value {:.4g} sigma {:.3g} [{:.3g} {:.3g}] held {} bound {} {}\n", n.unknown.name, numberOf(truth.arm, n.unknown.name), n.unknown.start, n.value, n.sigma, n.lower, n.upper, n.is_held, n.is_at_bound, n.note); }
   tally.not_converged += result.status != IdentificationStatus::kDone;
   if (result.status != IdentificationStatus::kDone) return start;
   tally.same_optimum += std::abs(result.chi2 - reference.chi2) < 1e-3 * reference.chi2;
