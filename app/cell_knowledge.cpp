@@ -11,6 +11,7 @@ std::vector<calibration::Measurement> readingsMade(const std::string& file, cons
   if (file.empty()) return {};
   auto readings = readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, file, sigma / cell.units.factor(dimension::kLength));
+  requireDefinedFormulas(readings, cell, file);
   return readings;
 }
 

@@ -15,7 +15,9 @@ constexpr Command kCommands[] = {
      "tubeplan identify cell.yaml readings.csv --free tool.tip,geometry",
      configureIdentify},
     {"add", "the cell with an effect switched on, to be fitted with the rest",
-     "tubeplan add app/cells/bench.yaml backlash@tool.z --out better.yaml", configureAdd},
+     "tubeplan add app/cells/bench.yaml backlash@tool.z --out better.yaml\n"
+     "tubeplan add app/cells/bench.yaml --formula 'theta3 += c*sin(3*theta1)' --out better.yaml",
+     configureAdd},
     {"compare", "where the model fails, by how much, and what its error follows",
      "tubeplan compare app/cells/bench.yaml readings.csv --json comparison.json", configureCompare},
     {"diagnose", "which effect the model lacks: one, one of several, none, or none that is known",

@@ -5,6 +5,7 @@
 #include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
 #include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
 #include "app/workcell.hpp"
 
@@ -46,6 +47,7 @@ std::vector<calibration::Touch> rehearsedTouches(const PlanOutcome& outcome, std
 std::vector<calibration::Touch> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.touches == "auto") return rehearsedTouches(outcome, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
+  requireDefinedFormulas(readings, outcome.cell, request.touches);
   const auto touches = touchesOf(readings, outcome.cell, request.touches);
   if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
     throw InputError(request.touches, problem, "three or more different holes, well spread", "touch another hole");

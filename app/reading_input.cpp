@@ -9,6 +9,7 @@
 #include "app/touch_input.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
+#include "deflection/effects/formula.hpp"
 
 namespace tubeplan::app {
 
@@ -72,6 +73,16 @@ void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std:
     else
       throw InputError(fmt::format("{}:{}", file, reading.line), "a reading without sigma", "its noise",
                        fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+  }
+}
+
+void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
+  for (const auto& reading : readings) {
+    const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
+    const auto undefined = deflection::findUndefinedFormula(cell.arm, posture);
+    if (!undefined.empty())
+      throw InputError(fmt::format("{}:{} (reading {})", file, reading.line, reading.id), undefined,
+                       "a formula with a finite value at every reading", "change the formula in " + cell.path);
   }
 }
 

@@ -15,6 +15,10 @@ namespace tubeplan::app {
 void stateSigma(std::vector<calibration::Measurement>& readings, const Cell& cell, const std::string& file,
                 double sigma);
 
+/// Throws InputError for the first reading at which a formula of the cell has no finite value or slope.
+void requireDefinedFormulas(const std::vector<calibration::Measurement>& readings, const Cell& cell,
+                            const std::string& file);
+
 /// Plain sentences about readings that look wrong: slips of units, touches of a neighbouring hole, loads beyond the
 /// arm's own weight. Nothing is changed by them.
 [[nodiscard]] std::vector<std::string> readingWarnings(const calibration::Identification& result,

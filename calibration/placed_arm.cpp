@@ -38,10 +38,7 @@ double weightOf(const deflection::Arm& arm) {
 double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.path.effect >= 0) {
     const auto& effect = arm.effects.at(static_cast<std::size_t>(parameter.path.effect));
-    return deflection::effectKinds()
-        .at(static_cast<std::size_t>(effect.kind))
-        .parameters.at(static_cast<std::size_t>(parameter.path.value))
-        .plausible;
+    return deflection::numbersOf(effect).at(static_cast<std::size_t>(parameter.path.value)).plausible;
   }
   switch (parameter.quantity) {
     case Quantity::kLength:

@@ -66,6 +66,17 @@ FlexibleKinematics iterate(const Arm& arm, const Posture& posture, const Flexibl
   return result;
 }
 
+/// No shape: its numbers are not to be used.
+FlexibleKinematics undefinedShape(const Arm& arm, const std::string& reason) {
+  FlexibleKinematics result;
+  result.status = KinematicsStatus::kUndefined;
+  result.reason = reason;
+  result.rows.resize(arm.rows.size());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  result.X_BT.p = result.X_BD.p = Eigen::Vector3d::Constant(nan);
+  return result;
+}
+
 /// From the axes of the moved base M to those of the base as named.
 void moveBase(const PoseOf<double>& X_BM, FlexibleKinematics& shape) {
   shape.X_BT = X_BM * shape.X_BT;
@@ -84,6 +95,7 @@ FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& postur
                                            const FlexibleKinematicsOptions& options) {
   if (arm.effects.empty()) return iterate(arm, posture, options);
   const Situation<double> situation = situationOf(arm, posture);
+  if (!situation.undefined.empty()) return undefinedShape(arm, situation.undefined);
   FlexibleKinematics result = iterate(situation.arm, situation.posture, options);
   moveBase(situation.X_BM, result);
   return result;

@@ -34,7 +34,12 @@ struct FlexibleKinematicsOptions {
   int max_iterations = 100;
 };
 
-enum class KinematicsStatus { kNotRun, kConverged, kNotConverged };
+enum class KinematicsStatus {
+  kNotRun,
+  kConverged,
+  kNotConverged,
+  kUndefined,  ///< an effect has no finite value at the posture
+};
 
 /// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
 struct RowState {

@@ -217,14 +217,14 @@ void appendRowParameters(Arm& arm, int row, std::vector<Parameter>& out) {
 
 template <class To, class From>
 EffectOf<To> castEffect(const EffectOf<From>& effect) {
-  EffectOf<To> out{effect.kind, effect.place, {}};
+  EffectOf<To> out{effect.kind, effect.place, {}, effect.formula};
   for (const From& value : effect.values) out.values.push_back(castScalar<To>(value));
   return out;
 }
 
 void appendEffectParameters(const Arm& arm, int index, std::vector<Parameter>& out) {
   const Effect& effect = arm.effects[index];
-  const auto& numbers = effectKinds().at(effect.kind).parameters;
+  const auto& numbers = numbersOf(effect);
   for (int k = 0; k < static_cast<int>(numbers.size()); ++k) {
     const EffectNumber number = numberOf(arm, effect, k);
     out.push_back({textOf(arm, effect) + "." + numbers[k].name, number.quantity, ParameterPath{-1, -1, -1, index, k},

@@ -12,6 +12,7 @@
 #include "app/input_error.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
 
 namespace tubeplan::app {
@@ -27,6 +28,7 @@ struct CalibrateOptions {
 int run(const CalibrateOptions& options) {
   const Cell cell = readCell(options.cell);
   const auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  requireDefinedFormulas(readings, cell, options.measurements);
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");

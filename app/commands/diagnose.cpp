@@ -40,6 +40,7 @@ int run(const DiagnoseOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, options.measurements, options.sigma);
+  requireDefinedFormulas(readings, cell, options.measurements);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
   calibration::DiagnosisOptions diagnosis;

@@ -10,10 +10,12 @@
 #include "app/command_inputs.hpp"
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
+#include "app/overlap_report.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
 #include "app/suggestion.hpp"
+#include "calibration/diagnosis/formula_overlap.hpp"
 
 namespace tubeplan::app {
 
@@ -107,6 +109,7 @@ int run(const IdentifyOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, options.measurements, options.sigma);
+  requireDefinedFormulas(readings, cell, options.measurements);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   const auto result = identifyAsAsked(options, cell, readings);
@@ -117,9 +120,11 @@ int run(const IdentifyOptions& options) {
       writeFileAtomically(file.path, file.text, "--out");
   nlohmann::json json = identificationJson(result, readings, cell.units);
   json["warnings"] = warnings;
+  const auto overlaps = calibration::findFormulaOverlaps(result, readings);
+  if (!overlaps.empty()) json["overlap"] = overlapJson(overlaps);
   writeJson(options.json, json);
   if (printsText(options.json)) {
-    fmt::print("{}", identificationText(result, readings, cell.units));
+    fmt::print("{}{}", identificationText(result, readings, cell.units), overlapText(overlaps));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
   return result.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;

@@ -99,6 +99,7 @@ int run(const ImproveOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   stateSigma(readings, cell, options.measurements, options.sigma);
+  requireDefinedFormulas(readings, cell, options.measurements);
   checkJsonTarget(options.json);
   checkWritableFile(options.out, "--out");
   const auto result = improve(options, readings, cell);

@@ -53,6 +53,7 @@ int run(const LadderOptions& options) {
     const Cell cell = readCell(path);
     auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
     stateSigma(readings, cell, options.measurements, options.sigma);
+    requireDefinedFormulas(readings, cell, options.measurements);
     rungs.push_back(rungOf(path, cell, readings, options.seed));
     if (!units) units = cell.units;
   }

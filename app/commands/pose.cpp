@@ -73,6 +73,8 @@ int run(const PoseOptions& options) {
                                     deflection::gravityInBase(cell.arm, cell.X_WB)};
   checkJsonTarget(options.json);
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
+  if (shape.status == deflection::KinematicsStatus::kUndefined)
+    throw InputError("--joints", shape.reason, "a posture at which every formula of the cell has a value");
   if (shape.status != deflection::KinematicsStatus::kConverged) {
     fmt::print(stderr, "{}\n", shape.reason);
     return kNegativeAnswer;

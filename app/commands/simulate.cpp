@@ -230,7 +230,9 @@ Run configureSimulate(CLI::App& cli) {
       ->allow_extra_args(false);
   cli.add_option("--hide", options->hide,
                  "EFFECT@AT[:SIZE]: an effect that the cell does not have, backlash@tool.z:0.15deg or "
-                 "stiffening@tool.z:softness=0.6,knee=200; may be repeated")
+                 "stiffening@tool.z:softness=0.6,knee=200, or a formula with its sizes, 'theta3 += c*sin(3*theta1); "
+                 "c=0.1'; may be "
+                 "repeated")
       ->allow_extra_args(false);
   cli.add_option("--held-out", options->held_out, "share of the points or postures kept from the fit: 0.3");
   return [options] { return run(*options); };

@@ -112,9 +112,8 @@ std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identi
 }
 
 std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect) {
-  const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
   std::vector<std::string> names;
-  for (const auto& parameter : kind.parameters)
+  for (const auto& parameter : deflection::numbersOf(effect))
     if (parameter.quantity != deflection::Quantity::kTime)
       names.push_back(deflection::textOf(arm, effect) + "." + parameter.name);
   return names;

@@ -9,6 +9,7 @@
 #include "app/input_error.hpp"
 #include "app/readers/quantities.hpp"
 #include "app/suggestion.hpp"
+#include "deflection/effects/formula.hpp"
 
 namespace tubeplan::app {
 
@@ -16,11 +17,57 @@ namespace {
 
 using deflection::Effect, deflection::EffectKind, deflection::EffectStatus;
 
+constexpr const char* kFormula = "formula";
+
 const EffectKind& kindOf(const Effect& effect) {
   return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
 }
 
-Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
+deflection::FormulaUnits formulaUnitsOf(const Units& units) {
+  return {units.factor(dimension::kLength), units.factor(dimension::kAngle), units.factor(dimension::kForce),
+          units.temperature().factor,       units.temperature().offset,      units.factor(dimension::kTime)};
+}
+
+std::string withoutDigits(std::string text) {
+  std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  return text;
+}
+
+/// The symbol that a parameter may have been meant to be: "did you mean 'theta1'?"; empty where none. Names of one or
+/// two letters are near to everything: they count only where they differ from a symbol in its number.
+std::string misspeltSymbol(const std::string& name, const std::vector<std::string>& symbols) {
+  const bool is_short = name.size() < 3;
+  std::vector<std::string> candidates;
+  for (const auto& symbol : symbols)
+    if (!is_short || withoutDigits(symbol) == withoutDigits(name)) candidates.push_back(symbol);
+  return suggestion(name, candidates);
+}
+
+/// Throws for a formula that was not made, or that names what looks like a misspelt symbol.
+void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& arm, const Units& units,
+                    const std::string& where) {
+  std::vector<std::string> symbols;
+  for (const auto& named : deflection::formulaSymbols(arm, formulaUnitsOf(units))) symbols.push_back(named.name);
+  for (const auto& name : made.free)
+    if (const auto meant = misspeltSymbol(name, symbols); !meant.empty())
+      throw InputError(where, "the unknown name " + inQuotes(name), "a symbol, or a parameter",
+                       meant + " If it is a parameter, give it a start: '; " + name.substr(0, 60) + "=0'");
+  if (made.status == deflection::FormulaStatus::kMade) return;
+  std::string advice = suggestion(made.word, made.known);
+  if (advice.empty() && made.status == deflection::FormulaStatus::kBadTarget && !made.known.empty())
+    advice = fmt::format("the targets are {}", fmt::join(made.known, ", "));
+  throw InputError(where, made.found, made.expected, advice);
+}
+
+/// The effect at the start of its numbers: a formula, or one of the catalogue.
+Effect startOf(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
+  if (node.at("effect").text() == kFormula) {
+    const YamlNode& text = node.at(kFormula);
+    const YamlNode* at = node.find("at");
+    const auto made = deflection::makeFormula(arm, text.text(), formulaUnitsOf(units), at ? at->text() : "");
+    requireFormula(made, arm, units, text.where());
+    return made.effect;
+  }
   const auto made = deflection::makeEffect(arm, node.at("effect").text(), node.at("at").text());
   if (made.status == EffectStatus::kUnknownEffect)
     node.at("effect").fail("the unknown effect " + inQuotes(node.at("effect").text()), "an effect of the catalogue",
@@ -29,10 +76,20 @@ Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units&
     node.at("at").fail("the place " + inQuotes(node.at("at").text()) + ": " + made.reason,
                        made.known.empty() ? "another arm" : fmt::format("one of {}", fmt::join(made.known, ", ")),
                        suggestion(node.at("at").text(), made.known));
-  Effect effect = made.effect;
+  return made.effect;
+}
+
+Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
+  Effect effect = startOf(node, arm, units);
   std::vector<std::string> numbers;
-  for (const auto& parameter : kindOf(effect).parameters) numbers.emplace_back(parameter.name);
-  node.expectKeys({"effect", "at"}, numbers);
+  for (const auto& parameter : deflection::numbersOf(effect)) numbers.emplace_back(parameter.name);
+  if (effect.formula) {
+    std::vector<std::string> optional = numbers;
+    optional.emplace_back("at");
+    node.expectKeys({"effect", kFormula}, optional);
+  } else {
+    node.expectKeys({"effect", "at"}, numbers);
+  }
   for (std::size_t v = 0; v < numbers.size(); ++v) {
     const auto number = deflection::numberOf(arm, effect, static_cast<int>(v));
     effect.values[v] = readQuantityOr(node, numbers[v], units, dimensionOf(number.quantity), effect.values[v]);
@@ -96,10 +153,12 @@ void readSizes(const std::string& text, const deflection::Arm& arm, const Units&
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   std::vector<Effect> effects;
+  deflection::Arm with = arm;  // formulas without a place are numbered by those before them
   for (const YamlNode& item : node.list()) {
-    Effect effect = readEffect(item, arm, units);
+    with.effects = effects;
+    Effect effect = readEffect(item, with, units);
     const bool is_twice = std::any_of(effects.begin(), effects.end(), [&](const Effect& other) {
-      return other.kind == effect.kind && other.place == effect.place;
+      return deflection::textOf(arm, other) == deflection::textOf(arm, effect);
     });
     if (is_twice) item.fail(deflection::textOf(arm, effect) + " again", "every effect once at a place", "");
     effects.push_back(std::move(effect));
@@ -111,18 +170,35 @@ std::string effectsText(const deflection::Arm& arm, const Units& units) {
   std::vector<std::string> items;
   for (const Effect& effect : arm.effects) {
     const EffectKind& kind = kindOf(effect);
-    std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::textOf(arm, kind, effect.place));
+    std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::placeText(arm, effect));
+    // A formula has neither quotes nor backslashes.
+    if (effect.formula) item += fmt::format(", {}: \"{}\"", kFormula, effect.formula->text);
     for (std::size_t v = 0; v < effect.values.size(); ++v) {
       const Dimension unit = dimensionOf(deflection::numberOf(arm, effect, static_cast<int>(v)).quantity);
-      item += fmt::format(", {}: {}", kind.parameters[v].name, formatNumber(units.toFile(effect.values[v], unit)));
+      item += fmt::format(", {}: {}", deflection::numbersOf(effect)[v].name,
+                          formatNumber(units.toFile(effect.values[v], unit)));
     }
     items.push_back(item + "}");
   }
   return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
+Effect parseFormula(const std::string& text, const deflection::Arm& arm, const Units& units, const std::string& where,
+                    const std::string& at) {
+  const auto made = deflection::makeFormula(arm, text, formulaUnitsOf(units), at);
+  requireFormula(made, arm, units, where);
+  return made.effect;
+}
+
+std::string formulaUnitsText(const deflection::Arm& arm, const Effect& formula, const Units& units) {
+  return fmt::format("{}: joints in rad, lengths in {}, load in {}, temperature in {}, time in {}; its value in {}",
+                     deflection::placeText(arm, formula), units.length().name, units.force().name,
+                     units.temperature().name, units.time().name, units.nameOf(dimensionOf(formula.formula->quantity)));
+}
+
 ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, const Units& units,
                          const std::string& where) {
+  if (text.find("+=") != std::string::npos) return {parseFormula(text, arm, units, where), true};
   const std::size_t at = text.find('@');
   if (at == std::string::npos)
     throw InputError(where, inQuotes(text), "EFFECT@AT, as backlash@tool.z", "`tubeplan effects CELL` lists them");

@@ -65,6 +65,9 @@ const std::vector<EffectKind>& effectKinds();
 
 [[nodiscard]] std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text);
 
+/// Where it acts, as it is written: `tool.z`; of a formula its target.
+[[nodiscard]] std::string placeText(const Arm& arm, const Effect& effect);
+
 /// `backlash@tool.z`
 [[nodiscard]] std::string textOf(const Arm& arm, const Effect& effect);
 
@@ -79,6 +82,9 @@ struct MadeEffect {
 
 /// An effect at its neutral values, from its name and place: ("backlash", "tool.z").
 [[nodiscard]] MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at);
+
+/// The numbers of an effect, in the order of its values: those of its kind, or of its formula.
+[[nodiscard]] const std::vector<EffectParameter>& numbersOf(const Effect& effect);
 
 /// An effect's number as it is at its place: its quantity there and the bounds that the arm gives it.
 struct EffectNumber {

@@ -3,19 +3,32 @@
 #include <cmath>
 #include <set>
 
-#include "deflection/effects/effect.hpp"
+#include "deflection/effects/user_formula.hpp"
 
 namespace tubeplan::deflection {
 
 namespace {
 
-bool isOneOf(const Arm& arm, const EffectKind& kind, const Place& place) {
+/// Whether the rows that a formula speaks of are those of this arm.
+bool fits(const Arm& arm, const Formula& formula) {
+  const auto active = activeRows(arm);
+  const auto isJoint = [&](int row) { return std::find(active.begin(), active.end(), row) != active.end(); };
+  if (formula.target.of == FormulaTarget::Of::kJoint && !isJoint(formula.target.row)) return false;
+  return std::all_of(formula.inputs.begin(), formula.inputs.end(), [&](const Formula::Input& input) {
+    const FormulaSymbol& symbol = input.symbol;
+    const bool of_joint = symbol.of == FormulaSymbol::Of::kJoint || symbol.of == FormulaSymbol::Of::kSense;
+    return input.parameter >= 0 || (of_joint ? isJoint(symbol.row) : symbol.row < static_cast<int>(arm.rows.size()));
+  });
+}
+
+bool isWhereItCanBe(const Arm& arm, const EffectKind& kind, const Effect& effect) {
+  if (effect.formula) return kind.name == std::string_view(user_formula::kName) && fits(arm, *effect.formula);
   const auto all = kind.places(arm);
-  return std::find(all.begin(), all.end(), place) != all.end();
+  return std::find(all.begin(), all.end(), effect.place) != all.end();
 }
 
 void checkValues(const Arm& arm, const Effect& effect, std::vector<ArmProblem>& out) {
-  const auto& parameters = effectKinds()[effect.kind].parameters;
+  const auto& parameters = numbersOf(effect);
   const std::string name = textOf(arm, effect);
   if (effect.values.size() != parameters.size()) {
     out.push_back({name, std::to_string(effect.values.size()) + " numbers", std::to_string(parameters.size())});
@@ -46,7 +59,7 @@ std::vector<ArmProblem> findEffectProblems(const Arm& arm) {
       continue;
     }
     const EffectKind& kind = effectKinds()[effect.kind];
-    if (!isOneOf(arm, kind, effect.place)) {
+    if (!isWhereItCanBe(arm, kind, effect)) {
       out.push_back({path, std::string(kind.name) + " where it cannot be", "a place that this arm has for it"});
       continue;
     }

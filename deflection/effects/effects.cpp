@@ -25,6 +25,7 @@
 #include "deflection/effects/tool_offset.hpp"
 #include "deflection/effects/tool_weight.hpp"
 #include "deflection/effects/transmission_error.hpp"
+#include "deflection/effects/user_formula.hpp"
 
 namespace tubeplan::deflection {
 
@@ -38,6 +39,7 @@ const std::vector<EffectKind>& effectKinds() {
       contact_force::kind(),      joint_compliance::kind(), link_bending::kind(),
       link_torsion::kind(),       stiffening::kind(),       backlash::kind(),
       base_slip::kind(),          base_drift::kind(),       scale_error::kind(),
+      user_formula::kind(),
   };
   return kKinds;
 }
@@ -50,9 +52,14 @@ std::optional<int> findEffectKind(std::string_view name) {
   return static_cast<int>(found - kinds.begin());
 }
 
+std::string placeText(const Arm& arm, const Effect& effect) {
+  if (effect.formula) return effect.formula->at;
+  return textOf(arm, effectKinds().at(effect.kind), effect.place);
+}
+
 std::string textOf(const Arm& arm, const Effect& effect) {
   const EffectKind& kind = effectKinds().at(effect.kind);
-  return std::string(kind.name) + "@" + textOf(arm, kind, effect.place);
+  return std::string(kind.name) + "@" + placeText(arm, effect);
 }
 
 MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at) {
@@ -70,6 +77,7 @@ MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at
     made.status = EffectStatus::kUnknownPlace;
     made.known = placeTexts(arm, kind);
     made.reason = made.known.empty() ? "this arm has no place for it" : "it has no such place on this arm";
+    if (name == user_formula::kName) made.reason = "it is made from a text, as 'theta3 += c*sin(3*theta1)'";
     return made;
   }
   made.status = EffectStatus::kMade;
@@ -78,11 +86,16 @@ MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at
   return made;
 }
 
+const std::vector<EffectParameter>& numbersOf(const Effect& effect) {
+  return effect.formula ? effect.formula->parameters : effectKinds().at(effect.kind).parameters;
+}
+
 EffectNumber numberOf(const Arm& arm, const Effect& effect, int value) {
   const EffectKind& kind = effectKinds().at(effect.kind);
-  const EffectParameter& parameter = kind.parameters.at(value);
+  const EffectParameter& parameter = numbersOf(effect).at(value);
   EffectNumber number{parameter.quantity, parameter.lower, parameter.upper};
   if (parameter.least) number.lower = parameter.least(arm, effect.place);
+  if (effect.formula) return number;
   const bool of_slide =
       kind.stage == EffectStage::kReading && arm.rows.at(effect.place.row).joint.type == JointType::kPrismatic;
   if (of_slide && number.quantity == Quantity::kAngle) number.quantity = Quantity::kLength;

@@ -1,9 +1,12 @@
 // An effect as an arm carries it: which law, where, and its numbers. The laws are in effects/effect.hpp.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 namespace tubeplan::deflection {
+
+struct Formula;
 
 /// Where an effect acts; -1 where its rule has no use for the number. Indices are those of the arm's rows.
 struct Place {
@@ -13,12 +16,14 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// `kind` indexes effectKinds(); `values` are the kind's parameters in their order, in internal units.
+/// `kind` indexes effectKinds(); `values` are the kind's parameters, or those of its formula, in their order, in
+/// internal units.
 template <class S>
 struct EffectOf {
   int kind = -1;
   Place place;
   std::vector<S> values;
+  std::shared_ptr<const Formula> formula = nullptr;  ///< of an effect that the user writes; see effects/formula.hpp
 };
 using Effect = EffectOf<double>;
 

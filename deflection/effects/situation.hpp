@@ -17,6 +17,7 @@ struct Situation {
   Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector that turns gravity, base axes [rad]
   PoseOf<S> X_BM;                                ///< the base as moved, M, in the base as named
   S measurement_scale{1};                        ///< measured coordinates per true one
+  std::string undefined = {};                    ///< why an effect has no finite value here; empty where all have
 };
 
 /// The arm's effects applied at a posture. `arm` and `posture` must outlive the result.

@@ -110,5 +110,105 @@ TEST_F(EffectCommands, WrongNamesPlacesAndSizesAreRefused) {
   refused("backlash@tool.z:gab=0.1", "gap");
 }
 
+TEST_F(EffectCommands, AFormulaIsAddedFittedAndSetBesideTheCatalogue) {
+  const std::string formula = "'theta3 += c*sin(3*theta1)'";
+  simulate("'theta3 += c*sin(3*theta1); c=0.08'");
+  const std::string readings = path("set/measurements.csv");
+  const auto added = run("add " + bench() + " formula@theta3 --formula " + formula + " --out " + path("better.yaml"));
+  ASSERT_EQ(added.exit_code, 0) << added.err;
+  EXPECT_NE(added.out.find("freed formula@theta3.c"), std::string::npos) << added.out;
+  const auto identified =
+      run("identify " + path("better.yaml") + " " + readings + " --out " + path("fitted.yaml") + " --json -");
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  const json found = json::parse(identified.out);
+  const auto& numbers = found["parameters"];
+  const auto c =
+      std::find_if(numbers.begin(), numbers.end(), [](const json& n) { return n["name"] == "formula@theta3.c"; });
+  ASSERT_NE(c, numbers.end());
+  EXPECT_EQ((*c)["unit"], "deg");
+  EXPECT_LE(std::abs((*c)["value"].get<double>() - 0.08), 3 * (*c)["sigma"].get<double>());
+  EXPECT_LT((*c)["sigma"].get<double>(), 0.02);
+  EXPECT_LT(found["rms"]["heldout_after"].get<double>(), 1.1 * found["rms"]["noise_floor"].get<double>());
+  EXPECT_LT(found["rms"]["heldout_after"].get<double>(), 0.9 * found["rms"]["heldout_before"].get<double>());
+  ASSERT_EQ(found["overlap"].size(), 1U);
+  EXPECT_EQ(found["overlap"][0]["formula"], "formula@theta3");
+  for (const auto& effect : found["overlap"][0]["effects"]) EXPECT_LT(effect["share"].get<double>(), 0.9) << effect;
+
+  // The fitted cell goes round, and is the model of every other command.
+  const Cell cell = readCell(path("fitted.yaml"));
+  ASSERT_EQ(cell.arm.effects.size(), 1U);
+  EXPECT_NEAR(cell.arm.effects[0].values[0] / cell.units.factor(dimension::kAngle), (*c)["value"].get<double>(), 1e-9);
+  EXPECT_EQ(run("compare " + path("fitted.yaml") + " " + readings).exit_code, 0);
+  const auto diagnosed = run("diagnose " + path("fitted.yaml") + " " + readings + " --json -");
+  ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
+  EXPECT_TRUE(json::parse(diagnosed.out)["alternatives"].empty());
+}
+
+TEST_F(EffectCommands, AFormulaThatTheCatalogueHasIsNamed) {
+  simulate("");
+  const auto added = run("add " + bench() + " --formula 'theta4 += a*sin(2*theta4)' --readings " +
+                         path("set/measurements.csv") + " --out " + path("better.yaml"));
+  ASSERT_EQ(added.exit_code, 0) << added.err;
+  EXPECT_NE(added.out.find("100 % of the rest is transmission-error@theta4"), std::string::npos) << added.out;
+}
+
+TEST_F(EffectCommands, AFormulaReachesThePose) {
+  ASSERT_EQ(run("add " + bench() + " --formula 'theta2 += c*(theta1/pi*180 - 9); c=1' --out " + path("turned.yaml"))
+                .exit_code,
+            0);
+  const auto turned = json::parse(run("pose " + path("turned.yaml") + " --joints=10,60,-70,5 --json -").out);
+  const auto moved = json::parse(run("pose " + bench() + " --joints=10,61,-70,5 --json -").out);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(turned["flexible"]["position"][k].get<double>(), moved["flexible"]["position"][k].get<double>(), 1e-6);
+}
+
+TEST_F(EffectCommands, FormulasOfOneTargetGoRoundAFile) {
+  ASSERT_EQ(run("add " + bench() + " --formula 'theta3 += c*sin(3*theta1)' --out " + path("one.yaml")).exit_code, 0);
+  const auto second =
+      run("add " + path("one.yaml") + " --formula 'theta3 += c*sin(k*theta1); k=5' --out " + path("two.yaml"));
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_NE(second.out.find("formula@theta3#2.c, formula@theta3#2.k"), std::string::npos) << second.out;
+  const Cell cell = readCell(path("two.yaml"));
+  ASSERT_EQ(cell.arm.effects.size(), 2U);
+  EXPECT_EQ(deflection::textOf(cell.arm, cell.arm.effects[1]), "formula@theta3#2");
+  EXPECT_EQ(cell.arm.effects[1].values[1], 5);
+}
+
+TEST_F(EffectCommands, WrongFormulasAreRefused) {
+  const auto refused = [&](const std::string& formula, const std::string& says) {
+    const auto outcome = run("add " + bench() + " --formula '" + formula + "' --out " + path("x.yaml"));
+    EXPECT_EQ(outcome.exit_code, 2) << formula;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << formula << ": " << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("x.yaml")));
+  };
+  refused("theta3 += c*sin(3*thata1)", "did you mean 'theta1'?");
+  refused("theta3 += c*sin(3*theta7)", "did you mean 'theta");
+  refused("theta3 += c*laod", "did you mean 'load'?");
+  refused("thetta3 += c*load", "did you mean 'theta3'?");
+  refused("theta3 += c*sine(theta1)", "did you mean 'sin'?");
+  refused("theta3 += c*sin(theta1", "character 23");
+  refused("theta3 += c*sin(k*theta1)", "k=1");
+  refused("", "EFFECT@AT");
+  refused("theta3 += c*" + std::string(10000, '1'), "characters");
+  EXPECT_EQ(run("add " + bench() + " formula@theta3 --out x.yaml").exit_code, 2);
+  EXPECT_EQ(run("add " + bench() + " backlash@tool.z --formula 'theta3 += c*load' --out x.yaml").exit_code, 2);
+  EXPECT_EQ(run("add " + bench() + " formula@theta2 --formula 'theta3 += c*load' --out x.yaml").exit_code, 2);
+}
+
+TEST_F(EffectCommands, AFormulaWithoutAValueAtAReadingNamesTheReading) {
+  simulate("");
+  ASSERT_EQ(run("add " + bench() + " --formula 'theta3 += c/load' --out " + path("odd.yaml")).exit_code, 0);
+  const std::string readings = path("set/measurements.csv");
+  for (const std::string command : {"identify ", "compare ", "diagnose "}) {
+    const auto outcome = run(command + path("odd.yaml") + " " + readings);
+    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.out;
+    EXPECT_NE(outcome.err.find("measurements.csv:"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("load = 0"), std::string::npos) << outcome.err;
+  }
+  const auto pose = run("pose " + path("odd.yaml") + " --joints=10,60,-70,5");
+  EXPECT_EQ(pose.exit_code, 2) << pose.out;
+  EXPECT_NE(pose.err.find("load = 0"), std::string::npos) << pose.err;
+}
+
 }  // namespace
 }  // namespace tubeplan::app

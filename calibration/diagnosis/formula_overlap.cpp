@@ -1,0 +1,138 @@
+#include "calibration/diagnosis/formula_overlap.hpp"
+
+#include <algorithm>
+
+#include "calibration/diagnosis/candidates.hpp"
+#include "deflection/effects/formula.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kLeastShare = 0.05;
+constexpr double kAbsorbed = 1e-4;  // kept length of a signature below which nothing is left of it
+constexpr double kRank = 1e-8;      // of an effect's columns
+
+/// An orthonormal basis of what columns span; scales do not matter.
+MatrixXd spanOf(MatrixXd columns) {
+  for (auto column : columns.colwise())
+    if (column.norm() > 0) column.normalize();
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  qr.setThreshold(kRank);
+  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+MatrixXd without(const MatrixXd& Q, const MatrixXd& columns) {
+  return Q.cols() == 0 ? columns : MatrixXd(columns - Q * (Q.transpose() * columns));
+}
+
+/// The fitted numbers, where the fit left them.
+std::vector<Unknown> fittedUnknowns(const Identification& result) {
+  std::vector<Unknown> unknowns;
+  for (const int k : result.fitted_numbers) {
+    const IdentifiedNumber& number = result.numbers[static_cast<std::size_t>(k)];
+    unknowns.push_back(rebased(number.unknown, number.value));
+  }
+  return unknowns;
+}
+
+std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
+  std::vector<Unknown> unknowns;
+  for (const auto& parameter : deflection::parametersOf(placed.arm)) {
+    if (parameter.path.effect != effect) continue;
+    Unknown unknown;
+    unknown.name = parameter.name;
+    unknown.quantity = parameter.quantity;
+    unknown.path = parameter.path;
+    unknown.start = parameter.value;
+    unknowns.push_back(unknown);
+  }
+  return unknowns;
+}
+
+/// What a formula does to the readings: by its sizes as they stand together, each by itself where all of them are zero.
+MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
+  const auto& parameters = deflection::numbersOf(effect);
+  VectorXd sizes = VectorXd::Zero(columns.cols());
+  MatrixXd each(columns.rows(), 0);
+  for (Index k = 0; k < columns.cols(); ++k) {
+    if (parameters[static_cast<std::size_t>(k)].is_shape) continue;
+    sizes[k] = effect.values[static_cast<std::size_t>(k)];
+    each.conservativeResize(Eigen::NoChange, each.cols() + 1);
+    each.rightCols<1>() = columns.col(k).stableNormalized();
+  }
+  return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
+}
+
+/// The catalogue at the fit, and how to linearise a formula there.
+struct Setting {
+  const PlacedArm& placed;
+  const std::vector<Measurement>& readings;
+  const ReadingWeights& weights;
+  const std::vector<Unknown>& fitted;
+  const Catalogue& catalogue;
+
+  [[nodiscard]] MatrixXd jacobianBy(const std::vector<Unknown>& unknowns) const {
+    const VectorXd zero = VectorXd::Zero(static_cast<Index>(unknowns.size()));
+    return whitenedResidual(placed, unknowns, readings, weights, zero, true).jacobian;
+  }
+};
+
+std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, const MatrixXd& left) {
+  std::vector<EffectShare> shares;
+  for (const CandidateColumns& entry : at.catalogue.columns) {
+    const MatrixXd columns = without(others, entry.columns);
+    if (!(columns.norm() > kAbsorbed * entry.columns.norm())) continue;
+    const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
+    const Candidate& candidate = at.catalogue.candidates[static_cast<std::size_t>(entry.candidate)];
+    const auto same = std::find_if(shares.begin(), shares.end(), [&](const EffectShare& s) {
+      return s.effect == candidate.effect && s.at == candidate.at;
+    });
+    if (same != shares.end())
+      same->share = std::max(same->share, share);
+    else if (share > kLeastShare)
+      shares.push_back({candidate.effect, candidate.at, share});
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const EffectShare& a, const EffectShare& b) { return a.share > b.share; });
+  return shares;
+}
+
+FormulaOverlap overlapOf(const Setting& at, int effect) {
+  const deflection::Effect& formula = at.placed.arm.effects[static_cast<std::size_t>(effect)];
+  FormulaOverlap overlap;
+  overlap.formula = deflection::textOf(at.placed.arm, formula);
+  std::vector<Unknown> others = at.fitted;
+  std::erase_if(others, [&](const Unknown& u) { return u.path.effect == effect; });
+  const MatrixXd Q = others.empty() ? MatrixXd() : spanOf(at.jacobianBy(others));
+  const MatrixXd signature = signatureOf(formula, at.jacobianBy(numbersOf(at.placed, effect)));
+  if (signature.cols() == 0 || signature.norm() == 0) return overlap;
+  const MatrixXd left = without(Q, signature);
+  overlap.absorbed = std::clamp(1 - left.squaredNorm() / signature.squaredNorm(), 0., 1.);
+  if (left.norm() > kAbsorbed * signature.norm()) overlap.shares = sharesOf(at, Q, left);
+  return overlap;
+}
+
+}  // namespace
+
+std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
+                                                const std::vector<Measurement>& readings) {
+  const auto& effects = result.fitted.arm.effects;
+  const bool has_any = std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e.formula != nullptr; });
+  if (result.status != IdentificationStatus::kDone || !has_any) return {};
+  std::vector<Measurement> used;
+  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  const auto weights = weighReadings(result.fitted, used);
+  if (!weights) return {};
+  const auto fitted = fittedUnknowns(result);
+  const auto catalogue = linearizeCatalogue(result.fitted, used, *weights);
+  std::vector<FormulaOverlap> overlaps;
+  for (int k = 0; k < static_cast<int>(effects.size()); ++k)
+    if (effects[static_cast<std::size_t>(k)].formula)
+      overlaps.push_back(overlapOf({result.fitted, used, *weights, fitted, catalogue}, k));
+  return overlaps;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,101 @@
+// A law that a user writes: TARGET += EXPRESSION, as `theta3 += c*sin(3*theta1)`; starts may follow: `; c=0.1, k=3`.
+//
+// Targets: a joint (its true value), tip.x, tip.y, tip.z (the tool frame's displacement, as tool-offset's), base.x,
+// base.y, base.z, base.yaw (the base stands shifted and turned, as base-slip's).
+// Symbols: a joint's name (its reading: radians, of a slide a length), JOINT_dir (the sense of its last motion, -1, 0,
+// 1), moment_ROW_x, _y, _z (about the axes of a row, of the arm undeflected under its weights and the hung load), load,
+// temperature, time. In names with other signs than letters and digits those become _. A reading without a temperature
+// has the arm's reference temperature, one without a time is at zero.
+// Numbers are those of the file's units: lengths, forces, temperatures and times among the symbols have them, and the
+// expression's value has the target's, an angle's degrees where the file has degrees.
+// All other names are parameters. The largest set of them in which the formula is linear, and without which it is
+// nothing, are its sizes: they start at 0 and have the target's unit. The others are shapes: plain numbers that need a
+// start.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deflection/effects/effect.hpp"
+#include "deflection/effects/expression.hpp"
+
+namespace tubeplan::deflection {
+
+/// A file's units in internal ones; a temperature is (number + temperature_zero) * temperature [K].
+struct FormulaUnits {
+  double length = 1, angle = 1, force = 1, temperature = 1, temperature_zero = 0, time = 1;
+};
+
+struct FormulaTarget {
+  enum class Of { kJoint, kTip, kBase };
+  Of of = Of::kJoint;
+  int row = -1;   ///< of a joint
+  int axis = -1;  ///< of tip or base: 0, 1, 2; 3: yaw
+};
+
+/// What a name in an expression stands for: (internal value) / unit - zero.
+struct FormulaSymbol {
+  enum class Of { kJoint, kSense, kMoment, kLoad, kTemperature, kTime };
+  Of of = Of::kLoad;
+  int row = -1, axis = -1;
+  double unit = 1, zero = 0;
+};
+
+struct NamedSymbol {
+  std::string name;
+  FormulaSymbol symbol;
+};
+
+/// Everything that an expression may name for an arm.
+[[nodiscard]] std::vector<NamedSymbol> formulaSymbols(const Arm& arm, const FormulaUnits& units);
+
+/// The targets of an arm as they are written.
+[[nodiscard]] std::vector<std::string> formulaTargets(const Arm& arm);
+
+/// A formula understood; shared by the effects that carry it and never changed.
+struct Formula {
+  std::string text;  ///< as written
+  std::string at;    ///< the target's name; the second formula of a target has "#2" behind it, and so on
+  FormulaTarget target;
+  Quantity quantity = Quantity::kAngle;  ///< of the target: an angle or a length
+  double unit = 1;                       ///< internal units of it per unit of the expression's value
+
+  /// Of each name of the expression: a symbol, or the index of a parameter.
+  struct Input {
+    int parameter = -1;
+    FormulaSymbol symbol;
+  };
+  std::vector<Input> inputs;
+  std::shared_ptr<const Expression> expression;
+
+  std::vector<std::string> names;           ///< of the parameters
+  std::vector<EffectParameter> parameters;  ///< their names point into `names`
+  std::vector<double> units;                ///< internal units per number of the expression, of each parameter
+
+  Formula() = default;
+  Formula(const Formula&) = delete;
+  Formula& operator=(const Formula&) = delete;
+};
+
+enum class FormulaStatus { kNotRun, kMade, kBadTarget, kBadExpression, kBadStart, kNeedsStart };
+
+struct MadeFormula {
+  FormulaStatus status = FormulaStatus::kNotRun;
+  std::string found, expected;     ///< why not made
+  std::string word;                ///< a name that is not known, where that is the reason ...
+  std::vector<std::string> known;  ///< ... and those that are
+  std::vector<std::string> free;   ///< of a formula made: parameters without a start; a misspelt symbol is among them
+  Effect effect;                   ///< at its start
+};
+
+/// `at` is the effect's place as a file has it; where it is empty the target, with the first number that is free.
+[[nodiscard]] MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnits& units,
+                                      std::string_view at = "");
+
+/// What a formula of an arm lacks at a posture: a finite value, or finite derivatives by joints and its parameters.
+/// Empty where nothing.
+[[nodiscard]] std::string findUndefinedFormula(const Arm& arm, const Posture& posture);
+
+}  // namespace tubeplan::deflection

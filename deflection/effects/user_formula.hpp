@@ -1,0 +1,91 @@
+// A law that a user writes: TARGET += EXPRESSION.
+//
+// Law: as written (effects/formula.hpp).
+// Symbols: those of the formula, and its own parameters.
+// Validity: where the expression has a finite value; a posture at which it has none is not solved.
+// Source: the user.
+#pragma once
+
+#include <cmath>
+
+#include "deflection/effects/formula.hpp"
+#include "deflection/effects/places.hpp"
+#include "deflection/effects/rigid_moment.hpp"
+
+namespace tubeplan::deflection::user_formula {
+
+inline constexpr const char* kName = "formula";
+
+/// A symbol in the units of the formula.
+template <class S>
+S valueOf(const FormulaSymbol& symbol, const ArmOf<S>& given, const PostureOf<S>& asked) {
+  using Of = FormulaSymbol::Of;
+  const auto inUnit = [&](const S& internal) { return internal / symbol.unit - S(symbol.zero); };
+  switch (symbol.of) {
+    case Of::kJoint:
+      return inUnit(asked.q[jointIndexOf(given, symbol.row)]);
+    case Of::kSense:
+      return asked.senses.empty() ? S(0) : S(asked.senses[jointIndexOf(given, symbol.row)]);
+    case Of::kMoment:
+      return inUnit(rigidMoment(given, asked, symbol.row)[symbol.axis]);
+    case Of::kLoad:
+      return inUnit(asked.load);
+    case Of::kTemperature:
+      return inUnit(S(std::isnan(asked.temperature) ? given.reference_temperature : asked.temperature));
+    case Of::kTime:
+      return inUnit(S(std::isnan(asked.time) ? 0 : asked.time));
+  }
+  return S(0);
+}
+
+/// What the expression is asked at, name by name.
+template <class S>
+std::vector<S> inputsOf(const EffectOf<S>& effect, const ArmOf<S>& given, const PostureOf<S>& asked) {
+  std::vector<S> at;
+  for (const Formula::Input& input : effect.formula->inputs)
+    at.push_back(input.parameter < 0 ? valueOf(input.symbol, given, asked)
+                                     : S(effect.values[input.parameter] / effect.formula->units[input.parameter]));
+  return at;
+}
+
+std::string undefinedText(const Formula& formula, const std::vector<double>& at);
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const Formula& formula = *effect.formula;
+  const std::vector<S> at = inputsOf(effect, situation.given, situation.asked);
+  const S added = formula.expression->value(at) * formula.unit;
+  if constexpr (std::is_same_v<S, double>)
+    if (!std::isfinite(added)) situation.undefined = undefinedText(formula, at);
+  const FormulaTarget& target = formula.target;
+  switch (target.of) {
+    case FormulaTarget::Of::kJoint:
+      situation.posture.q[jointIndexOf(situation.given, target.row)] += added;
+      return;
+    case FormulaTarget::Of::kTip:
+      situation.arm.p_LT[target.axis] += added;
+      return;
+    case FormulaTarget::Of::kBase:
+      if (target.axis < 3)
+        situation.X_BM.p[target.axis] += added;
+      else
+        situation.X_BM.R = situation.X_BM.R * rotationZ<S>(added);
+  }
+}
+
+/// It has no places of its own: its formula names them.
+inline EffectKind kind() {
+  return {.name = kName,
+          .law = "TARGET += EXPRESSION, as the user writes it",
+          .validity = "where the expression has a finite value",
+          .source = "the user",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .needs = {},
+          .parameters = {},
+          .places = [](const Arm&) { return std::vector<Place>(); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::user_formula
