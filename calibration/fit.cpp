@@ -147,6 +147,15 @@ ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeigh
   return size;
 }
 
+MatrixXd covarianceOf(const MatrixXd& jacobian) {
+  // Columns of unit length: a compliance and a force differ by many powers of ten.
+  const VectorXd lengths = jacobian.colwise().norm().transpose();
+  const VectorXd scale = lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 0; });
+  const MatrixXd columns = jacobian * scale.asDiagonal();
+  const MatrixXd inverse = (columns.transpose() * columns).completeOrthogonalDecomposition().pseudoInverse();
+  return scale.asDiagonal() * inverse * scale.asDiagonal();
+}
+
 double chiSquareTail(double chi2, double degrees_of_freedom) {
   if (degrees_of_freedom <= 0 || !std::isfinite(chi2)) return 1;
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), std::max(chi2, 0.)));

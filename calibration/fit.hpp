@@ -31,6 +31,9 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings);
 [[nodiscard]] ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error);
 
+/// Covariance of the unknowns by a whitened Jacobian, whatever their units; what it cannot tell has none.
+[[nodiscard]] Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& jacobian);
+
 /// Upper tail of chi-square; 1 where there is no freedom.
 [[nodiscard]] double chiSquareTail(double chi2, double degrees_of_freedom);
 

@@ -70,8 +70,7 @@ void summarize(ToldFit& work, Identification& result) {
   result.after = errorSize(work.fitted, work.fit.weights, work.fit.residual.error);
   result.errors = errorLengths(work.fitted, work.fit.weights, work.fit.residual.error);
   result.noise_floor = noiseFloor(work.fitted, work.fit.weights);
-  const MatrixXd& J = work.fit.residual.jacobian;
-  result.covariance = (J.transpose() * J).ldlt().solve(MatrixXd::Identity(J.cols(), J.cols()));
+  result.covariance = covarianceOf(work.fit.residual.jacobian);
   for (const auto& unknown : work.unknowns) {
     result.numbers.emplace_back();
     result.numbers.back().unknown = unknown;

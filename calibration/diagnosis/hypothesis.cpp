@@ -94,9 +94,7 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
   result.p_value = chiSquareTail(result.chi2, freedom);
   result.smooth_p_value = findSmoothMisfit(result.fitted, basis.readings, basis.weights, residual).p_value;
   result.criterion = result.chi2 + numbers * std::log(std::max(2, basis.weights.degrees_of_freedom));
-  const MatrixXd& J = residual.jacobian;
-  const VectorXd sigma =
-      (J.transpose() * J).completeOrthogonalDecomposition().pseudoInverse().diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd sigma = covarianceOf(residual.jacobian).diagonal().cwiseMax(0).cwiseSqrt();
   for (std::size_t p = 0; p < parts.size(); ++p) {
     FoundEffect found{parts[p].candidate->effect,
                       parts[p].candidate->at,

@@ -14,10 +14,9 @@ import sys
 
 from answers import REFUSABLE_D, WEAK_D, ask
 from arm_description import CELLS
+from true_numbers import true_numbers
 
 SEPARABLE, STRANGE = .99, .9
-UNIT_ENDINGS = {"share": "1", "K_inlb_per_deg": "in*lbf/deg", "I_in4": "in^4", "GJ_lbfin2": "in^2*lbf",
-                "per_degF": "1/degF", "_deg": "deg", "_in": "in", "_lbf": "lbf"}      # of the truth's parameters
 
 
 def share(part, whole):
@@ -63,32 +62,18 @@ def print_table(rows):
         print("  ".join(word.ljust(width) for word, width in zip(row, widths)).rstrip())
 
 
-def truth_size(case):
-    """The (first) hidden effect's size and unit, or None where it has no single one."""
-    for name, value in case.truth["hidden"][0]["parameters"].items():
-        for ending, unit in UNIT_ENDINGS.items():
-            if name.endswith(ending):
-                length = sum(part * part for part in value) ** .5 if isinstance(value, list) else abs(value)
-                return length, plain_unit(unit)
-    return None
-
-
-def plain_unit(unit):
-    """Order of factors, dots and powers' signs aside: `lbf*in/deg` and `in lbf/deg` are one."""
-    over, *under = str(unit or "1").replace("·", "*").replace(" ", "*").replace("^", "").split("/")
-    return "/".join("*".join(sorted(filter(None, part.split("*")))) for part in (over, *under))
-
-
 def covered(case):
-    """Whether the ranking's 95 % interval of the true effect's size holds the true size; None if not comparable."""
-    wanted = truth_size(case) if case.kind == "single" else None
-    for entry in case.answer.get("ranking") or []:
-        if wanted and (entry.get("effect"), entry.get("at")) in case.wanted:
-            size = entry.get("size") or {}
-            if None in (size.get("value"), size.get("sigma")) or plain_unit(size.get("unit")) != wanted[1]:
-                return None
-            return abs(abs(size["value"]) - wanted[0]) <= 1.96 * size["sigma"]
-    return None
+    """For each number of the true effect as the answer fitted it: whether its 95 % interval holds the true one."""
+    if case.kind != "single":
+        return []
+    hidden = case.truth["hidden"][0]
+    true = true_numbers(hidden["effect"], hidden["parameters"])
+    for alternative in case.answer.get("alternatives") or []:
+        for found in alternative:
+            if len(alternative) == 1 and (found["effect"], found["at"]) in case.wanted:
+                return [abs(number["value"] - true[name]) <= 1.96 * number["sigma"]
+                        for name, number in found["parameters"].items() if number.get("sigma") and name in true]
+    return []
 
 
 def calibration(cases, bins=10):
@@ -141,7 +126,7 @@ def print_totals(cases):
     peerless = [case for case in strong if case.likeness("peer") <= SEPARABLE]
     twinned = [case for case in strong if case.likeness("peer") > SEPARABLE]
     named = [case for case in cases if case.named]
-    intervals = [holds for holds in map(covered, by_kind["single"]) if holds is not None]
+    intervals = [holds for case in by_kind["single"] for holds in covered(case)]
     answers = [len(case.alternatives) for case in strong if case.within]
     good = [ratio for ratio in (held_out_ratio(case) for case in cases if case.right) if ratio is not None]
     strange = [case for case in by_kind["odd"] if case.truth["d"] >= REFUSABLE_D and case.likeness() <= STRANGE]
@@ -166,7 +151,7 @@ def print_totals(cases):
             ("pairs: at least one found", share(lambda case: case.within or case.word == "half", by_kind["pair"])),
             ("held-out/floor <= 1.05 where right", f"{sum(r <= 1.05 for r in good)}/{len(good)}" if good else "-"),
             ("95 % interval of the size holds the truth",
-             f"{sum(intervals)}/{len(intervals)} of those comparable" if intervals else "-"),
+             f"{sum(intervals)}/{len(intervals)} numbers where the truth is among the answers" if intervals else "-"),
             ("calibration error of the first probability, single", calibration(by_kind["single"])),
             ("calibration error of the first probability, all", calibration(cases)),
             ("failed", share(lambda case: case.failed, cases)),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calibration/fit.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -161,6 +162,30 @@ TEST(WhitenedResidual, SaysWhenTheModelCannotBeEvaluated) {
   maker.add(MeasurementKind::kPosition, 2);
   maker.readings[1].load = 1e7;
   EXPECT_FALSE(weighReadings(cobra(), maker.readings).has_value());
+}
+
+// A compliance in rad/(N m) beside a force in N: their scales must not reach the sigmas.
+TEST(Covariance, DoesNotHangOnUnits) {
+  ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 12);
+  PlacedArm placed = cobra();
+  const auto unknowns =
+      chooseUnknowns(placed, {{"tool.joint_stiffness.z", "forearm.weight.end", "forearm.dh.a"}, true}).list;
+  const auto weights = weighReadings(placed, maker.readings);
+  const auto n = static_cast<Eigen::Index>(unknowns.size());
+  const Eigen::MatrixXd J =
+      whitenedResidual(placed, unknowns, maker.readings, *weights, Eigen::VectorXd::Zero(n), true).jacobian;
+  const Eigen::VectorXd sigma = covarianceOf(J).diagonal().cwiseSqrt();
+  Eigen::VectorXd units(n);
+  for (Eigen::Index k = 0; k < n; ++k) units[k] = std::pow(10., 3. * static_cast<double>(k % 5) - 6);
+  const Eigen::VectorXd in_units = covarianceOf(J * units.asDiagonal()).diagonal().cwiseSqrt();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::MatrixXd others =
+        (Eigen::MatrixXd(J.rows(), n - 1) << J.leftCols(k), J.rightCols(n - 1 - k)).finished();
+    const Eigen::VectorXd own = J.col(k) - others * others.colPivHouseholderQr().solve(J.col(k));
+    EXPECT_NEAR(sigma[k], 1 / own.norm(), 1e-6 / own.norm()) << unknowns[static_cast<std::size_t>(k)].name;
+    EXPECT_NEAR(in_units[k] * units[k], sigma[k], 1e-6 * sigma[k]) << unknowns[static_cast<std::size_t>(k)].name;
+  }
 }
 
 }  // namespace
