@@ -148,12 +148,13 @@ ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeigh
 }
 
 MatrixXd covarianceOf(const MatrixXd& jacobian) {
+  if (jacobian.cols() == 0) return {};
   // Columns of unit length: a compliance and a force differ by many powers of ten.
   const VectorXd lengths = jacobian.colwise().norm().transpose();
   const VectorXd scale = lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 0; });
-  const MatrixXd columns = jacobian * scale.asDiagonal();
-  const MatrixXd inverse = (columns.transpose() * columns).completeOrthogonalDecomposition().pseudoInverse();
-  return scale.asDiagonal() * inverse * scale.asDiagonal();
+  const MatrixXd back =
+      scale.asDiagonal() * MatrixXd(jacobian * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse();
+  return back * back.transpose();
 }
 
 double chiSquareTail(double chi2, double degrees_of_freedom) {

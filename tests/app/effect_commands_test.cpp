@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/readers/cell_reader.hpp"
+#include "deflection/effects/effect.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {
@@ -78,7 +79,9 @@ TEST_F(EffectCommands, TheTutorialDoesWhatItSays) {
       command.replace(cell, std::string("app/cells").size(), shippedCells().string());
     const auto outcome = run(command);
     EXPECT_EQ(outcome.exit_code, command.starts_with("compare") ? 1 : 0) << command << outcome.err;
-    if (command.starts_with("diagnose")) EXPECT_TRUE(outcome.out.starts_with("explained")) << outcome.out;
+    if (command.starts_with("diagnose")) {
+      EXPECT_TRUE(outcome.out.starts_with("explained")) << outcome.out;
+    }
     ++commands;
   }
   EXPECT_EQ(commands, 6);

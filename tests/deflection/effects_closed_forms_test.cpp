@@ -341,7 +341,8 @@ TEST_P(EffectClosedForm, Holds) {
 
 std::vector<std::string> kindNames() {
   std::vector<std::string> names;
-  for (const EffectKind& kind : effectKinds()) names.emplace_back(kind.name);
+  for (const EffectKind& kind : effectKinds())
+    if (std::string(kind.name) != "formula") names.emplace_back(kind.name);  // formula_test.cpp: the user writes its law
   return names;
 }
 
