@@ -10,6 +10,7 @@
 #include "app/command_inputs.hpp"
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
+#include "app/predicted_centring.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
@@ -45,7 +46,7 @@ IdentificationOptions identificationOptions(const IdentifyOptions& options, cons
   result.drop_level = options.drop;
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == options.method) result.solver.method = method.method;
-  if (result.free.names.empty() && cell.base_known)
+  if (result.free.names.empty() && options.stages.empty() && cell.base_known)
     throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
                      "`tubeplan identify --help` says what may be freed");
   return result;
@@ -117,9 +118,11 @@ int run(const IdentifyOptions& options) {
       writeFileAtomically(file.path, file.text, "--out");
   nlohmann::json json = identificationJson(result, readings, cell.units);
   json["warnings"] = warnings;
+  const auto centring = predictCentring(cell, result, options.stages.size() > 1);
+  json["predicted_centring_error"] = predictedCentringJson(centring, cell.units);
   writeJson(options.json, json);
   if (printsText(options.json)) {
-    fmt::print("{}", identificationText(result, readings, cell.units));
+    fmt::print("{}{}", identificationText(result, readings, cell.units), predictedCentringText(centring, cell.units));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
   return result.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;

@@ -78,12 +78,24 @@ TEST_F(EffectCommands, TheTutorialDoesWhatItSays) {
       command.replace(cell, std::string("app/cells").size(), shippedCells().string());
     const auto outcome = run(command);
     EXPECT_EQ(outcome.exit_code, command.starts_with("compare") ? 1 : 0) << command << outcome.err;
-    if (command.starts_with("diagnose")) EXPECT_TRUE(outcome.out.starts_with("explained")) << outcome.out;
+    if (command.starts_with("diagnose")) {
+      EXPECT_TRUE(outcome.out.starts_with("explained")) << outcome.out;
+    }
     ++commands;
   }
-  EXPECT_EQ(commands, 6);
-  for (const char* page : {"compare.html", "diagnose.html", "ladder.html"})
+  EXPECT_EQ(commands, 12);
+  for (const char* page : {"compare.html", "diagnose.html", "ladder.html", "steps.html"})
     EXPECT_TRUE(std::filesystem::exists(folder / page)) << page;
+  const auto ladder = run("ladder campaign/measurements.csv " + shipped("mockup.yaml") +
+                          " identified.yaml complete.yaml --rigid --truth real.yaml --json -");
+  const json rungs = json::parse(ladder.out)["rungs"];
+  ASSERT_EQ(rungs.size(), 4U);
+  for (std::size_t k = 1; k < 4; ++k) {
+    EXPECT_LT(rungs[k]["rms"]["heldout"], rungs[k - 1]["rms"]["heldout"]);
+    EXPECT_LT(rungs[k]["steps"]["centring_error"]["p95"], rungs[k - 1]["steps"]["centring_error"]["p95"]);
+  }
+  EXPECT_GT(rungs[0]["steps"]["zero"], 700);
+  EXPECT_EQ(rungs[3]["steps"]["three"], 1000);
 }
 
 TEST_F(EffectCommands, EffectsOfACellReachThePose) {
