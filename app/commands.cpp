@@ -25,7 +25,9 @@ constexpr Command kCommands[] = {
     {"improve", "diagnoses, adds and identifies until nothing more is shown",
      "tubeplan improve app/cells/bench.yaml readings.csv --out improved.yaml", configureImprove},
     {"ladder", "the error of one model after another, fitted and held out, against the noise floor",
-     "tubeplan ladder readings.csv rigid.yaml app/cells/bench.yaml fitted.yaml", configureLadder},
+     "tubeplan ladder readings.csv app/cells/bench.yaml fitted.yaml --rigid\n"
+     "tubeplan ladder readings.csv app/cells/mockup.yaml fitted.yaml --truth app/cells/mockup-true.yaml",
+     configureLadder},
     {"plan", "a proved, timed visit of a list of tubes",
      "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 "
      "--out out/demo",

@@ -22,7 +22,8 @@ nlohmann::json lengthJson(double metres, const Units& units) {
 Rung rungAsItStands(const std::string& name, const Cell& cell, const std::vector<calibration::Measurement>& readings) {
   Rung rung;
   rung.name = name;
-  const auto placed = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  rung.model = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  const auto& placed = rung.model;
   std::vector<calibration::Measurement> fitted, held_out;
   for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
   rung.as_it_stands = rung.fitted = calibration::judge(placed, fitted);
@@ -40,6 +41,7 @@ Rung rungAsItStands(const std::string& name, const Cell& cell, const std::vector
 Rung rungOf(const std::string& name, const calibration::Identification& fit) {
   Rung rung;
   rung.name = name;
+  rung.model = fit.fitted;
   rung.fitted_numbers = static_cast<int>(fit.fitted_numbers.size());
   rung.as_it_stands = fit.before;
   rung.fitted = fit.after;
@@ -61,7 +63,7 @@ Rung rungOf(const std::string& name, const Cell& cell, const std::vector<calibra
 
 nlohmann::json ladderJson(const std::vector<Rung>& rungs, const Units& units) {
   nlohmann::json json = {{"units", unitsJson(units)}, {"rungs", nlohmann::json::array()}};
-  for (const auto& rung : rungs)
+  for (const auto& rung : rungs) {
     json["rungs"].push_back({{"name", rung.name},
                              {"fitted_numbers", rung.fitted_numbers},
                              {"rms",
@@ -74,8 +76,37 @@ nlohmann::json ladderJson(const std::vector<Rung>& rungs, const Units& units) {
                                {"fitted", lengthJson(rung.fitted.mean, units)},
                                {"heldout", lengthJson(rung.heldout.mean, units)}}},
                              {"chi2_per_dof", rung.chi2_per_dof}});
+    if (!rung.steps) continue;
+    json["rungs"].back()["steps"] = stepTableJson(*rung.steps, units);
+    if (!rung.steps->reason.empty()) json["rungs"].back()["no_steps"] = rung.steps->reason;
+  }
   return json;
 }
+
+namespace {
+
+std::string stepsText(const std::vector<Rung>& rungs, const Units& units) {
+  std::string text;
+  for (const auto& rung : rungs) {
+    if (!rung.steps) continue;
+    text += fmt::format("{:<34}", rung.name);
+    for (const int count : rung.steps->counts) text += fmt::format(" {:>9}", count);
+    if (rung.steps->holes > 0)
+      text += fmt::format(" {:>9.4g} {:>9.4g}", rung.steps->median_error / units.factor(dimension::kLength),
+                          rung.steps->p95_error / units.factor(dimension::kLength));
+    if (!rung.steps->reason.empty()) text += "  none: " + rung.steps->reason;
+    if (rung.steps->no_posture > 0) text += fmt::format("  ({} of them not reached)", rung.steps->no_posture);
+    text += "\n";
+  }
+  if (text.empty()) return "";
+  return fmt::format(
+             "{:<34} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   steps of the tool that go in, by holes; centring error in "
+             "{}\n",
+             "model", "0 steps", "1", "2", "3", "median", "95 %", units.length().name) +
+         text;
+}
+
+}  // namespace
 
 std::string ladderText(const std::vector<Rung>& rungs, const Units& units) {
   const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
@@ -92,7 +123,7 @@ std::string ladderText(const std::vector<Rung>& rungs, const Units& units) {
                         length(rung.as_it_stands.rms), length(rung.fitted.rms), length(rung.heldout.rms),
                         length(rung.noise_floor), rung.chi2_per_dof, std::string(static_cast<std::size_t>(bar), '#'));
   }
-  return text;
+  return text + stepsText(rungs, units);
 }
 
 }  // namespace tubeplan::app

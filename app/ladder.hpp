@@ -2,10 +2,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/readers/cell_reader.hpp"
+#include "app/step_table.hpp"
 #include "calibration/identification.hpp"
 
 namespace tubeplan::app {
@@ -19,6 +21,8 @@ struct Rung {
   calibration::ErrorSize heldout;
   double noise_floor = 0;  ///< m
   double chi2_per_dof = 0;
+  calibration::PlacedArm model;    ///< as fitted; no rows where it could not be
+  std::optional<StepTable> steps;  ///< where they were asked for
 };
 
 /// A cell's model on readings; where it frees nothing it is judged as it stands.
@@ -29,6 +33,7 @@ struct Rung {
 [[nodiscard]] Rung rungOf(const std::string& name, const calibration::Identification& fit);
 
 [[nodiscard]] nlohmann::json ladderJson(const std::vector<Rung>& rungs, const Units& units);
+/// Errors with a bar each; below, the steps of the tool, where they are there.
 [[nodiscard]] std::string ladderText(const std::vector<Rung>& rungs, const Units& units);
 
 }  // namespace tubeplan::app

@@ -86,12 +86,26 @@ void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell
   }
 }
 
+namespace {
+
+/// Those made at the placings that were fitted: a stage has only its own.
+std::vector<Measurement> readingsAt(const calibration::PlacedArm& placed, const std::vector<Measurement>& readings) {
+  std::vector<Measurement> here;
+  for (const auto& reading : readings)
+    if (std::any_of(placed.placings.begin(), placed.placings.end(),
+                    [&](const auto& placing) { return placing.setup == reading.setup; }))
+      here.push_back(reading);
+  return here;
+}
+
+}  // namespace
+
 std::vector<std::string> readingWarnings(const Identification& result, const std::vector<Measurement>& readings,
                                          const Cell& cell) {
   std::vector<std::string> warnings;
   if (const auto heavy = heavyLoad(readings, cell.arm, cell.units); !heavy.empty()) warnings.push_back(heavy);
   if (isFarOff(result))
-    for (const auto& slip : calibration::findUnitSlips(result.start, readings))
+    for (const auto& slip : calibration::findUnitSlips(result.start, readingsAt(result.start, readings)))
       warnings.push_back(fmt::format("{}: so read, the error falls from {:.4g} to {:.4g} {}", slip.what,
                                      slip.rms_as_is / cell.units.factor(dimension::kLength),
                                      slip.rms_if / cell.units.factor(dimension::kLength), cell.units.length().name));

@@ -17,11 +17,28 @@ struct Found {
   MatrixXd covariance;
 };
 
-std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, const std::string& setup) {
-  std::vector<Measurement> some;
-  for (const auto& reading : all)
-    if (setup.empty() || reading.setup == setup) some.push_back(reading);
+/// A stage's readings, and where each stands among all.
+struct StageReadings {
+  std::vector<Measurement> list;
+  std::vector<int> among_all;
+};
+
+StageReadings readingsOf(const std::vector<Measurement>& all, const std::string& setup) {
+  StageReadings some;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!setup.empty() && all[k].setup != setup) continue;
+    some.list.push_back(all[k]);
+    some.among_all.push_back(static_cast<int>(k));
+  }
   return some;
+}
+
+/// Whoever reads the result knows all readings, not the stage's.
+void countAmongAll(const StageReadings& some, Identification& stage) {
+  const auto rename = [&](int& reading) { reading = some.among_all[static_cast<std::size_t>(reading)]; };
+  for (auto& outlier : stage.outliers) rename(outlier.reading);
+  for (int& reading : stage.used) rename(reading);
+  if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
 }
 
 /// The fitted numbers of a stage, 0 at their optimum.
@@ -60,10 +77,11 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   const MatrixXd J = residual.jacobian.leftCols(n), J_held = residual.jacobian.rightCols(held);
   const MatrixXd A = -(J.transpose() * J).ldlt().solve(J.transpose() * J_held);
   const MatrixXd cross = found.covariance * A.transpose();
-  stage.covariance += A * cross;
+  const double own_widening = stage.widening * stage.widening;  // what is carried has been widened by its own stage
+  stage.covariance += A * cross / own_widening;
   widen(stage);
   MatrixXd whole(n + held, n + held);
-  whole << stage.covariance, cross.transpose(), cross, found.covariance;
+  whole << own_widening * stage.covariance, cross.transpose(), cross, found.covariance;
   found.covariance = whole;
   found.unknowns = both;
 }
@@ -84,11 +102,12 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     PlacedArm from{state.arm, {}};
     for (const auto& placing : state.placings)
       if (stage.setup.empty() || placing.setup == stage.setup) from.placings.push_back(placing);
-    results.push_back(identify(from, some, now));
+    results.push_back(identify(from, some.list, now));
     Identification& result = results.back();
+    countAmongAll(some, result);
     if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
     std::vector<Measurement> fitted;
-    for (const int k : result.used) fitted.push_back(some[static_cast<std::size_t>(k)]);
+    for (const int k : result.used) fitted.push_back(readings[static_cast<std::size_t>(k)]);
     // Only numbers of the arm are carried: a stage finds its own placings.
     Found carried;
     std::vector<Index> arm_numbers;

@@ -11,6 +11,7 @@
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
 #include "app/overlap_report.hpp"
+#include "app/predicted_centring.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
@@ -47,7 +48,7 @@ IdentificationOptions identificationOptions(const IdentifyOptions& options, cons
   result.drop_level = options.drop;
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == options.method) result.solver.method = method.method;
-  if (result.free.names.empty() && cell.base_known)
+  if (result.free.names.empty() && options.stages.empty() && cell.base_known)
     throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
                      "`tubeplan identify --help` says what may be freed");
   return result;
@@ -122,9 +123,12 @@ int run(const IdentifyOptions& options) {
   json["warnings"] = warnings;
   const auto overlaps = calibration::findFormulaOverlaps(result, readings);
   if (!overlaps.empty()) json["overlap"] = overlapJson(overlaps);
+  const auto centring = predictCentring(cell, result, options.stages.size() > 1);
+  json["predicted_centring_error"] = predictedCentringJson(centring, cell.units);
   writeJson(options.json, json);
   if (printsText(options.json)) {
-    fmt::print("{}{}", identificationText(result, readings, cell.units), overlapText(overlaps));
+    fmt::print("{}{}{}", identificationText(result, readings, cell.units),
+               predictedCentringText(centring, cell.units), overlapText(overlaps));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
   return result.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;

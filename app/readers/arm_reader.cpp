@@ -238,4 +238,10 @@ std::string withArmParameters(const std::string& text, const YamlNode& arm, cons
   return out;
 }
 
+std::string withoutArmParameters(const std::string& text, const YamlNode& arm, const std::vector<std::string>& names) {
+  std::string out = text;
+  for (const auto& name : names) out = withoutYamlValue(out, armPath(arm, name));
+  return out;
+}
+
 }  // namespace tubeplan::app

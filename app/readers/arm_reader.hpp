@@ -34,4 +34,8 @@ struct ArmSource {
 [[nodiscard]] std::string withArmParameters(const std::string& text, const YamlNode& arm, const ArmSource& source,
                                             const std::vector<std::pair<std::string, double>>& parameters);
 
+/// The text without these stiffnesses, dotted names as above: their axes are rigid then.
+[[nodiscard]] std::string withoutArmParameters(const std::string& text, const YamlNode& arm,
+                                               const std::vector<std::string>& names);
+
 }  // namespace tubeplan::app

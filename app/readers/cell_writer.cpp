@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "app/readers/effects_reader.hpp"
@@ -60,12 +62,44 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
   return withYamlValue(text, key, '"' + name + '"');
 }
 
-std::vector<std::pair<std::string, double>> foundNumbers(const calibration::Identification& result) {
+/// The numbers of the fitted arm that are others than the cell's, whichever stage found them.
+std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const calibration::Identification& result) {
+  const auto is_held = [&](const std::string& name) {
+    return std::any_of(result.numbers.begin(), result.numbers.end(),
+                       [&](const auto& number) { return number.is_held && number.unknown.name == name; });
+  };
   std::vector<std::pair<std::string, double>> numbers;
-  for (const auto& number : result.numbers)
-    if (number.unknown.owner == calibration::Unknown::Owner::kArm && !number.is_held && number.unknown.path.effect < 0)
-      numbers.emplace_back(number.unknown.name, number.value);
+  for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
+    if (parameter.path.effect >= 0 || is_held(parameter.name)) continue;
+    const auto before = deflection::findParameter(cell.arm, parameter.name);
+    if (!before || before->value != parameter.value) numbers.emplace_back(parameter.name, parameter.value);
+  }
   return numbers;
+}
+
+/// The stiffnesses of the cell that the fit has given up: its arm is rigid there.
+std::vector<std::string> givenUp(const Cell& cell, const calibration::Identification& result) {
+  std::vector<std::string> names;
+  for (const auto& parameter : deflection::parametersOf(cell.arm))
+    if (parameter.path.effect < 0 && !deflection::findParameter(result.fitted.arm, parameter.name))
+      names.push_back(parameter.name);
+  return names;
+}
+
+std::string identifyList(const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const auto& name : names) quoted.push_back('"' + name + '"');
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
+
+/// A number that has been given up can no longer be identified by its name.
+std::string withoutIdentifying(const std::string& text, const Cell& cell, const std::vector<std::string>& given_up) {
+  const auto is_given_up = [&](const std::string& name) {
+    return std::find(given_up.begin(), given_up.end(), name) != given_up.end();
+  };
+  std::vector<std::string> left;
+  std::remove_copy_if(cell.identify.begin(), cell.identify.end(), std::back_inserter(left), is_given_up);
+  return left.size() == cell.identify.size() ? text : withYamlValue(text, "identify", identifyList(left));
 }
 
 std::optional<Matrix6d> baseCovariance(const calibration::Identification& result) {
@@ -87,20 +121,22 @@ std::optional<Matrix6d> baseCovariance(const calibration::Identification& result
 }  // namespace
 
 std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
-  const auto numbers = foundNumbers(result);
+  const auto numbers = foundNumbers(cell, result);
+  const auto rigid = givenUp(cell, result);
   const bool is_inline = cell.arm_source.text.empty();
   const YamlNode& arm_node = is_inline ? cell.source.root.at("arm") : cell.arm_source.root;
   ArmSource source;
   source.arm = result.fitted.arm;
   source.units = cell.units;
-  std::string text = cellTextAt(cell, out);
+  std::string text = withoutIdentifying(cellTextAt(cell, out), cell, rigid);
   std::vector<TextFile> files;
   if (is_inline) {
-    text = withArmParameters(text, arm_node, source, numbers);
+    text = withoutArmParameters(withArmParameters(text, arm_node, source, numbers), arm_node, rigid);
   } else {
     fs::path arm_path = out;
     arm_path.replace_filename(out.stem().string() + "-arm.yaml");
-    files.push_back({arm_path, withArmParameters(cell.arm_source.text, arm_node, source, numbers)});
+    const std::string found = withArmParameters(cell.arm_source.text, arm_node, source, numbers);
+    files.push_back({arm_path, withoutArmParameters(found, arm_node, rigid)});
     text = withYamlValue(text, "arm", '"' + arm_path.filename().string() + '"');
   }
   if (!result.fitted.arm.effects.empty())
@@ -121,20 +157,17 @@ std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection
 
 std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, const std::vector<std::string>& freed,
                                 const fs::path& out) {
-  std::vector<std::string> identify;
-  for (const auto& name : cell.identify) identify.push_back('"' + name + '"');
-  for (const auto& name : freed) identify.push_back('"' + name + '"');
+  std::vector<std::string> identify = cell.identify;
+  identify.insert(identify.end(), freed.begin(), freed.end());
   std::string text = withYamlValue(cellTextAt(cell, out), "effects", effectsText(arm, cell.units));
-  return withYamlValue(text, "identify", fmt::format("[{}]", fmt::join(identify, ", ")));
+  return withYamlValue(text, "identify", identifyList(identify));
 }
 
 std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
                                    const calibration::Identification& result, const fs::path& out) {
   auto files = identifiedCell(original, result, out);
-  std::vector<std::string> names;
-  for (const auto& name : improved.identify) names.push_back('"' + name + '"');
-  if (!names.empty())
-    files.back().text = withYamlValue(files.back().text, "identify", fmt::format("[{}]", fmt::join(names, ", ")));
+  if (!improved.identify.empty())
+    files.back().text = withYamlValue(files.back().text, "identify", identifyList(improved.identify));
   return files;
 }
 

@@ -88,4 +88,17 @@ std::string withYamlValue(const std::string& text, std::string_view path, std::s
   return parent->is_flow ? appendedToFlow(text, *parent, entry) : appendedToBlock(text, *parent, entry);
 }
 
+std::string withoutYamlValue(const std::string& text, std::string_view path) {
+  const YamlNode root = parseYaml(text, kFileName);
+  const YamlNode* parent = findNode(root, parentPath(path));
+  assert(parent && parent->kind == YamlNode::Kind::kMap);
+  std::string rest;
+  for (std::size_t k = 0; k < parent->items.size(); ++k) {
+    if (parent->items[k].path == path) continue;
+    assert(parent->items[k].kind == YamlNode::Kind::kScalar);
+    rest += (rest.empty() ? "" : ", ") + parent->keys[k] + ": " + parent->items[k].scalar;
+  }
+  return replaced(text, *parent, "{" + rest + "}");
+}
+
 }  // namespace tubeplan::app

@@ -45,7 +45,8 @@ const PAGES = {
   ladder: {
     title: "Ladder of models",
     sections: [
-      LADDER, {id: "models", title: "The same in figures", make: modelsSection},
+      LADDER, {id: "steps", title: "How far the tool goes in", make: ladderStepsSection, of: hasStepCounts},
+      {id: "models", title: "The same in figures", make: modelsSection},
       {...MAPS, of: (report) => list(report.readings).length > 0}
     ]
   },

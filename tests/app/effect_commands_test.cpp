@@ -84,9 +84,19 @@ TEST_F(EffectCommands, TheTutorialDoesWhatItSays) {
     }
     ++commands;
   }
-  EXPECT_EQ(commands, 6);
-  for (const char* page : {"compare.html", "diagnose.html", "ladder.html"})
+  EXPECT_EQ(commands, 12);
+  for (const char* page : {"compare.html", "diagnose.html", "ladder.html", "steps.html"})
     EXPECT_TRUE(std::filesystem::exists(folder / page)) << page;
+  const auto ladder = run("ladder campaign/measurements.csv " + shipped("mockup.yaml") +
+                          " identified.yaml complete.yaml --rigid --truth real.yaml --json -");
+  const json rungs = json::parse(ladder.out)["rungs"];
+  ASSERT_EQ(rungs.size(), 4U);
+  for (std::size_t k = 1; k < 4; ++k) {
+    EXPECT_LT(rungs[k]["rms"]["heldout"], rungs[k - 1]["rms"]["heldout"]);
+    EXPECT_LT(rungs[k]["steps"]["centring_error"]["p95"], rungs[k - 1]["steps"]["centring_error"]["p95"]);
+  }
+  EXPECT_GT(rungs[0]["steps"]["zero"], 700);
+  EXPECT_EQ(rungs[3]["steps"]["three"], 1000);
 }
 
 TEST_F(EffectCommands, EffectsOfACellReachThePose) {

@@ -1,0 +1,29 @@
+// ---- ladder_steps.js: beside a ladder"s errors, how many steps of the tool go in were each model to steer the arm.
+
+/// [{name, counts}] of the models that were scored.
+function modelStepRows(report) {
+  return list(report.models)
+      .map((model) => ({name: textOf(model.name), counts: numbers(model.steps, CASES.length)}))
+      .filter((row) => row.counts);
+}
+
+function hasStepCounts(report) { return modelStepRows(report).length > 0; }
+
+function ladderStepsSection(report) {
+  const rows = modelStepRows(report), about = object(report.step_table) ?? {};
+  const bars = figure("Holes by steps that go in, for each model", (width) => drawStepBars(rows, width));
+  const cells = rows.map(({name, counts}) => {
+    const total = counts.reduce((sum, count) => sum + count, 0);
+    return [name, ...counts.map((count) => `${whole(count)} (${percent(total > 0 ? count / total : null)})`)];
+  });
+  const beyond = isNumber(about.unmodelled_sigma) && about.unmodelled_sigma > 0 ?
+      ` Sigma of a coordinate beyond any model: ${lengthText(about.unmodelled_sigma, report)}.` :
+      "";
+  return [
+    el("p", {class: "lead"},
+       "Each model steers the tool under the same random holes; the tip then stands where the real arm puts it. " +
+           `For the real arm stands ${textOf(about.real_arm, "a model")}.${beyond}`),
+    el("div", {class: "card"}, bars.element),
+    el("div", {class: "card"}, table(["model", ...CASES.map((mark) => mark.name)], cells))
+  ];
+}
