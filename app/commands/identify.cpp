@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/effect_warnings_json.hpp"
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
 #include "app/readers/cell_writer.hpp"
@@ -103,6 +104,15 @@ Identification identifyAsAsked(const IdentifyOptions& options, const Cell& cell,
   return std::move(results.back());
 }
 
+/// Of the cell's effects as they were fitted; stages hold some of them, so theirs are not judged.
+std::vector<calibration::EffectWarning> effectWarnings(const IdentifyOptions& options, const Cell& cell,
+                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const Identification& result) {
+  if (!options.stages.empty() || cell.arm.effects.empty()) return {};
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  return calibration::warnOfEffects(start, readings, identificationOptions(options, cell), result);
+}
+
 int run(const IdentifyOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
@@ -117,10 +127,13 @@ int run(const IdentifyOptions& options) {
       writeFileAtomically(file.path, file.text, "--out");
   nlohmann::json json = identificationJson(result, readings, cell.units);
   json["warnings"] = warnings;
+  const auto of_effects = effectWarnings(options, cell, readings, result);
+  for (const auto& warning : effectWarningsJson(of_effects, cell.units)) json["warnings"].push_back(warning);
   writeJson(options.json, json);
   if (printsText(options.json)) {
     fmt::print("{}", identificationText(result, readings, cell.units));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
+    for (const auto& warning : of_effects) fmt::print("  warning: {}\n", warningText(warning, cell.units));
   }
   return result.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;
 }
