@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/effect_warnings_json.hpp"
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
 #include "app/overlap_report.hpp"
@@ -106,6 +107,15 @@ Identification identifyAsAsked(const IdentifyOptions& options, const Cell& cell,
   return std::move(results.back());
 }
 
+/// Of the cell's effects as they were fitted; stages hold some of them, so theirs are not judged.
+std::vector<calibration::EffectWarning> effectWarnings(const IdentifyOptions& options, const Cell& cell,
+                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const Identification& result) {
+  if (!options.stages.empty() || cell.arm.effects.empty()) return {};
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  return calibration::warnOfEffects(start, readings, identificationOptions(options, cell), result);
+}
+
 int run(const IdentifyOptions& options) {
   const Cell cell = readCell(options.cell);
   auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
@@ -125,11 +135,14 @@ int run(const IdentifyOptions& options) {
   if (!overlaps.empty()) json["overlap"] = overlapJson(overlaps);
   const auto centring = predictCentring(cell, result, options.stages.size() > 1);
   json["predicted_centring_error"] = predictedCentringJson(centring, cell.units);
+  const auto of_effects = effectWarnings(options, cell, readings, result);
+  for (const auto& warning : effectWarningsJson(of_effects, cell.units)) json["warnings"].push_back(warning);
   writeJson(options.json, json);
   if (printsText(options.json)) {
     fmt::print("{}{}{}", identificationText(result, readings, cell.units),
                predictedCentringText(centring, cell.units), overlapText(overlaps));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
+    for (const auto& warning : of_effects) fmt::print("  warning: {}\n", warningText(warning, cell.units));
   }
   return result.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;
 }

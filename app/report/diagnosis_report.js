@@ -21,7 +21,14 @@ const PAGES = {
   diagnosis: {
     title: "Diagnosis",
     sections: [
+      {
+        id: "warnings",
+        title: "Effects that the model has",
+        make: warningsSection,
+        of: (report) => list(report.warnings).length > 0
+      },
       LADDER,
+      {id: "next", title: "What to measure next", make: nextReadingsSection, of: isSplit},
       {id: "ranking", title: "Effects, most probable first", make: rankingSection},
       {id: "added", title: "What is left beside what the effect would do", make: addedVariableSection},
       MAPS,

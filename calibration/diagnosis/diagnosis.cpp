@@ -271,12 +271,17 @@ struct Finding {
   std::vector<Explanation> good;  ///< those that are enough
 };
 
+std::vector<Explanation> plausibleSingles(const Work& work, const std::vector<Scored>& singles) {
+  std::vector<Explanation> fits = fitAll(work, leadersOf(work, singles));
+  std::erase_if(fits, [](const Explanation& fit) { return !isPlausible(fit); });
+  return fits;
+}
+
 /// Singles first; where none is enough, pairs.
 Finding findExplanations(const Work& work, const std::vector<Scored>& singles) {
   Finding finding;
   const auto& options = work.options;
-  for (auto& fit : fitAll(work, leadersOf(work, singles)))
-    if (isPlausible(fit)) finding.fits.push_back(std::move(fit));
+  finding.fits = plausibleSingles(work, singles);
   if (!finding.fits.empty()) finding.good = withinGap(finding.fits, options.gap, options.lack_of_fit);
   if (options.most_effects < 2) return finding;
   const double single = finding.fits.empty() ? 1e300 : finding.fits.front().criterion;
@@ -384,12 +389,23 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   Finding finding;
   if (result.evidence > result.threshold || std::min(result.p_value, result.smooth_p_value) < options.misfit)
     finding = findExplanations(work, singles);
+  else if (result.evidence > result.hint_threshold)
+    finding.fits = plausibleSingles(work, singles);
   rank(work, singles, finding.fits, result);
   decide(work, std::move(finding), result);
   listDetectable(work, result.threshold, result);
   judgeAll(work, held_out, result);
   result.views = viewsOf(work.basis, result, readings);
   return result;
+}
+
+std::vector<Explanation> explainBySingles(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                          const DiagnosisOptions& options) {
+  std::vector<Measurement> used = readings;
+  std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
+  const Work work = linearize(identify(start, used, baselineOptions(options)), used, options);
+  if (!work.basis.residual.ok) return {};
+  return plausibleSingles(work, bestVariants(work));
 }
 
 }  // namespace tubeplan::calibration

@@ -99,4 +99,10 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const DiagnosisOptions& options);
 
+/// The leading single effects, each fitted with everything that is free and of a plausible size, best first by the
+/// criterion; without verdict, pairs or judgement on readings kept out. Empty where the model cannot be fitted.
+[[nodiscard]] std::vector<Explanation> explainBySingles(const PlacedArm& start,
+                                                        const std::vector<Measurement>& readings,
+                                                        const DiagnosisOptions& options);
+
 }  // namespace tubeplan::calibration

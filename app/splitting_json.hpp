@@ -1,0 +1,27 @@
+// Readings that would split what a diagnosis leaves open, as JSON and in words.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/readers/units.hpp"
+#include "calibration/diagnosis/splitting_readings.hpp"
+
+namespace tubeplan::app {
+
+/// Puts `next_readings` (a list), and `splitting` (what they would do, what else to do) into a diagnosis; its sentence
+/// gets the advice.
+void addNextReadings(const calibration::SplittingReadings& result,
+                     const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
+                     const Units& units, nlohmann::json& diagnosis);
+
+/// One plain sentence; empty where there is nothing to split.
+[[nodiscard]] std::string splittingAdvice(const calibration::SplittingReadings& result);
+
+/// A few lines for people.
+[[nodiscard]] std::string splittingText(const calibration::SplittingReadings& result,
+                                        const std::vector<calibration::ReadingCandidate>& candidates,
+                                        const deflection::Arm& arm, const Units& units);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,267 @@
+#include "calibration/diagnosis/effect_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/smooth_misfit.hpp"
+#include "calibration/held_out.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kNearNeutral = 2;  // sigmas
+
+/// What the warnings of both commands look at.
+struct Case {
+  const PlacedArm& start;
+  const std::vector<Measurement>& readings;  ///< without those that were set aside
+  IdentificationOptions options;             ///< of the fit with all effects
+  const Identification& with;
+  ErrorSize heldout;
+  const EffectWarningOptions& limits;
+};
+
+const deflection::EffectKind& kindOf(const deflection::Effect& effect) {
+  return deflection::effectKinds()[static_cast<std::size_t>(effect.kind)];
+}
+
+/// The fitted numbers of an effect.
+std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, int effect) {
+  std::vector<const IdentifiedNumber*> numbers;
+  for (const auto& number : with.numbers)
+    if (!number.is_held && number.unknown.owner == Unknown::Owner::kArm && number.unknown.path.effect == effect)
+      numbers.push_back(&number);
+  return numbers;
+}
+
+bool isFreed(const Identification& with, int effect) {
+  return std::any_of(with.numbers.begin(), with.numbers.end(), [&](const IdentifiedNumber& number) {
+    return number.unknown.owner == Unknown::Owner::kArm && number.unknown.path.effect == effect;
+  });
+}
+
+PlacedArm withoutEffect(PlacedArm placed, int effect) {
+  placed.arm.effects.erase(placed.arm.effects.begin() + effect);
+  return placed;
+}
+
+/// The free names that are not the effect's.
+std::vector<std::string> otherNames(const deflection::Arm& arm, const std::vector<std::string>& names, int effect) {
+  std::vector<std::string> others;
+  for (const auto& name : names) {
+    const auto parameter = deflection::findParameter(arm, name);
+    if (!parameter || parameter->path.effect != effect) others.push_back(name);
+  }
+  return others;
+}
+
+/// The model without one effect, the rest fitted.
+struct Without {
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
+  ErrorSize heldout;
+};
+
+Without asItStands(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  std::vector<Measurement> fitted = readings;
+  std::erase_if(fitted, [](const Measurement& reading) { return reading.is_held_out; });
+  const auto weights = weighReadings(placed, fitted);
+  if (!weights) return {};
+  const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
+  return {residual.ok ? residual.r.squaredNorm() : std::numeric_limits<double>::quiet_NaN(), judge(placed, fitted)};
+}
+
+Without fitWithout(const Case& c, int effect) {
+  const PlacedArm bare = withoutEffect(c.start, effect);
+  IdentificationOptions options = c.options;
+  options.free.names = otherNames(c.start.arm, c.options.free.names, effect);
+  options.intervals_by_profile = false;
+  options.drop_level = 0;
+  const bool places = options.free.base && std::any_of(bare.placings.begin(), bare.placings.end(),
+                                                       [](const Placing& p) { return !p.is_known; });
+  if (options.free.names.empty() && !places) return asItStands(bare, c.readings);
+  const Identification fit = identify(bare, c.readings, options);
+  return {fit.chi2, fit.heldout};
+}
+
+double logReadings(const Identification& with) {
+  return std::log(
+      std::max(2., static_cast<double>(with.degrees_of_freedom) + static_cast<double>(with.fitted_numbers.size())));
+}
+
+bool isAtNeutral(const deflection::Effect& effect, const std::vector<const IdentifiedNumber*>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](const IdentifiedNumber* number) {
+    const auto& parameter = kindOf(effect).parameters[static_cast<std::size_t>(number->unknown.path.value)];
+    return parameter.is_shape || !(std::abs(number->value - parameter.neutral) > kNearNeutral * number->sigma);
+  });
+}
+
+/// Of a fall by noise alone; halved where a single size can only go one way from neutral.
+double chanceOfFall(double fall, const deflection::Arm& arm, const deflection::Effect& effect,
+                    const std::vector<const IdentifiedNumber*>& numbers) {
+  if (numbers.empty() || !(fall > 0)) return 1;
+  const double p = chiSquareTail(fall, static_cast<double>(numbers.size()));
+  if (numbers.size() > 1) return p;
+  const int value = numbers.front()->unknown.path.value;
+  const auto bounds = deflection::numberOf(arm, effect, value);
+  const double neutral = kindOf(effect).parameters[static_cast<std::size_t>(value)].neutral;
+  return bounds.lower == neutral || bounds.upper == neutral ? p / 2 : p;
+}
+
+EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
+  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
+  EffectWarning warning;
+  warning.kind = kind;
+  warning.effect = kindOf(carried).name;
+  warning.at = deflection::textOf(c.start.arm, kindOf(carried), carried.place);
+  return warning;
+}
+
+/// What taking an effect out does, as a warning that it is not needed; nothing where it is.
+std::optional<EffectWarning> findUnneeded(const Case& c, int effect, const Without& without) {
+  if (std::isnan(without.chi2)) return std::nullopt;
+  const auto numbers = fittedNumbers(c.with, effect);
+  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
+  EffectWarning warning = named(c, effect, EffectWarningKind::kNotNeeded);
+  warning.fall = without.chi2 - c.with.chi2;
+  const double better = warning.fall - static_cast<double>(numbers.size()) * logReadings(c.with);
+  if (better >= c.limits.gap) return std::nullopt;
+  warning.p_value = chanceOfFall(warning.fall, c.start.arm, carried, numbers);
+  warning.is_within_noise = better <= 0;
+  warning.is_at_neutral = isAtNeutral(carried, numbers);
+  warning.heldout_with = c.heldout;
+  warning.heldout_without = without.heldout;
+  return warning;
+}
+
+void findBeyondPlausible(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
+  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
+  for (const auto* number : fittedNumbers(c.with, effect)) {
+    const auto& parameter = kindOf(carried).parameters[static_cast<std::size_t>(number->unknown.path.value)];
+    if (parameter.is_shape || std::isnan(number->sigma)) continue;
+    if (!(std::abs(number->value - parameter.neutral) > parameter.plausible + kNearNeutral * number->sigma)) continue;
+    EffectWarning warning = named(c, effect, EffectWarningKind::kBeyondPlausible);
+    warning.number = {parameter.name, number->unknown.quantity, number->value, number->sigma};
+    warning.plausible = parameter.plausible;
+    warnings.push_back(warning);
+  }
+}
+
+/// The smaller p-value of what remains: over all readings, and of what follows the joints smoothly.
+double chanceOfMisfit(const Case& c) {
+  std::vector<Measurement> fitted = c.readings;
+  std::erase_if(fitted, [](const Measurement& reading) { return reading.is_held_out; });
+  const DiagnosisBasis basis = basisOf(c.with, fitted);
+  if (!basis.residual.ok) return c.with.p_value;
+  return std::min(c.with.p_value, findSmoothMisfit(basis.fitted, fitted, basis.weights, basis.residual).p_value);
+}
+
+bool hasShape(const deflection::Effect& effect) {
+  const auto& parameters = kindOf(effect).parameters;
+  return std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.is_shape; });
+}
+
+bool isItself(const EffectWarning& warning) {
+  return warning.better.effect == warning.effect && warning.better.at == warning.at;
+}
+
+/// The effect with the shape that suits the readings best, or another in its place: what does better by the gap. Fewer
+/// of its own sizes are no other explanation: they only make the criterion that others must beat.
+std::optional<EffectWarning> findBetter(const Case& c, int effect, const DiagnosisOptions& options,
+                                        double criterion_with_more) {
+  DiagnosisOptions bare = options;
+  bare.baseline.free.names = otherNames(c.start.arm, options.baseline.free.names, effect);
+  const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
+  const auto fits = explainBySingles(withoutEffect(c.start, effect), c.readings, bare);
+  double own = c.with.chi2 + static_cast<double>(c.with.fitted_numbers.size()) * logReadings(c.with);
+  EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
+  for (const auto& fit : fits) {
+    warning.better = fit.effects.front();
+    if (isItself(warning) && !(may_reshape && fit.chi2 + c.limits.gap < c.with.chi2))
+      own = std::min(own, fit.criterion);
+  }
+  for (const auto& fit : fits) {
+    if (fit.criterion + c.limits.gap > own) break;  // best first
+    if (criterion_with_more + c.limits.gap < fit.criterion) continue;
+    warning.better = fit.effects.front();
+    warning.by = own - fit.criterion;
+    return warning;
+  }
+  return std::nullopt;
+}
+
+/// A shape that no fit finds from where it starts (a time, a knee) and that makes the effect fit far better.
+std::optional<EffectWarning> findOtherShape(const Case& c, int effect) {
+  if (!hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)])) return std::nullopt;
+  DiagnosisOptions look;
+  look.baseline = c.options;
+  auto better = findBetter(c, effect, look, std::numeric_limits<double>::infinity());
+  if (!better || !isItself(*better)) return std::nullopt;
+  return better;
+}
+
+EffectWarning remaining(const Case& c, int effect, double p_value) {
+  EffectWarning warning = named(c, effect, EffectWarningKind::kMisfitRemains);
+  warning.p_value = p_value;
+  return warning;
+}
+
+bool isUsable(const Identification& with) {
+  return with.status == IdentificationStatus::kDone || with.status == IdentificationStatus::kNotConverged;
+}
+
+}  // namespace
+
+std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                         const IdentificationOptions& options, const Identification& fitted,
+                                         const EffectWarningOptions& limits) {
+  if (!isUsable(fitted)) return {};
+  const Case c{start, readings, options, fitted, fitted.heldout, limits};
+  std::vector<EffectWarning> warnings;
+  std::vector<int> freed;
+  for (int e = 0; e < static_cast<int>(start.arm.effects.size()); ++e)
+    if (isFreed(fitted, e)) freed.push_back(e);
+  const double misfit = freed.empty() ? 1 : chanceOfMisfit(c);
+  for (const int e : freed) {
+    const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
+    const auto reshaped = unneeded || misfit < limits.misfit ? findOtherShape(c, e) : std::nullopt;
+    if (reshaped)
+      warnings.push_back(*reshaped);
+    else if (unneeded)
+      warnings.push_back(*unneeded);
+    findBeyondPlausible(c, e, warnings);
+    if (misfit < limits.misfit) warnings.push_back(remaining(c, e, misfit));
+  }
+  return warnings;
+}
+
+std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                         const DiagnosisOptions& options, const Diagnosis& diagnosis,
+                                         const EffectWarningOptions& limits) {
+  if (diagnosis.verdict == Verdict::kNotRun || start.arm.effects.empty()) return {};
+  std::vector<Measurement> used;
+  for (int k = 0; k < static_cast<int>(readings.size()); ++k)
+    if (!std::binary_search(diagnosis.set_aside.begin(), diagnosis.set_aside.end(), k))
+      used.push_back(readings[static_cast<std::size_t>(k)]);
+  IdentificationOptions fit = options.baseline;
+  fit.folds = options.folds;
+  fit.seed = options.seed;
+  const Case c{start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits};
+  double with_more = std::numeric_limits<double>::infinity();
+  for (const auto& explanation : diagnosis.closest) with_more = std::min(with_more, explanation.criterion);
+  std::vector<EffectWarning> warnings;
+  const double misfit = chanceOfMisfit(c);
+  for (int e = 0; e < static_cast<int>(start.arm.effects.size()); ++e) {
+    const auto better = findBetter(c, e, options, with_more);
+    const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
+    if (unneeded && !(better && isItself(*better))) warnings.push_back(*unneeded);
+    if (better) warnings.push_back(*better);
+    findBeyondPlausible(c, e, warnings);
+    if (misfit < limits.misfit) warnings.push_back(remaining(c, e, misfit));
+  }
+  return warnings;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,49 @@
+// Whether the readings need the effects that a model carries: each is taken out, and the rest fitted anew.
+//
+// An effect that brings the information criterion down by less than the gap is one that no diagnosis would name. Where
+// another effect in its place does better by the gap, and both together do not do better still, the other is the one.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+
+namespace tubeplan::calibration {
+
+enum class EffectWarningKind { kNotNeeded, kBetterExplainedBy, kBeyondPlausible, kMisfitRemains };
+
+struct EffectWarning {
+  EffectWarningKind kind = EffectWarningKind::kNotNeeded;
+  std::string effect, at;
+  double fall = std::numeric_limits<double>::quiet_NaN();     ///< of chi-square by its numbers
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of that fall by noise; of the misfit that remains
+  bool is_within_noise = false;                               ///< the criterion is no better with it than without
+  bool is_at_neutral = false;                                 ///< all its sizes are within two sigma of doing nothing
+  ErrorSize heldout_with, heldout_without;
+  FoundNumber number;  ///< the one beyond what any machine has
+  double plausible = std::numeric_limits<double>::quiet_NaN();
+  FoundEffect better;                                    ///< what explains better, perhaps itself with another shape
+  double by = std::numeric_limits<double>::quiet_NaN();  ///< in the information criterion
+};
+
+struct EffectWarningOptions {
+  double gap = 8;         ///< in the information criterion
+  double misfit = 0.003;  ///< p of the misfit, over all readings or smooth in the joints, below which more is missing
+};
+
+/// Of the effects that an identification fitted, cheaply: not needed, beyond plausible, misfit remains. `options` and
+/// `start` are those it was made with. Empty unless it was done.
+[[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                                       const IdentificationOptions& options,
+                                                       const Identification& fitted,
+                                                       const EffectWarningOptions& limits = {});
+
+/// Of all effects that a diagnosed model carries, also where another one would explain the readings better. Empty
+/// unless it was run.
+[[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                                       const DiagnosisOptions& options, const Diagnosis& diagnosis,
+                                                       const EffectWarningOptions& limits = {});
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,78 @@
+// Which further readings would split the explanations that a diagnosis cannot tell apart.
+//
+// Every explanation foretells a reading from what the readings so far tell of its own numbers: mean f and covariance
+// S = I + H P H^T, in noise sigmas. If a is true, a further reading raises the chi-square of b over that of a, both
+// fitted anew, in the mean by
+//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows,   d = f_a - f_b:
+// what b's free numbers and sizes could absorb is taken off. Readings are taken one by one so that the least of these
+// over all ordered pairs becomes as large as possible (T-optimality: Atkinson and Fedorov 1975; in steps: Box and Hill
+// 1967).
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/next_readings.hpp"
+
+namespace tubeplan::calibration {
+
+struct SplittingOptions {
+  int count = 6;              ///< readings, or sets of touches of one unknown point
+  double gap = 8;             ///< in the information criterion: what tells two explanations apart
+  int most_repeats = 4;       ///< of the whole choice, before postures are said not to split at all
+  int most_explanations = 8;  ///< that are split, best first
+};
+
+/// One ordered pair: what is to be expected when the first is true.
+struct SplitPair {
+  int truth = -1, other = -1;                                     ///< indices of the explanations
+  double now = std::numeric_limits<double>::quiet_NaN();          ///< criterion of the other less that of the first
+  double expected = std::numeric_limits<double>::quiet_NaN();     ///< the same after the readings, in the mean
+  double probability = std::numeric_limits<double>::quiet_NaN();  ///< that the first is then named rather than both
+};
+
+struct SplittingReading {
+  int candidate = -1;                                            ///< index of what was given
+  int a = -1, b = -1;                                            ///< the explanations that it splits most
+  double separation = std::numeric_limits<double>::quiet_NaN();  ///< of their predictions, in noise sigmas, on top of
+                                                                 ///< the readings before it
+};
+
+/// What else could be measured, and what that many of it would do.
+struct OtherMeans {
+  std::string what;
+  double least_expected = std::numeric_limits<double>::quiet_NaN();  ///< as of SplittingReadings; NaN: not computed
+};
+
+enum class SplittingStatus { kNotRun, kNothingToSplit, kNoCandidates, kDone };
+
+struct SplittingReadings {
+  SplittingStatus status = SplittingStatus::kNotRun;
+  std::string reason;
+  std::vector<Explanation> explanations;  ///< that are to be split; one without effects says that nothing is missing
+  std::vector<SplittingReading> readings;
+  std::vector<SplitPair> pairs;
+  double least_expected = std::numeric_limits<double>::quiet_NaN();  ///< of the pairs
+  double probability = std::numeric_limits<double>::quiet_NaN();     ///< that one is named, whichever is true
+  int times = 0;  ///< that the choice must be made to split, in the mean, what can be split; 0: nothing can
+  std::vector<SplitPair> never;         ///< pairs, each once, that the most repeats split in neither order
+  std::vector<OtherMeans> other_means;  ///< for those pairs, best first
+  std::vector<std::string> columns;     ///< what to write down beside: effects not tried
+};
+
+/// The explanations that a diagnosis leaves open: its alternatives; where it was inconclusive, that nothing is missing
+/// and the closest; where none is enough, those that do as well as the best. Fewer than two: nothing to split.
+[[nodiscard]] std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most);
+
+/// "backlash@tool.z with hysteresis@theta4"; "nothing missing" without effects.
+[[nodiscard]] std::string nameOf(const Explanation& explanation);
+
+/// `readings` are those that were diagnosed. Candidates are made in the last set-up; each is taken at most once.
+[[nodiscard]] SplittingReadings proposeSplittingReadings(const Diagnosis& diagnosis,
+                                                         const std::vector<Measurement>& readings,
+                                                         const std::vector<ReadingCandidate>& candidates,
+                                                         const SplittingOptions& options = {});
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,112 @@
+// An effect that the readings do not need is warned of; the right one is not.
+#include "calibration/diagnosis/effect_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/calibration/bench_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+struct Added {
+  const char* effect;
+  const char* at;
+};
+
+/// The bench with effects added by hand, and their numbers freed.
+struct WithEffects {
+  app::Cell cell = shippedBench();
+  std::vector<std::string> free = cell.identify;
+
+  explicit WithEffects(const std::vector<Added>& added) {
+    for (const auto& [effect, at] : added) {
+      cell.arm.effects.push_back(deflection::makeEffect(cell.arm, effect, at).effect);
+      for (const auto& parameter : deflection::parametersOf(cell.arm))
+        if (parameter.path.effect == static_cast<int>(cell.arm.effects.size()) - 1) free.push_back(parameter.name);
+    }
+  }
+
+  [[nodiscard]] std::vector<EffectWarning> identified(const std::vector<Measurement>& readings) const {
+    IdentificationOptions options;
+    options.free = {free, false};
+    const auto start = benchStart(cell, readings);
+    return warnOfEffects(start, readings, options, identify(start, readings, options));
+  }
+
+  [[nodiscard]] std::vector<EffectWarning> diagnosed(const std::vector<Measurement>& readings) const {
+    DiagnosisOptions options;
+    options.baseline.free = {free, false};
+    options.draws = 200;
+    const auto start = benchStart(cell, readings);
+    return warnOfEffects(start, readings, options, diagnose(start, readings, options));
+  }
+};
+
+std::vector<EffectWarning> ofKind(const std::vector<EffectWarning>& warnings, EffectWarningKind kind) {
+  std::vector<EffectWarning> some;
+  for (const auto& warning : warnings)
+    if (warning.kind == kind) some.push_back(warning);
+  return some;
+}
+
+TEST(EffectWarnings, TheRightEffectIsNotWarnedOf) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const WithEffects cell(std::vector<Added>{{"hysteresis", "theta3"}});
+    const auto readings = benchReadings(shippedBench(), "hysteresis", "theta3", {0.0006}, 60, seed);
+    EXPECT_TRUE(cell.identified(readings).empty()) << seed;
+    EXPECT_TRUE(cell.diagnosed(readings).empty()) << seed;
+  }
+}
+
+TEST(EffectWarnings, AnEffectThatIsNotThereIsNotNeeded) {
+  const auto readings = benchReadings(shippedBench(), "", "", {}, 60, 3);
+  for (const Added& wrong : {Added{"hysteresis", "theta2"}, Added{"backlash", "tool.z"}, Added{"link-twist", "forearm"},
+                             Added{"gravity-tilt", "base"}}) {
+    for (const auto& warnings : {WithEffects(std::vector<Added>{wrong}).identified(readings),
+                                 WithEffects(std::vector<Added>{wrong}).diagnosed(readings)}) {
+      const auto unneeded = ofKind(warnings, EffectWarningKind::kNotNeeded);
+      ASSERT_EQ(unneeded.size(), 1U) << wrong.effect;
+      EXPECT_EQ(unneeded.front().effect, wrong.effect);
+      EXPECT_EQ(unneeded.front().at, wrong.at);
+      EXPECT_GT(unneeded.front().p_value, 0.001);
+      EXPECT_GT(unneeded.front().heldout_with.rms, 0.95 * unneeded.front().heldout_without.rms);
+    }
+  }
+}
+
+TEST(EffectWarnings, AWrongEffectInThePlaceOfTheRightOneIsToldSo) {
+  const auto readings = benchReadings(shippedBench(), "encoder-eccentricity", "theta3", {0.001, 0.0012}, 90, 5);
+  const WithEffects cell(std::vector<Added>{{"joint-offset", "theta3"}});
+  EXPECT_FALSE(ofKind(cell.identified(readings), EffectWarningKind::kMisfitRemains).empty());
+  const auto better = ofKind(cell.diagnosed(readings), EffectWarningKind::kBetterExplainedBy);
+  ASSERT_EQ(better.size(), 1U);
+  EXPECT_EQ(better.front().effect, "joint-offset");
+  EXPECT_EQ(better.front().better.effect, "encoder-eccentricity");
+  EXPECT_EQ(better.front().better.at, "theta3");
+  EXPECT_GT(better.front().by, 8);
+}
+
+TEST(EffectWarnings, TwoRightEffectsAreBothNeeded) {
+  auto cell = shippedBench();
+  auto made = deflection::makeEffect(cell.arm, "hysteresis", "theta2").effect;
+  made.values = {0.0006};
+  cell.arm.effects.push_back(made);
+  const auto readings = benchReadings(cell, "joint-offset", "theta4", {0.002}, 90, 6);
+  const WithEffects both(std::vector<Added>{{"hysteresis", "theta2"}, {"joint-offset", "theta4"}});
+  EXPECT_TRUE(both.identified(readings).empty());
+  EXPECT_TRUE(both.diagnosed(readings).empty());
+}
+
+TEST(EffectWarnings, ASizeThatNoMachineHasIsSaid) {
+  const auto readings = benchReadings(shippedBench(), "hysteresis", "theta3", {0.02}, 60, 2);
+  const auto beyond = ofKind(WithEffects(std::vector<Added>{{"hysteresis", "theta3"}}).identified(readings),
+                             EffectWarningKind::kBeyondPlausible);
+  ASSERT_EQ(beyond.size(), 1U);
+  EXPECT_EQ(beyond.front().number.name, "half_width");
+  EXPECT_NEAR(beyond.front().number.value, 0.02, 1e-3);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
