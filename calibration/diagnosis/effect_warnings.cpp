@@ -93,7 +93,7 @@ double logReadings(const Identification& with) {
 
 bool isAtNeutral(const deflection::Effect& effect, const std::vector<const IdentifiedNumber*>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [&](const IdentifiedNumber* number) {
-    const auto& parameter = kindOf(effect).parameters[static_cast<std::size_t>(number->unknown.path.value)];
+    const auto& parameter = deflection::numbersOf(effect)[static_cast<std::size_t>(number->unknown.path.value)];
     return parameter.is_shape || !(std::abs(number->value - parameter.neutral) > kNearNeutral * number->sigma);
   });
 }
@@ -106,7 +106,7 @@ double chanceOfFall(double fall, const deflection::Arm& arm, const deflection::E
   if (numbers.size() > 1) return p;
   const int value = numbers.front()->unknown.path.value;
   const auto bounds = deflection::numberOf(arm, effect, value);
-  const double neutral = kindOf(effect).parameters[static_cast<std::size_t>(value)].neutral;
+  const double neutral = deflection::numbersOf(effect)[static_cast<std::size_t>(value)].neutral;
   return bounds.lower == neutral || bounds.upper == neutral ? p / 2 : p;
 }
 
@@ -115,7 +115,8 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   EffectWarning warning;
   warning.kind = kind;
   warning.effect = kindOf(carried).name;
-  warning.at = deflection::textOf(c.start.arm, kindOf(carried), carried.place);
+  const std::string text = deflection::textOf(c.start.arm, carried);
+  warning.at = text.substr(text.find('@') + 1);
   return warning;
 }
 
@@ -139,7 +140,7 @@ std::optional<EffectWarning> findUnneeded(const Case& c, int effect, const Witho
 void findBeyondPlausible(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   for (const auto* number : fittedNumbers(c.with, effect)) {
-    const auto& parameter = kindOf(carried).parameters[static_cast<std::size_t>(number->unknown.path.value)];
+    const auto& parameter = deflection::numbersOf(carried)[static_cast<std::size_t>(number->unknown.path.value)];
     if (parameter.is_shape || std::isnan(number->sigma)) continue;
     if (!(std::abs(number->value - parameter.neutral) > parameter.plausible + kNearNeutral * number->sigma)) continue;
     EffectWarning warning = named(c, effect, EffectWarningKind::kBeyondPlausible);
@@ -159,7 +160,7 @@ double chanceOfMisfit(const Case& c) {
 }
 
 bool hasShape(const deflection::Effect& effect) {
-  const auto& parameters = kindOf(effect).parameters;
+  const auto& parameters = deflection::numbersOf(effect);
   return std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.is_shape; });
 }
 
