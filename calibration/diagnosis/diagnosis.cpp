@@ -14,6 +14,8 @@ using Eigen::Index, Eigen::VectorXd;
 namespace {
 
 constexpr int kMostAlternatives = 8;
+constexpr double kMuchLess = 0.75;   // of the chi-square that one effect leaves: what a second must get below
+constexpr double kHardlyMore = 1.1;  // of the least chi-square: errors within 5 % of each other
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
@@ -49,22 +51,30 @@ Identification fitBaseline(const PlacedArm& start, std::vector<Measurement>& rea
   return identify(start, readings, baseline_options);
 }
 
-/// Where no model is enough, what is left is the yardstick: the noise is as large as the best of them leaves it.
-void sortByRemainingNoise(const DiagnosisWork& work, std::vector<Explanation>& fits) {
-  if (fits.empty()) return;
-  const auto least = std::min_element(fits.begin(), fits.end(),
-                                      [](const Explanation& a, const Explanation& b) { return a.chi2 < b.chi2; });
-  const double noise = std::max(1., least->chi2 / std::max(1, work.basis.weights.degrees_of_freedom));
-  const auto criterion = [&](const Explanation& fit) { return fit.criterion - fit.chi2 + fit.chi2 / noise; };
-  std::stable_sort(fits.begin(), fits.end(),
-                   [&](const Explanation& a, const Explanation& b) { return criterion(a) < criterion(b); });
-  const double best = criterion(fits.front());
-  for (auto& fit : fits) fit.is_near_best = criterion(fit) <= best + work.options.gap;
+/// Where no model is enough, statistics of the noise no longer tell models apart: what is left does. Of as many
+/// effects, those that leave hardly more than the best are near it; more effects come first only where they leave much
+/// less.
+void sortByWhatIsLeft(std::vector<Explanation>& fits) {
+  const auto least = [&](bool of_pairs) {
+    double chi2 = std::numeric_limits<double>::infinity();
+    for (const auto& fit : fits)
+      if ((fit.effects.size() > 1) == of_pairs) chi2 = std::min(chi2, fit.chi2);
+    return chi2;
+  };
+  const double singles = least(false), pairs = least(true);
+  const bool pairs_first = pairs < kMuchLess * singles;
+  std::stable_sort(fits.begin(), fits.end(), [&](const Explanation& a, const Explanation& b) {
+    const bool is_a_first = (a.effects.size() > 1) == pairs_first, is_b_first = (b.effects.size() > 1) == pairs_first;
+    return is_a_first != is_b_first ? is_a_first : a.chi2 < b.chi2;
+  });
+  for (auto& fit : fits)
+    fit.is_near_best =
+        (fit.effects.size() > 1) == pairs_first && fit.chi2 <= kHardlyMore * (pairs_first ? pairs : singles);
 }
 
 void decide(const DiagnosisWork& work, Finding finding, Diagnosis& result) {
   const bool is_seen = result.evidence > result.threshold;
-  if (finding.good.empty()) sortByRemainingNoise(work, finding.fits);
+  if (finding.good.empty()) sortByWhatIsLeft(finding.fits);
   const bool is_off = result.p_value < work.options.misfit || result.smooth_p_value < work.options.misfit;
   result.closest = finding.fits;
   if (result.closest.size() > kMostAlternatives) result.closest.resize(kMostAlternatives);

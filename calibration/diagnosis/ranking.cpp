@@ -66,17 +66,35 @@ std::vector<WeighedModel> weigh(const DiagnosisWork& work, const std::vector<Sco
   return models;
 }
 
-/// Probability of each effect, by name.
-std::map<std::string, double> shareOut(const std::vector<WeighedModel>& models, double none, double none_prior) {
+/// An effect's share of the weights, and its probability: what is believed of that.
+struct Share {
+  double weight = 0, probability = 0;
+};
+
+/// Criteria are taken over `noise`, the variance that the best model leaves where none is enough.
+std::map<std::string, Share> shareOut(std::vector<WeighedModel> models, double none, double none_prior, double noise) {
+  for (auto& model : models) model.criterion /= noise;
+  none /= noise;
   double least = none;
   for (const auto& model : models) least = std::min(least, model.criterion);
   double total = none_prior * std::exp(-(none - least) / 2);
   for (const auto& model : models) total += std::exp(-(model.criterion - least) / 2);
-  std::map<std::string, double> shares;
+  std::map<std::string, Share> shares;
   for (const auto& model : models)
-    for (const auto& effect : model.effects)
-      shares[effect] += std::exp(-(model.criterion - least) / 2) / total * model.belief;
+    for (const auto& effect : model.effects) {
+      const double weight = std::exp(-(model.criterion - least) / 2) / total;
+      shares[effect].weight += weight;
+      shares[effect].probability += weight * model.belief;
+    }
   return shares;
+}
+
+/// The variance that the best model leaves, of a noise of 1 as stated, where even that one is refused.
+double noiseLeft(const std::vector<Explanation>& fits, const Diagnosis& result, double lack_of_fit) {
+  double chi2 = result.chi2;
+  for (const auto& fit : fits) chi2 = std::min(chi2, fit.chi2);
+  if (chiSquareTail(chi2, result.degrees_of_freedom) >= lack_of_fit) return 1;
+  return std::max(1., chi2 / std::max(1, result.degrees_of_freedom));
 }
 
 /// The size that stands farthest from none, as fitted.
@@ -97,7 +115,8 @@ void rank(const DiagnosisWork& work, const std::vector<Scored>& singles, const s
   std::map<std::string, const Explanation*> fitted;
   for (const auto& fit : fits)
     if (fit.effects.size() == 1) fitted.emplace(nameOf(fit.effects.front().effect, fit.effects.front().at), &fit);
-  const auto shares = shareOut(weigh(work, singles, fits, result), result.chi2, static_cast<double>(singles.size()));
+  const auto shares = shareOut(weigh(work, singles, fits, result), result.chi2, static_cast<double>(singles.size()),
+                               noiseLeft(fits, result, work.options.lack_of_fit));
   for (const Scored& scored : singles) {
     const int first = scored.variants.front();
     const Variant& variant = work.space.variants()[static_cast<std::size_t>(first)];
@@ -112,11 +131,15 @@ void rank(const DiagnosisWork& work, const std::vector<Scored>& singles, const s
     entry.correlation = work.space.correlation(first, singles.front().variants.front());
     const std::string name = nameOf(entry.effect, entry.at);
     if (const auto at = fitted.find(name); at != fitted.end()) takeFitted(*at->second, result.chi2, entry);
-    if (const auto at = shares.find(name); at != shares.end()) entry.probability = at->second;
+    if (const auto at = shares.find(name); at != shares.end()) entry.probability = at->second.probability;
     result.ranking.push_back(std::move(entry));
   }
-  std::stable_sort(result.ranking.begin(), result.ranking.end(), [](const RankedEffect& a, const RankedEffect& b) {
-    return a.probability != b.probability ? a.probability > b.probability : a.fall > b.fall;
+  const auto weightOf = [&](const RankedEffect& entry) {
+    const auto at = shares.find(nameOf(entry.effect, entry.at));
+    return at == shares.end() ? 0 : at->second.weight;
+  };
+  std::stable_sort(result.ranking.begin(), result.ranking.end(), [&](const RankedEffect& a, const RankedEffect& b) {
+    return weightOf(a) != weightOf(b) ? weightOf(a) > weightOf(b) : a.fall > b.fall;
   });
 }
 

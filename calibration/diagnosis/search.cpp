@@ -9,7 +9,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kTwinFall = 20;  // criterion beyond the best to which candidates are fitted too
+constexpr double kTwinFall = 20;     // criterion beyond the best to which candidates are fitted too
+constexpr double kTwinShare = 0.15;  // the same as a share of what the best leaves
 constexpr int kMostLeaders = 14;
 constexpr int kPairsFitted = 10;
 constexpr int kPairFirsts = 40;  // candidates, best first, that pairs are made of
@@ -28,8 +29,11 @@ std::vector<Explanation> fitAll(const DiagnosisWork& work, const std::vector<Sco
 /// The leaders, and all others that come near them.
 std::vector<Scored> leadersOf(const DiagnosisWork& work, const std::vector<Scored>& singles) {
   std::vector<Scored> some;
+  if (singles.empty()) return some;
+  const double left = work.basis.residual.r.squaredNorm() + singles.front().criterion;
+  const double near = singles.front().criterion + std::max(kTwinFall, kTwinShare * left);
   for (const Scored& scored : singles) {
-    const bool is_near = scored.criterion < singles.front().criterion + kTwinFall;
+    const bool is_near = scored.criterion < near;
     const auto most = static_cast<std::size_t>(is_near ? kMostLeaders : work.options.leaders);
     if (some.size() < most && scored.criterion < 0) some.push_back(scored);
   }
