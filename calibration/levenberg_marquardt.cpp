@@ -12,6 +12,7 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double kFirstDamping = 1e-6;  // of the largest diagonal of the normal equations
+constexpr double kRest = 1e-12;         // of the same: what no residual depends on stays where it is
 constexpr double kLargestDamping = 1e12;
 constexpr double kNoMisfit = 1e-6;  // chi2 below which the tolerance is no longer a share of it
 
@@ -33,7 +34,8 @@ VectorXd dampedStep(const ScaledProblem& problem, const MatrixXd& normal, const 
   VectorXd step = VectorXd::Zero(gradient.size());
   while (!free.empty()) {
     MatrixXd some = normal(free, free);
-    some.diagonal() += damping * normal(free, free).diagonal().cwiseMax(1e-30);
+    some.diagonal() += damping * some.diagonal();
+    some.diagonal().array() += kRest * normal.diagonal().maxCoeff();
     const VectorXd pull = gradient + normal * step;
     const VectorXd part = some.ldlt().solve(-pull(free));
     std::vector<Index> inside;

@@ -6,6 +6,7 @@
 #include "calibration/diagnosis/ranking.hpp"
 #include "calibration/diagnosis/smooth_misfit.hpp"
 #include "calibration/held_out.hpp"
+#include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -14,8 +15,9 @@ using Eigen::Index, Eigen::VectorXd;
 namespace {
 
 constexpr int kMostAlternatives = 8;
-constexpr double kMuchLess = 0.75;   // of the chi-square that one effect leaves: what a second must get below
-constexpr double kHardlyMore = 1.1;  // of the least chi-square: errors within 5 % of each other
+constexpr std::size_t kFewOutliers = 20;  // one reading in that many, at most
+constexpr double kMuchLess = 0.75;        // of the chi-square that one effect leaves: what a second must get below
+constexpr double kHardlyMore = 1.1;       // of the least chi-square: errors within 5 % of each other
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
@@ -37,18 +39,6 @@ DiagnosisWork linearize(Identification baseline, const std::vector<Measurement>&
   work.catalogue = linearizeCatalogue(work.basis.fitted, work.basis.readings, work.basis.weights, options.catalogue);
   work.space = ScoreSpace(work.catalogue, work.basis.residual.jacobian, work.basis.residual.r);
   return work;
-}
-
-/// The baseline without its outliers, where they are few: what an effect moves is spread too widely to be among them.
-Identification fitBaseline(const PlacedArm& start, std::vector<Measurement>& readings, const DiagnosisOptions& options,
-                           std::vector<int>& set_aside) {
-  const auto baseline_options = baselineOptions(options);
-  Identification baseline = identify(start, readings, baseline_options);
-  if (baseline.outliers.empty() || baseline.outliers.size() > readings.size() / 20) return baseline;
-  for (const auto& outlier : baseline.outliers) set_aside.push_back(outlier.reading);
-  std::sort(set_aside.begin(), set_aside.end());
-  for (auto at = set_aside.rbegin(); at != set_aside.rend(); ++at) readings.erase(readings.begin() + *at);
-  return identify(start, readings, baseline_options);
 }
 
 /// Where no model is enough, statistics of the noise no longer tell models apart: what is left does. Of as many
@@ -122,13 +112,18 @@ void judgeAll(const DiagnosisWork& work, const std::vector<Measurement>& held_ou
 
 }  // namespace
 
-Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
+namespace {
+
+Diagnosis diagnoseReadings(Identification baseline, const std::vector<Measurement>& all,
+                           const std::vector<int>& set_aside, const DiagnosisOptions& options) {
   Diagnosis result;
-  std::vector<Measurement> used = readings, held_out;
-  for (const auto& reading : readings)
-    if (reading.is_held_out) held_out.push_back(reading);
-  result.baseline = fitBaseline(start, used, options, result.set_aside);
-  std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
+  result.set_aside = set_aside;
+  std::vector<Measurement> used, held_out;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool is_set_aside = std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+    if (!is_set_aside) (all[k].is_held_out ? held_out : used).push_back(all[k]);
+  }
+  result.baseline = std::move(baseline);
   const DiagnosisWork work = linearize(result.baseline, used, options);
   if (!work.basis.residual.ok) {
     result.reason =
@@ -157,8 +152,46 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   decide(work, std::move(finding), result);
   listDetectable(work, result.threshold, result);
   judgeAll(work, held_out, result);
-  result.views = viewsOf(work.basis, result, readings);
+  result.views = viewsOf(work.basis, result, all);
   return result;
+}
+
+std::vector<Measurement> without(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
+  for (auto at = set_aside.rbegin(); at != set_aside.rend(); ++at) readings.erase(readings.begin() + *at);
+  return readings;
+}
+
+/// Of the model as it is with every outlier's rows as numbers of their own.
+double criterionOf(const Identification& rest, const Diagnosis& whole, const std::vector<Measurement>& readings,
+                   const std::vector<int>& set_aside) {
+  auto numbers = static_cast<double>(rest.fitted_numbers.size());
+  for (const int k : set_aside) numbers += rowsOf(readings[static_cast<std::size_t>(k)]);
+  const auto rows =
+      static_cast<double>(whole.degrees_of_freedom) + static_cast<double>(whole.baseline.fitted_numbers.size());
+  return rest.chi2 + numbers * std::log(std::max(2., rows));
+}
+
+bool isAnswered(const Diagnosis& result) {
+  return result.verdict == Verdict::kExplained || result.verdict == Verdict::kAmbiguous;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
+  const auto baseline_options = baselineOptions(options);
+  Identification baseline = identify(start, readings, baseline_options);
+  std::vector<int> set_aside;
+  for (const auto& outlier : baseline.outliers) set_aside.push_back(outlier.reading);
+  std::sort(set_aside.begin(), set_aside.end());
+  const bool are_few = set_aside.size() <= readings.size() / kFewOutliers;
+  if (set_aside.empty() || !are_few) return diagnoseReadings(std::move(baseline), readings, {}, options);
+  // What an effect moves is mostly spread too widely to be among a few outliers, but a base that slips between touches
+  // of one point is not: an effect that explains every reading in fewer numbers goes before setting some aside.
+  Diagnosis whole = diagnoseReadings(std::move(baseline), readings, {}, options);
+  Identification rest = identify(start, without(readings, set_aside), baseline_options);
+  if (isAnswered(whole) && whole.alternatives.front().criterion < criterionOf(rest, whole, readings, set_aside))
+    return whole;
+  return diagnoseReadings(std::move(rest), readings, set_aside, options);
 }
 
 std::vector<Explanation> explainBySingles(const PlacedArm& start, const std::vector<Measurement>& readings,

@@ -17,12 +17,12 @@ namespace tubeplan::calibration {
 struct DiagnosisOptions {
   IdentificationOptions baseline;  ///< what is free beside the effect
   CatalogueOptions catalogue;
-  double false_alarm = 0.04;   ///< chance of naming anything where nothing is missing, by the best candidate
-  double hint = 0.12;          ///< chance of calling readings inconclusive, or worse, where nothing is missing
-  double misfit = 0.003;       ///< the same by what remains, over all readings or smooth in the joints
-  double lack_of_fit = 0.003;  ///< chance of refusing a model that is right
-  double gap = 8;              ///< in the information criterion: models within it cannot be told apart
-  int leaders = 5;             ///< candidates that are fitted, at least
+  double false_alarm = 0.04;  ///< chance of naming anything where nothing is missing, by the best candidate
+  double hint = 0.12;         ///< chance of calling readings inconclusive, or worse, where nothing is missing
+  double misfit = 0.003;      ///< the same by what remains, over all readings or smooth in the joints
+  double lack_of_fit = 0.01;  ///< chance of refusing a model that is right
+  double gap = 8;             ///< in the information criterion: models within it cannot be told apart
+  int leaders = 5;            ///< candidates that are fitted, at least
   int most_effects = 2;
   int draws = 2000;  ///< of noise, for the best of the catalogue
   int folds = 5;

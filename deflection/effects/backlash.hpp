@@ -2,7 +2,7 @@
 //
 // Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
 // Symbols: g gap [rad].
-// Validity: at rest, without friction; at axes that give, and at the joint axis of every turning row.
+// Validity: at rest, without friction; about any axis of a row that turns or gives: bearings have play across as well.
 // Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
 #pragma once
 
@@ -20,9 +20,9 @@ void apply(const EffectOf<S>& effect, Situation<S>& situation) {
   addition.gap[effect.place.axis] += effect.values[0];
 }
 
-inline bool hasPlace(const Arm& arm, int row, int axis) {
+inline bool hasPlace(const Arm& arm, int row, int) {
   const Row<double>& r = arm.rows[row];
-  return std::isfinite(r.joint_stiffness[axis]) || (axis == 2 && r.joint.type == JointType::kRevolute);
+  return r.joint_stiffness.array().isFinite().any() || r.joint.type == JointType::kRevolute;
 }
 
 inline EffectKind kind() {

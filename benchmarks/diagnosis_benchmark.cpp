@@ -1,0 +1,64 @@
+// What a diagnosis of the whole catalogue costs on one core: the ranking (every effect at every place linearised and
+// scored about a fit) and the verdict (the fit, the ranking, what noise reaches, the leaders fitted and judged).
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/hypothesis.hpp"
+#include "tests/calibration/bench_readings.hpp"
+
+namespace tubeplan::benchmarks {
+namespace {
+
+using namespace calibration;
+
+constexpr int kReadings = 150;
+
+struct Case {
+  app::Cell cell = shippedBench();
+  std::vector<Measurement> readings = benchReadings(cell, "hysteresis", "theta3", {0.001}, kReadings, 1);
+  PlacedArm start = placeForReadings(cell.arm, cell.X_WB, true, readings);
+  DiagnosisOptions options = optionsOf(cell);
+
+  static DiagnosisOptions optionsOf(const app::Cell& cell) {
+    DiagnosisOptions options;
+    options.baseline.free.names = cell.identify;
+    return options;
+  }
+};
+
+void rankCatalogue(benchmark::State& state) {
+  const Case c;
+  IdentificationOptions quick = c.options.baseline;
+  quick.folds = 0;
+  const DiagnosisBasis basis = basisOf(identify(c.start, c.readings, quick), c.readings);
+  std::size_t candidates = 0;
+  for (auto _ : state) {
+    const Catalogue catalogue = linearizeCatalogue(basis.fitted, basis.readings, basis.weights);
+    const ScoreSpace space(catalogue, basis.residual.jacobian, basis.residual.r);
+    for (int v = 0; v < static_cast<int>(space.variants().size()); ++v)
+      benchmark::DoNotOptimize(space.evidence(v, space.score({v})));
+    candidates = catalogue.candidates.size();
+  }
+  state.counters["candidates"] = static_cast<double>(candidates);
+}
+
+void reachVerdict(benchmark::State& state) {
+  const Case c;
+  for (auto _ : state) benchmark::DoNotOptimize(diagnose(c.start, c.readings, c.options).verdict);
+}
+
+BENCHMARK(rankCatalogue)->Name("diagnosis/ranking")->Unit(benchmark::kMillisecond);
+BENCHMARK(reachVerdict)->Name("diagnosis/verdict")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace tubeplan::benchmarks
+
+int main(int argc, char** argv) {
+  const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
