@@ -2,7 +2,8 @@
 //
 // Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
 // Symbols: g gap [rad].
-// Validity: at rest, without friction; about any axis of a row that turns or gives: bearings have play across as well.
+// Validity: at rest, without friction; about axes that give, and about any axis of a turning row: its bearings
+// have play across as well.
 // Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
 #pragma once
 
@@ -20,9 +21,9 @@ void apply(const EffectOf<S>& effect, Situation<S>& situation) {
   addition.gap[effect.place.axis] += effect.values[0];
 }
 
-inline bool hasPlace(const Arm& arm, int row, int) {
+inline bool hasPlace(const Arm& arm, int row, int axis) {
   const Row<double>& r = arm.rows[row];
-  return r.joint_stiffness.array().isFinite().any() || r.joint.type == JointType::kRevolute;
+  return std::isfinite(r.joint_stiffness[axis]) || r.joint.type == JointType::kRevolute;
 }
 
 inline EffectKind kind() {

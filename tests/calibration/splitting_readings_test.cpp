@@ -95,7 +95,9 @@ Tally tallyOf(const Twin& twin, int seeds) {
     Bench bench(twin.effect, twin.at, twin.values, seed);
     const Diagnosis before = bench.diagnosed();
     const auto candidates = candidatesOf(bench, before);
-    const auto next = proposeSplittingReadings(before, bench.readings, candidates);
+    SplittingOptions few;  // so few that it matters which
+    few.count = 2;
+    const auto next = proposeSplittingReadings(before, bench.readings, candidates, few);
     if (next.status != SplittingStatus::kDone) continue;
     ++tally.open;
     const std::string truth = std::string(twin.effect) + "@" + twin.at;

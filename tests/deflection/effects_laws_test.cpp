@@ -67,8 +67,9 @@ TEST(EffectsTable, ThePlacesOfTheCobra) {
   EXPECT_EQ(placesOf("link-weight").back(), "tool");
   EXPECT_EQ(placesOf("joint-compliance").size(), 14U);
   EXPECT_EQ(placesOf("stiffening"), (Texts{"mezzanine-beam.z", "mezzanine-platform.x", "forearm.z", "tool.z"}));
-  EXPECT_EQ(placesOf("backlash"),
-            (Texts{"mezzanine-beam.z", "mezzanine-platform.x", "base-link.z", "latch-link.z", "forearm.z", "tool.z"}));
+  EXPECT_EQ(placesOf("backlash"), (Texts{"mezzanine-beam.z", "mezzanine-platform.x", "base-link.x", "base-link.y",
+                                         "base-link.z", "latch-link.x", "latch-link.y", "latch-link.z", "forearm.x",
+                                         "forearm.y", "forearm.z", "tool.x", "tool.y", "tool.z"}));
   EXPECT_EQ(placesOf("link-bending"),
             (Texts{"mezzanine-beam.y", "mezzanine-platform.x", "mezzanine-platform.y", "base-link.y", "base-link.z",
                    "latch-link.y", "forearm.y", "forearm.z", "tool.y", "tool.z"}));
@@ -102,7 +103,7 @@ TEST(EffectsTable, NamesThatAreNotKnownAreRefusedWithTheOnesThatAre) {
   const auto effect = makeEffect(arm, "backlsh", "tool.z");
   EXPECT_EQ(effect.status, EffectStatus::kUnknownEffect);
   EXPECT_EQ(effect.known.size(), effectKinds().size());
-  const auto place = makeEffect(arm, "backlash", "tool.x");
+  const auto place = makeEffect(arm, "backlash", "mezzanine-beam.x");
   EXPECT_EQ(place.status, EffectStatus::kUnknownPlace);
   EXPECT_FALSE(place.reason.empty());
   EXPECT_EQ(place.known.back(), "tool.z");
@@ -266,7 +267,7 @@ TEST(Effects, EffectsWhereTheyCannotBeAreProblems) {
   };
   EXPECT_EQ(problemOf([](auto& effects) { effects.push_back(effects[0]); }), "backlash@tool.z");
   EXPECT_EQ(problemOf([](auto& effects) { effects[0].values.clear(); }), "backlash@tool.z");
-  EXPECT_EQ(problemOf([](auto& effects) { effects[0].place.axis = 0; }), "effects.1");
+  EXPECT_EQ(problemOf([](auto& effects) { effects[0].place = {.row = 0, .axis = 0}; }), "effects.1");
   EXPECT_EQ(problemOf([](auto& effects) { effects[0].place.row = 17; }), "effects.1");
   EXPECT_EQ(problemOf([](auto& effects) { effects[0].kind = 99; }), "effects.1");
 }
