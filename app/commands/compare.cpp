@@ -9,6 +9,7 @@
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/comparison_json.hpp"
+#include "app/diagnosis_views_json.hpp"
 #include "app/input_error.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "app/readers/measurements_reader.hpp"
@@ -34,6 +35,21 @@ void requireCompared(const calibration::Comparison& result, const CompareOptions
   if (!result.problems.empty())
     throw InputError(options.cell + " (identify)", result.problems.front().found, result.problems.front().expected);
   throw InputError(options.measurements, result.reason, "readings that tell the free parameters", "");
+}
+
+/// Errors as the page's pictures take them: measured less predicted, at the tip's place after the refit.
+void addPictures(const Cell& cell, nlohmann::json& json) {
+  const auto reversed = [](const nlohmann::json& error) {
+    nlohmann::json turned = nlohmann::json::array();
+    for (const auto& part : error) turned.push_back(part.is_number() ? nlohmann::json(-part.get<double>()) : part);
+    return turned;
+  };
+  json["joints"] = jointsJson(cell.arm, cell.units);
+  for (auto& reading : json["readings"]) {
+    reading["position"] = reading["position_after"];
+    reading["before"] = reversed(reading["error_before"]);
+    reading["after"] = reversed(reading["error_after"]);
+  }
 }
 
 int run(const CompareOptions& options) {
@@ -62,6 +78,7 @@ int run(const CompareOptions& options) {
                  {"measurements", options.measurements},
                  {"seed", options.seed},
                  {"version", kVersion}});
+    addPictures(cell, json);
     writeFileAtomically(options.report, renderComparisonReport(json), "--report");
   }
   if (printsText(options.json)) {

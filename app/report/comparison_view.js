@@ -8,7 +8,7 @@ function patternsSection(report) {
   const rows = given.map((pattern) => {
     const entry = object(pattern);
     if (!entry) return [textOf(pattern), null, null];
-    const strength = [entry.share, entry.explains, entry.correlation].find(isNumber);
+    const strength = [entry.share_of_misfit, entry.share, entry.explains, entry.correlation].find(isNumber);
     return [
       textOf(entry.sentence, textOf(entry.text, textOf(entry.name, textOf(entry.of, textOf(entry.with))))),
       isNumber(strength) ? barCell(Math.abs(strength), fixed(strength, 2)) : null,

@@ -86,6 +86,16 @@ TEST_F(CompareCommand, aModelThatFallsShortExitsWithOneAndSaysWhatItsErrorFollow
   expectSays(run("compare " + shipped("bench.yaml") + " readings.csv").out, "falls-short");
 }
 
+TEST_F(CompareCommand, itsPageDrawsTheErrorsOfEveryReading) {
+  (void)write("readings.csv", readingsWith(0));
+  const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --report page.html");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string page = contentOf(folder / "page.html");
+  EXPECT_NE(page.find("\"before\":["), std::string::npos);
+  EXPECT_NE(page.find("\"after\":["), std::string::npos);
+  EXPECT_NE(page.find("\"name\":\"theta1\""), std::string::npos);
+}
+
 TEST_F(CompareCommand, badInputExitsWithTwo) {
   (void)write("readings.csv", readingsWith(0));
   (void)write("bad.yaml",
