@@ -5,6 +5,8 @@
 
 #include <cassert>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -58,6 +60,18 @@ fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.p
 fs::path temporaryBeside(const fs::path& path) {
   return folderOf(path) / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
 }
+
+/// The number in ".NAME.1234.part"; 0 in any other name.
+int writerOf(const std::string& file, const std::string& name) {
+  const std::string before = "." + name + ".", after = ".part";
+  if (!file.starts_with(before) || !file.ends_with(after) || file.size() <= before.size() + after.size()) return 0;
+  int number = 0;
+  const char* end = file.data() + file.size() - after.size();
+  const auto [read_to, error] = std::from_chars(file.data() + before.size(), end, number);
+  return error == std::errc() && read_to == end && number > 0 ? number : 0;
+}
+
+bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 // A device or pipe (/dev/null, /dev/stdout) is written to; a rename would put a file in its place.
 bool isSpecialFile(const fs::path& path) {
@@ -120,12 +134,22 @@ void writeFileAtomically(const fs::path& named, const std::string& content, cons
   fail(option, path, error.message());
 }
 
+void removeLeftovers(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (const int writer = writerOf(entry.path().filename().string(), name); writer > 0 && !isRunning(writer))
+      left.push_back(entry.path());
+  for (const fs::path& path : left) fs::remove_all(path, error);
+}
+
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
     : path_(fs::absolute(path).lexically_normal()), option_(option) {
   if (!path_.has_filename()) path_ = path_.parent_path();  // a name that ends with a slash
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_)) fail(option, path_, "a file, not a folder");
   made_ = makeFolders(path_, option);
+  removeLeftovers(path_, "tubeplan");
   scratch_ = path_ / fmt::format(".tubeplan.{}.part", ::getpid());
   fs::create_directory(scratch_, error);
   if (!error) return;

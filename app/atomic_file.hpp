@@ -15,6 +15,9 @@ void checkWritableFile(const std::filesystem::path& path, const std::string& opt
 /// is, never replaced. Makes missing folders. Throws InputError naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
 
+/// Removes what programs that were killed while they wrote `name` left beside it.
+void removeLeftovers(const std::filesystem::path& folder, const std::string& name);
+
 /// A folder of results: made and proved writable at once, its files appear together at commit(). Without a commit
 /// nothing remains, not even folders that had to be made.
 class OutputFolder {

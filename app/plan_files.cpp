@@ -11,6 +11,7 @@
 #include "app/report/plan_report.hpp"
 #include "app/touch_input.hpp"
 #include "app/version.hpp"
+#include "app/work_list_export.hpp"
 #include "app/workcell.hpp"
 
 namespace tubeplan::app {
@@ -51,7 +52,8 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
   const Units& units = outcome.cell.units;
   const auto& visit = outcome.plan.visits[k];
   const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)];
-  json entry = {{"row", tube.row},
+  json entry = {{"leg", tubesheets::legName(outcome.model.sheet.leg)},
+                {"row", tube.row},
                 {"column", tube.column},
                 {"name", tubesheets::tubeName(tube.row, tube.column)},
                 {"hole", exactVector(planner::holeCentre(tube), units, dimension::kLength)},
@@ -106,6 +108,14 @@ json sheetJson(const PlanOutcome& outcome) {
           {"fingerprint", sheet.fingerprint()}};
 }
 
+/// "hot,10,20": where a segment goes, so that every row can be held against the operator's list.
+std::string goalOf(const PlanOutcome& outcome, int segment) {
+  const int visit = outcome.plan.segments[static_cast<std::size_t>(segment)].visit;
+  const auto& sheet = outcome.model.sheet;
+  const auto& tube = sheet.tubes[static_cast<std::size_t>(outcome.plan.visits[static_cast<std::size_t>(visit)].tube)];
+  return fmt::format("{},{},{}", tubesheets::legName(sheet.leg), tube.row, tube.column);
+}
+
 }  // namespace
 
 json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
@@ -142,11 +152,11 @@ std::string pathCsv(const PlanOutcome& outcome) {
   std::string text = "time_s,segment,kind";
   for (int row : deflection::activeRows(cell.arm))
     text += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
-  text += "\n";
+  text += ",leg,row,column\n";
   for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm))) {
     text += fmt::format("{},{},{}", row.time, row.segment + 1, planner::nameOf(row.kind));
     for (double q : row.q.cwiseQuotient(factors)) text += fmt::format(",{}", q);
-    text += "\n";
+    text += "," + goalOf(outcome, row.segment) + "\n";
   }
   return text;
 }
@@ -163,6 +173,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
     folder.remove("touches.csv");
   else
     folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
+  folder.write(kWorkListFile, workListCsv(outcome));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();
 }

@@ -1,4 +1,4 @@
-// What a plan leaves behind: plan.json, path.csv, cell.yaml, touches.csv, report.html.
+// What a plan leaves behind: plan.json, path.csv, cell.yaml, touches.csv, worklist.csv, report.html.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@ namespace tubeplan::app {
 /// plan.json as the contract has it.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// time_s,segment,kind,<joint>_<angle>...
+/// time_s,segment,kind,<joint>_<angle>...,leg,row,column: the tube that the row leads to or from
 [[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
 
 /// What the report page shows.

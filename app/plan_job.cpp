@@ -2,6 +2,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <set>
+
 #include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
 #include "app/readers/measurements_reader.hpp"
@@ -79,6 +81,14 @@ void score(PlanOutcome& outcome) {
   });
 }
 
+void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
+  const std::set<int> old(before.begin(), before.end());
+  int kept = 0;
+  for (const auto& visit : outcome.plan.visits) kept += old.contains(visit.tube);
+  outcome.tubes_added = static_cast<int>(outcome.plan.visits.size()) - kept;
+  outcome.tubes_removed = static_cast<int>(old.size()) - kept;
+}
+
 planner::VisitPlanOptions planOptions(const PlanRequest& request, planner::Compensation compensation) {
   planner::VisitPlanOptions options;
   options.seed = request.seed;
@@ -88,7 +98,7 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, planner::Compe
 
 }  // namespace
 
-PlanOutcome runPlanJob(const PlanRequest& request, const planner::PlanHooks& hooks) {
+PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper) {
   PlanOutcome outcome;
   outcome.cell = readCell(request.cell);
   outcome.compensation = compensationOf(request.compensation);
@@ -107,9 +117,14 @@ PlanOutcome runPlanJob(const PlanRequest& request, const planner::PlanHooks& hoo
     if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return outcome;
     outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
   }
-  outcome.plan =
-      planner::planVisits(outcome.model, selection.tube_indices, planOptions(request, outcome.compensation), hooks);
+  keeper.begin(questionOf({outcome.cell, outcome.model, request.compensation, request.seed, keeper.fromFingerprint()},
+                          selection.tube_indices));
+  hooks.keep = [&](const planner::PlanMemory&) { keeper.saveNowAndThen(); };
+  const std::vector<int> order_before = keeper.memory().visiting_order;
+  outcome.plan = planner::planVisits(outcome.model, selection.tube_indices, planOptions(request, outcome.compensation),
+                                     hooks, keeper.memory());
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return outcome;
+  countChanges(order_before, outcome);
   predict(outcome);
   score(outcome);
   return outcome;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/plan_keeper.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "app/step_score.hpp"
 #include "app/touch_rehearsal.hpp"
@@ -32,13 +33,14 @@ struct PlanOutcome {
   std::vector<calibration::Touch> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitPlan plan;
+  int tubes_added = 0, tubes_removed = 0;                 ///< against the plan begun from, of those visited
   std::vector<planner::Centring> predicted;               ///< by the model itself, per visit
   std::vector<std::vector<double>> probability_by_steps;  ///< per visit, under the covariance of base and encoders
   std::vector<ModeScores> scores;                         ///< per visit; empty without truth
 };
 
 /// Reads, calibrates, plans and scores. Throws InputError for bad input. A calibration that is refused ends the job
-/// with the plan not run.
-[[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, const planner::PlanHooks& hooks);
+/// with the plan not run. The keeper gives what is known already and keeps what is found out.
+[[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper);
 
 }  // namespace tubeplan::app

@@ -65,6 +65,7 @@ class Ascent {
     double best_on_graph = tree.bound;
     std::vector<double> mean = violations(table_, graph_, tree, detail);
     for (int i = 0; i < steps && !(best_on_graph >= options_.known_time * (1 - 1e-9)); ++i, ++iterations_) {
+      if (options_.stop && options_.stop()) return;
       Prices prices = moved(mean, share, best_on_graph);
       tree = graph_.tree(prices);
       const std::vector<double> latest = violations(table_, graph_, tree, detail);

@@ -6,6 +6,7 @@
 // always taken on the complete one.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -19,6 +20,7 @@ struct OneTreeOptions {
   int neighbours = 10;      ///< of each visit in the sparse graph
   int complete_up_to = 30;  ///< visits; smaller problems use the complete graph throughout
   double known_time = std::numeric_limits<double>::quiet_NaN();  ///< s, of some route; steers the steps
+  std::function<bool()> stop;                                    ///< asked at every step; the bound so far holds as any
 };
 
 enum class OneTreeStatus { kNotRun, kSolved, kBadInput };

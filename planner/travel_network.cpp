@@ -11,9 +11,9 @@ MotionPlan reversed(MotionPlan plan) {
   return plan;
 }
 
-/// A seed of its own for each pair, so that the order of asking does not matter.
-std::uint64_t pairSeed(std::uint64_t seed, Stop a, Stop b) {
-  for (int part : {a.visit, a.branch, b.visit, b.branch})
+/// A seed of its own for each pair of tubes, so that neither the order of asking nor the rest of the list matters.
+std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
+  for (int part : {a.tube, a.branch, b.tube, b.branch})
     seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;
   return seed;
 }
@@ -21,8 +21,8 @@ std::uint64_t pairSeed(std::uint64_t seed, Stop a, Stop b) {
 }  // namespace
 
 TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach,
-                             const JointSpeeds& speeds, const VisitPlanOptions& options)
-    : clearance_(clearance), reach_(reach), speeds_(speeds), options_(options) {
+                             const JointSpeeds& speeds, const VisitPlanOptions& options, PlanMemory& memory)
+    : clearance_(clearance), reach_(reach), speeds_(speeds), options_(options), memory_(memory) {
   const auto& arm = clearance.cell().arm;
   const auto active = deflection::activeRows(arm);
   problem_.lower.resize(static_cast<Eigen::Index>(active.size()));
@@ -44,17 +44,25 @@ const Eigen::VectorXd& TravelNetwork::standoff(Stop stop) const {
   return reach_[static_cast<std::size_t>(stop.visit)].branches[static_cast<std::size_t>(stop.branch)].approach.front();
 }
 
-bool TravelNetwork::knows(Stop a, Stop b) const { return plans_.contains({a, b}); }
+TubePosture TravelNetwork::postureOf(Stop stop) const {
+  return {reach_[static_cast<std::size_t>(stop.visit)].tube, stop.branch};
+}
 
 const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
-  if (const auto known = plans_.find({a, b}); known != plans_.end()) return known->second;
-  const Stop first = std::min(a, b), second = std::max(a, b);
-  MotionPlannerOptions motion = options_.motion;
-  motion.seed = pairSeed(options_.seed, first, second);
-  const MotionPlan plan = planMotion(standoff(first), standoff(second), problem_, motion);
-  plans_[{second, first}] = reversed(plan);
-  plans_[{first, second}] = plan;
-  return plans_.at({a, b});
+  const bool is_backward = postureOf(b) < postureOf(a);
+  if (is_backward) std::swap(a, b);
+  const TubePosture first = postureOf(a), second = postureOf(b);
+  auto known = memory_.travels.find({first, second});
+  if (known == memory_.travels.end()) {
+    MotionPlannerOptions motion = options_.motion;
+    motion.seed = pairSeed(options_.seed, first, second);
+    const MotionPlan plan = planMotion(standoff(a), standoff(b), problem_, motion);
+    known = memory_.travels.emplace(MotionEnds{first, second}, plan).first;
+  }
+  if (!is_backward) return known->second;
+  const auto backward = backward_.find({second, first});
+  if (backward != backward_.end()) return backward->second;
+  return backward_.emplace(MotionEnds{second, first}, reversed(known->second)).first->second;
 }
 
 double TravelNetwork::timeOf(const MotionPlan& plan) const {

@@ -1,7 +1,6 @@
-// The travels between standoffs: planned only when an order asks for them, and remembered.
+// The travels between standoffs: planned only when an order asks for them, and kept in the plan's memory.
 #pragma once
 
-#include <array>
 #include <map>
 
 #include "planner/visit_plan.hpp"
@@ -17,12 +16,12 @@ struct Stop {
 class TravelNetwork {
  public:
   TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, const JointSpeeds& speeds,
-                const VisitPlanOptions& options);
+                const VisitPlanOptions& options, PlanMemory& memory);
 
   /// The travel from one stop to another, planned the first time it is asked for (or its reverse).
   const MotionPlan& between(Stop a, Stop b);
 
-  [[nodiscard]] bool knows(Stop a, Stop b) const;
+  [[nodiscard]] TubePosture postureOf(Stop stop) const;
   [[nodiscard]] const Eigen::VectorXd& standoff(Stop stop) const;
   [[nodiscard]] double timeOf(const MotionPlan& plan) const;
 
@@ -31,8 +30,9 @@ class TravelNetwork {
   const std::vector<TubeReach>& reach_;
   const JointSpeeds& speeds_;
   const VisitPlanOptions& options_;
+  PlanMemory& memory_;
   MotionProblem problem_;
-  std::map<std::pair<Stop, Stop>, MotionPlan> plans_;
+  std::map<MotionEnds, MotionPlan> backward_;  ///< the greater end first
 };
 
 }  // namespace tubeplan::planner

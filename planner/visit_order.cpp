@@ -1,6 +1,7 @@
 #include "planner/visit_order.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <random>
 
@@ -13,7 +14,8 @@ namespace {
 
 constexpr int kTryEveryOrderUpTo = 4;
 constexpr double kTrialShare = 0.08;  // of all kicks, for each start tour; the best one gets the rest
-constexpr int kLegs = 8;              // stretches of kicks, each followed by the exact branch choice
+constexpr long kKicksBetweenStops = 1000;
+constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
 
 struct Candidate {
   std::vector<int> order;
@@ -49,30 +51,35 @@ Candidate settled(const PostureTable& table, TourSearch& search, Candidate candi
   }
 }
 
+bool shouldStop(const VisitOrderOptions& options) { return options.stop && options.stop(); }
+
 Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate& candidate, long kicks,
-                 std::mt19937_64& random) {
+                 std::mt19937_64& random, const VisitOrderOptions& options) {
   search.restart(candidate.order, candidate.posture_of_node);
-  search.kick(kicks, random);
+  for (long done = 0; done < kicks && !shouldStop(options); done += kKicksBetweenStops)
+    search.kick(std::min(kKicksBetweenStops, kicks - done), random);
   Candidate next = settled(table, search, withBestPostures(table, search.order()));
   return next.time < candidate.time ? next : candidate;
 }
 
 Candidate searched(const PostureTable& table, const VisitOrderOptions& options) {
   const auto neighbours = nearestNeighbours(table, options.neighbours);
+  TourSearch search(table, neighbours);
+  if (!options.start.empty()) return settled(table, search, withBestPostures(table, options.start));
   const auto tours = startTours(table, neighbours);
   const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
                                       std::max(options.least_kicks, options.most_kicks));
   std::mt19937_64 random(options.seed);
-  TourSearch search(table, neighbours);
   Candidate best;
   for (const std::vector<int>& tour : tours) {
     Candidate candidate = settled(table, search, withBestPostures(table, tour));
-    candidate = kicked(table, search, candidate, static_cast<long>(kTrialShare * static_cast<double>(kicks)), random);
+    candidate =
+        kicked(table, search, candidate, static_cast<long>(kTrialShare * static_cast<double>(kicks)), random, options);
     if (candidate.time < best.time) best = std::move(candidate);
   }
   const double share = std::max(0.0, 1 - kTrialShare * static_cast<double>(tours.size()));
   for (int leg = 0; leg < kLegs; ++leg) {
-    best = kicked(table, search, best, static_cast<long>(share * static_cast<double>(kicks) / kLegs), random);
+    best = kicked(table, search, best, static_cast<long>(share * static_cast<double>(kicks) / kLegs), random, options);
   }
   return best;
 }
@@ -80,6 +87,7 @@ Candidate searched(const PostureTable& table, const VisitOrderOptions& options) 
 void addBound(const Route& route, const VisitOrderOptions& options, VisitOrder& result) {
   OneTreeOptions bound = options.bound;
   bound.known_time = result.travel_time;
+  bound.stop = options.stop;
   result.lower_bound = oneTreeBound(route, bound).lower_bound;
   if (result.lower_bound > 0) result.gap = (result.travel_time - result.lower_bound) / result.lower_bound;
   if (result.travel_time <= result.lower_bound) result.gap = 0;
@@ -96,6 +104,7 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
     return result;
   }
   const PostureTable table(route);
+  assert(options.start.empty() || options.start.size() == route.visits.size());
   const Candidate best = table.visits() <= kTryEveryOrderUpTo ? bestOfAllOrders(table) : searched(table, options);
   result.order = best.order;
   for (const int visit : best.order) result.branches.push_back(best.posture_of_node[visit] - table.first(visit));

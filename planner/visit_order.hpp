@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct VisitOrderOptions {
   int neighbours = 8;          ///< of each visit that a move of the local search may join it to
   bool with_bound = true;      ///< without: lower_bound and gap stay NaN (the bound does not depend on extra times)
   OneTreeOptions bound;
+  /// An order of all visits to begin from: what local search gains on it is taken, and nothing else is tried.
+  std::vector<int> start;
+  std::function<bool()> stop;  ///< asked now and then; once true, what comes back is not the search's best
 };
 
 enum class VisitOrderStatus { kNotRun, kSolved, kForbiddenMove, kBadInput };

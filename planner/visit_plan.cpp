@@ -4,36 +4,43 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <mutex>
+#include <set>
 
 #include "planner/branch_choice.hpp"
+#include "planner/kept_order.hpp"
 #include "planner/one_tree_bound.hpp"
+#include "planner/plan_proof.hpp"
 #include "planner/travel_network.hpp"
 
 namespace tubeplan::planner {
 
 namespace {
 
-bool shouldStop(const PlanHooks& hooks) { return hooks.stop && hooks.stop(); }
-
-void tell(const PlanHooks& hooks, std::string_view stage, std::size_t done, std::size_t total) {
-  if (hooks.progress) hooks.progress(stage, done, total);
-}
-
 /// Every tube on its own, so in parallel; results stand in the order of the list.
 std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector<int>& tubes,
-                                const TubeReachOptions& options, const PlanHooks& hooks) {
+                                const TubeReachOptions& options, const PlanHooks& hooks, PlanMemory& memory,
+                                VisitPlan& plan) {
   std::vector<TubeReach> reach(tubes.size());
-  std::atomic<std::size_t> done = 0;
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < tubes.size(); ++k) {
+    if (const auto known = memory.reach.find(tubes[k]); known != memory.reach.end())
+      reach[k] = known->second;
+    else
+      open.push_back(k);
+  }
+  plan.kept.reach = static_cast<int>(tubes.size() - open.size());
   std::mutex telling;
-  oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
+  std::size_t done = tubes.size() - open.size();
+  oneapi::tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
     if (shouldStop(hooks)) return;
-    reach[k] = reachTube(clearance, tubes[k], options);
-    ++done;
+    TubeReach& found = reach[open[k]];
+    found = reachTube(clearance, tubes[open[k]], options);
     const std::lock_guard lock(telling);
-    tell(hooks, "reach", done, tubes.size());
+    memory.reach[found.tube] = found;
+    tell(hooks, "reach", ++done, tubes.size());
+    keep(hooks, memory);
   });
   return reach;
 }
@@ -57,30 +64,51 @@ std::vector<Stop> stopsOf(const VisitOrder& order) {
 
 /// Plans the moves that an order chose and puts their extra time into the table; true when something new was learnt.
 bool priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const JointSpeeds& speeds,
-                EdgePenalties& penalties, const PlanHooks& hooks) {
+                EdgePenalties& penalties, const PlanHooks& hooks, const PlanMemory& memory) {
   bool learnt = false;
   for (std::size_t k = 0; k + 1 < stops.size() && !shouldStop(hooks); ++k) {
+    const Stop a = stops[k], b = stops[k + 1];
     tell(hooks, "travel", k + 1, stops.size() - 1);
-    if (network.knows(stops[k], stops[k + 1])) continue;
-    const double time = network.timeOf(network.between(stops[k], stops[k + 1]));
-    const double extra = time - moveDuration(network.standoff(stops[k]), network.standoff(stops[k + 1]), speeds);
-    if (extra <= 1e-9) continue;
-    penalties.set(stops[k].visit, stops[k].branch, stops[k + 1].visit, stops[k + 1].branch, extra);
+    const double time = network.timeOf(network.between(a, b));
+    keep(hooks, memory);
+    const double extra = time - moveDuration(network.standoff(a), network.standoff(b), speeds);
+    if (extra <= 1e-9 || penalties(a.visit, a.branch, b.visit, b.branch) > 0) continue;
+    penalties.set(a.visit, a.branch, b.visit, b.branch, extra);
     learnt = true;
   }
   return learnt;
 }
 
+/// The order of one round, from the memory where it has it. An order kept from another list that cannot avoid a
+/// forbidden move is found anew.
+VisitOrder orderOfRound(const Route& route, std::size_t round, VisitOrderOptions& ordering, const PlanHooks& hooks,
+                        PlanMemory& memory) {
+  if (round < memory.orders.size()) return memory.orders[round];
+  VisitOrder order = orderVisits(route, ordering);
+  if (order.status == VisitOrderStatus::kForbiddenMove && !ordering.start.empty()) {
+    ordering.start.clear();
+    order = orderVisits(route, ordering);
+  }
+  if (shouldStop(hooks)) return order;
+  memory.orders.push_back(order);
+  keep(hooks, memory);
+  return order;
+}
+
+std::vector<int> tubesOf(const std::vector<TubeReach>& reach) {
+  std::vector<int> tubes;
+  for (const auto& tube : reach) tubes.push_back(tube.tube);
+  return tubes;
+}
+
 /// Order on the metric, plan the chosen moves, put in what they really cost, and order again until no move surprises.
-std::vector<Stop> orderWithRealMoves(Route& route, TravelNetwork& network, const VisitPlanOptions& options,
-                                     const PlanHooks& hooks, VisitPlan& plan) {
+std::vector<Stop> orderWithRealMoves(Route& route, TravelNetwork& network, VisitOrderOptions ordering, int rounds,
+                                     const PlanHooks& hooks, PlanMemory& memory, VisitPlan& plan) {
   EdgePenalties penalties;
   std::vector<Stop> best;
-  VisitOrderOptions ordering = options.order;
-  ordering.seed = options.seed;
-  for (int round = 0; round < options.reprice_rounds && !shouldStop(hooks); ++round) {
+  for (int round = 0; round < rounds && !shouldStop(hooks); ++round) {
     route.extra_time = penalties.size() ? ExtraTime(std::cref(penalties)) : ExtraTime();
-    const VisitOrder order = orderVisits(route, ordering);
+    const VisitOrder order = orderOfRound(route, static_cast<std::size_t>(round), ordering, hooks, memory);
     if (round == 0) plan.lower_bound = order.lower_bound;
     ordering.with_bound = false;
     if (order.order.empty()) {
@@ -88,7 +116,8 @@ std::vector<Stop> orderWithRealMoves(Route& route, TravelNetwork& network, const
       break;
     }
     best = stopsOf(order);
-    if (!priceOrder(best, network, route.speeds, penalties, hooks)) break;
+    if (!ordering.start.empty()) ordering.start = order.order;
+    if (!priceOrder(best, network, route.speeds, penalties, hooks, memory)) break;
   }
   route.extra_time = nullptr;
   return best;
@@ -140,9 +169,10 @@ std::vector<Stop> joinRuns(const std::vector<Stop>& stops, const std::vector<Tub
   return kept;
 }
 
-/// Lays the segments out along stops that can all be travelled between.
-void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& reach, TravelNetwork& network,
-                 VisitPlan& plan) {
+/// Lays the segments out along stops that can all be travelled between; gives the ends of each.
+std::vector<MotionEnds> laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& reach,
+                                    TravelNetwork& network, VisitPlan& plan) {
+  std::vector<MotionEnds> ends;
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const auto& tube = reach[static_cast<std::size_t>(stops[k].visit)];
     const auto& branch = tube.branches[static_cast<std::size_t>(stops[k].branch)];
@@ -151,12 +181,15 @@ void laySegments(const std::vector<Stop>& stops, const std::vector<TubeReach>& r
       const MotionPlan& travel = network.between(stops[k - 1], stops[k]);
       plan.segments.push_back(segmentOf(SegmentKind::kTravel, visit, travel.waypoints));
       plan.detours += travel.waypoints.size() > 2;
+      ends.push_back({network.postureOf(stops[k - 1]), network.postureOf(stops[k])});
     }
     plan.visits.push_back({tube.tube, branch});
     plan.segments.push_back(segmentOf(SegmentKind::kApproach, visit, branch.approach));
     plan.segments.push_back(
         segmentOf(SegmentKind::kRetreat, visit, {branch.approach.rbegin(), branch.approach.rend()}));
+    ends.insert(ends.end(), 2, {network.postureOf(stops[k]), network.postureOf(stops[k])});
   }
+  return ends;
 }
 
 /// The figures to compare with, of the visits that are in the plan.
@@ -176,47 +209,6 @@ void compareTimes(const Workcell& cell, const std::vector<Stop>& stops, const st
   plan.gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
 
-/// Proves each segment once more, now to the accuracy that is reported.
-void proveSegment(const ArmClearance& clearance, const VisitPlanOptions& options, PathSegment& segment) {
-  MotionCheckOptions check = options.motion.check;
-  check.accuracy = options.report_accuracy;
-  const ContactRule rule = segment.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach;
-  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, rule); };
-  segment.margin = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) {
-    const MotionCheckResult result =
-        checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
-    const double proved =
-        result.status == MotionCheckStatus::kFree ? result.proved_margin : -std::numeric_limits<double>::infinity();
-    if (proved >= segment.margin) continue;
-    segment.margin = proved;
-    segment.tightest = result.tightest;
-  }
-}
-
-void proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, const PlanHooks& hooks, VisitPlan& plan) {
-  std::atomic<std::size_t> done = 0;
-  std::mutex telling;
-  oneapi::tbb::parallel_for(std::size_t{0}, plan.segments.size(), [&](std::size_t k) {
-    if (shouldStop(hooks)) return;
-    // A retreat is its approach backwards: proved with it.
-    if (plan.segments[k].kind != SegmentKind::kRetreat) proveSegment(clearance, options, plan.segments[k]);
-    const std::lock_guard lock(telling);
-    tell(hooks, "proof", ++done, plan.segments.size());
-  });
-  plan.min_margin = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < plan.segments.size(); ++k) {
-    auto& segment = plan.segments[k];
-    if (segment.kind == SegmentKind::kRetreat) {
-      segment.margin = plan.segments[k - 1].margin;
-      segment.tightest = plan.segments[k - 1].tightest;
-    }
-    if (segment.margin >= plan.min_margin) continue;
-    plan.min_margin = segment.margin;
-    plan.tightest = segment.tightest;
-  }
-}
-
 void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
   plan.travel_time = plan.total_time = 0;
   for (const auto& segment : plan.segments) {
@@ -224,6 +216,12 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
     plan.total_time += duration;
     if (segment.kind == SegmentKind::kTravel) plan.travel_time += duration;
   }
+}
+
+std::set<MotionEnds> keysOf(const std::map<MotionEnds, MotionPlan>& travels) {
+  std::set<MotionEnds> keys;
+  for (const auto& [ends, plan] : travels) keys.insert(ends);
+  return keys;
 }
 
 VisitPlan stopped(VisitPlan plan) {
@@ -251,10 +249,16 @@ JointSpeeds jointSpeedsOf(const deflection::Arm& arm) {
 
 VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                      const PlanHooks& hooks) {
+  PlanMemory memory;
+  return planVisits(cell, tubes, options, hooks, memory);
+}
+
+VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
+                     const PlanHooks& hooks, PlanMemory& memory) {
   VisitPlan plan;
   const ArmClearance clearance(cell);
   const JointSpeeds speeds = jointSpeedsOf(cell.arm);
-  std::vector<TubeReach> reach = reachAll(clearance, tubes, options.reach, hooks);
+  std::vector<TubeReach> reach = reachAll(clearance, tubes, options.reach, hooks, memory, plan);
   if (shouldStop(hooks)) return stopped(plan);
   for (const auto& tube : reach)
     if (tube.status == ReachStatus::kUnreachable) plan.unreachable.push_back({tube.tube, tube.reason, tube.blocking});
@@ -265,19 +269,26 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
     return plan;
   }
   Route route = routeOf(reach, speeds);
-  TravelNetwork network(clearance, reach, speeds, options);
-  std::vector<Stop> stops = orderWithRealMoves(route, network, options, hooks, plan);
+  const std::set<MotionEnds> travels_before = keysOf(memory.travels);
+  TravelNetwork network(clearance, reach, speeds, options, memory);
+  VisitOrderOptions ordering = options.order;
+  ordering.seed = options.seed;
+  ordering.stop = hooks.stop;
+  ordering.start = keptOrder(route, tubesOf(reach), memory.visiting_order);
+  std::vector<Stop> stops = orderWithRealMoves(route, network, ordering, options.reprice_rounds, hooks, memory, plan);
   if (shouldStop(hooks)) return stopped(plan);
   if (stops.empty()) {
     plan.status = VisitPlanStatus::kNoOrder;
     return plan;
   }
   stops = joinRuns(stops, reach, network, plan);
-  laySegments(stops, reach, network, plan);
-  proveAll(clearance, options, hooks, plan);
-  if (shouldStop(hooks)) return stopped(plan);
+  const std::vector<MotionEnds> ends = laySegments(stops, reach, network, plan);
+  for (const auto& [a, b] : ends) plan.kept.travels += a != b && travels_before.contains(std::minmax(a, b));
+  if (!proveAll(clearance, options, ends, hooks, memory, plan) || shouldStop(hooks)) return stopped(plan);
   timeSegments(speeds, plan);
   compareTimes(cell, stops, reach, speeds, plan);
+  memory.visiting_order.clear();
+  for (const auto& visit : plan.visits) memory.visiting_order.push_back(visit.tube);
   plan.status = VisitPlanStatus::kPlanned;
   return plan;
 }

@@ -8,17 +8,27 @@
 #include <vector>
 
 #include "planner/motion_planner.hpp"
+#include "planner/plan_memory.hpp"
 #include "planner/trapezoid_timing.hpp"
 #include "planner/tube_reach.hpp"
 #include "planner/visit_order.hpp"
 
 namespace tubeplan::planner {
 
-/// Told how much of a stage is done; asked whether to stop.
+/// Told how much of a stage is done; asked whether to stop; shown what there is to keep. `progress` and `keep` are
+/// called by one thread at a time.
 struct PlanHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   std::function<bool()> stop;
+  std::function<void(const PlanMemory& memory)> keep;
 };
+inline bool shouldStop(const PlanHooks& hooks) { return hooks.stop && hooks.stop(); }
+inline void tell(const PlanHooks& hooks, std::string_view stage, std::size_t done, std::size_t total) {
+  if (hooks.progress) hooks.progress(stage, done, total);
+}
+inline void keep(const PlanHooks& hooks, const PlanMemory& memory) {
+  if (hooks.keep) hooks.keep(memory);
+}
 
 struct VisitPlanOptions {
   std::uint64_t seed = 1;
@@ -70,12 +80,18 @@ struct VisitPlan {
   double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< m, proved, over all segments
   Clearance tightest;
   int detours = 0;  ///< travels that are not a straight joint move
+  KeptWork kept;    ///< what the memory had already
 };
 
 /// Plans the visit of `tubes` (indices in the sheet). Same cell, list, options and seed: same plan, at any number of
 /// threads.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes,
                                    const VisitPlanOptions& options = {}, const PlanHooks& hooks = {});
+
+/// The same with a memory, which must be of the same cell and options and, where it has orders, of the same list; what
+/// it has is not worked out again. Taken up after a stop, wherever that was, it gives the plan of a run without one.
+[[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
+                                   const PlanHooks& hooks, PlanMemory& memory);
 
 /// Speed and acceleration limits of the arm's joints.
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm);

@@ -10,6 +10,7 @@
 #include "app/plan_files.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/stop_signal.hpp"
+#include "app/trajectory_yaml.hpp"
 
 namespace tubeplan::app {
 
@@ -17,8 +18,21 @@ namespace {
 
 struct PlanOptions {
   PlanRequest request;
-  std::string out;
+  std::string out, from;
+  bool resume = false, trajectory = false;
 };
+
+int explainStop(PlanKeeper& keeper, const OutputFolder& folder) {
+  const std::string summary = keeper.summary();
+  if (summary.empty()) {
+    fmt::print(stderr, "stopped before there was anything to keep\n");
+    return kStoppedExitCode;
+  }
+  keeper.save();
+  fmt::print(stderr, "stopped; {} are kept in {}: the same command goes on from there\n", summary,
+             (folder.path() / kProgressFile).string());
+  return kStoppedExitCode;
+}
 
 int explain(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
@@ -33,16 +47,37 @@ int explain(const PlanOutcome& outcome) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
     fmt::print(stderr, "  {} {}\n", tubesheets::tubeName(tube.row, tube.column), missed.reason);
   }
-  return plan.status == planner::VisitPlanStatus::kStopped ? kStoppedExitCode : kNegativeAnswer;
+  return kNegativeAnswer;
+}
+
+std::string keptText(const std::string& from, const PlanOutcome& outcome) {
+  const auto& plan = outcome.plan;
+  const std::size_t tubes = plan.visits.size() + plan.unreachable.size();
+  return fmt::format(
+      "kept of {}: the reach of {} of {} tubes, {} of {} travels, {} of {} proofs; {} tubes added, {} taken out\n",
+      from, plan.kept.reach, tubes, plan.kept.travels, plan.visits.size() - 1, plan.kept.proofs,
+      2 * plan.visits.size() - 1, outcome.tubes_added, outcome.tubes_removed);
 }
 
 int run(const PlanOptions& options) {
   OutputFolder folder(options.out, "--out");
-  const PlanOutcome outcome = runPlanJob(options.request, terminalHooks());
-  if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return explain(outcome);
+  PlanKeeper keeper(folder.path(), options.resume, options.from);
+  const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), keeper);
+  if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(keeper, folder);
+  if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) {
+    // Refused touches answer nothing: what an earlier run left stays.
+    if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) keeper.discard();
+    return explain(outcome);
+  }
+  folder.write(kMemoryFile, keeper.text());
+  folder.remove(kProgressFile);
+  if (options.trajectory)
+    folder.write(kTrajectoryFile, trajectoryYaml(outcome));
+  else
+    folder.remove(kTrajectoryFile);
   writePlan(options.request, outcome, folder);
-  fmt::print("{}wrote {}\n", planText(outcome),
-             (folder.path() / "{plan.json,path.csv,cell.yaml,report.html}").string());
+  fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : keptText(options.from, outcome),
+             (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   return kDone;
 }
 
@@ -61,7 +96,13 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
   cli.add_option("--seed", request.seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
-  cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml and report.html")->required();
+  cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
+      ->required();
+  cli.add_flag("--resume", options->resume,
+               "go on with the plan that was stopped in the folder, and refuse where it was asked otherwise");
+  cli.add_option("--from", options->from,
+                 "the folder of an earlier plan: keep what still holds of it, and plan anew around what changed");
+  cli.add_flag("--trajectory", options->trajectory, "write trajectory.yaml too, a ROS 2 JointTrajectory");
   return [options] { return run(*options); };
 }
 

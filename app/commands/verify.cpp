@@ -8,6 +8,7 @@
 
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/plan_identity.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/readers/plan_reader.hpp"
 #include "app/workcell.hpp"
@@ -77,8 +78,8 @@ int run(const VerifyOptions& options) {
   if (files.compensation == "none") checks.centring_tolerance = 1;
   planner::PlanCheck check = planner::checkPlan(work, files.plan, checks, terminalHooks());
   for (const auto& difference : armDifferences(cell.arm, planned.arm)) check.findings.push_back(difference);
-  if (files.fingerprint != work.sheet.fingerprint())
-    check.findings.push_back("the plan was made for another sheet (fingerprint " + files.fingerprint + ")");
+  const auto strangers = findIdentityProblems(files, work.sheet);
+  check.findings.insert(check.findings.begin(), strangers.begin(), strangers.end());
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;
   writeJson(options.json, checkJson(check, cell.units));
   if (printsText(options.json)) print(check, cell.units);

@@ -62,10 +62,14 @@ void readTubesOf(const json& document, const std::string& path, const Cell& cell
   const Units& units = cell.units;
   const Eigen::VectorXd joint_factors = jointFactors(cell.arm, units);
   const double length = units.factor(dimension::kLength);
-  for (const auto& tube : at(document, "tubes", path))
+  for (const auto& tube : at(document, "tubes", path)) {
+    if (tube.is_object() && tube.contains("leg")) files.tube_legs.push_back(valueAt<std::string>(tube, "leg", path));
     files.plan.tubes.push_back({valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path),
                                 pointAt(tube, "hole", path, length), jointsAt(tube, path, joint_factors),
                                 pointAt(tube, "predicted_tip", path, length)});
+  }
+  if (!files.tube_legs.empty() && files.tube_legs.size() != files.plan.tubes.size())
+    throw InputError(path + " tubes", "tubes with and without a leg", "the leg of every tube", "plan again");
   for (const auto& tube : at(document, "unreachable", path))
     files.plan.unreachable.emplace_back(valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path));
 }
@@ -93,23 +97,29 @@ std::vector<std::string> cellsOf(const std::string& line) {
 
 void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
   std::stringstream text(readTextFile(path));
+  const std::string echo = ",leg,row,column";
   std::string header = "time_s,segment,kind", line;
   const auto active = deflection::activeRows(cell.arm);
   for (int row : active) header += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
   std::getline(text, line);
-  if (line != header) throw InputError(path + ":1", inQuotes(line), header, "plan again");
+  const bool has_echo = line == header + echo;
+  if (line != header && !has_echo) throw InputError(path + ":1", inQuotes(line), header + echo, "plan again");
+  const std::size_t columns = 3 + active.size() + (has_echo ? 3 : 0);
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
   for (int number = 2; std::getline(text, line); ++number) {
     const std::string where = path + ":" + std::to_string(number);
     const auto cells = cellsOf(line);
-    if (cells.size() != 3 + active.size())
-      throw InputError(where, std::to_string(cells.size()) + " columns", std::to_string(3 + active.size()));
+    if (cells.size() != columns)
+      throw InputError(where, std::to_string(cells.size()) + " columns", std::to_string(columns));
     planner::PathRow row{
         numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
     row.q.resize(static_cast<Eigen::Index>(active.size()));
     for (std::size_t k = 0; k < active.size(); ++k)
       row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * factors[static_cast<Eigen::Index>(k)];
     files.plan.path.push_back(std::move(row));
+    if (has_echo)
+      files.path_echoes.push_back({cells[columns - 3], static_cast<int>(numberOf(cells[columns - 2], where)),
+                                   static_cast<int>(numberOf(cells[columns - 1], where))});
   }
 }
 
@@ -124,7 +134,10 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   PlanFiles files;
   readTubesOf(document, path, cell, files);
   files.compensation = valueAt<std::string>(document, "compensation", path);
-  files.fingerprint = valueAt<std::string>(at(document, "sheet", path), "fingerprint", path);
+  const json& sheet = at(document, "sheet", path);
+  files.fingerprint = valueAt<std::string>(sheet, "fingerprint", path);
+  files.leg = valueAt<std::string>(sheet, "leg", path);
+  files.viewed_from = valueAt<std::string>(sheet, "viewed_from", path);
   files.load = valueAt<double>(document, "load", path) * cell.units.factor(dimension::kForce);
   readPath((folder / "path.csv").string(), cell, files);
   return files;

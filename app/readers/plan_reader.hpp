@@ -8,11 +8,21 @@
 
 namespace tubeplan::app {
 
+/// What a row of the path says it goes to.
+struct TubeEcho {
+  std::string leg;
+  int row = 0, column = 0;
+  bool operator==(const TubeEcho&) const = default;
+};
+
 struct PlanFiles {
   planner::StatedPlan plan;
   std::string compensation;  ///< none, goal-point, via-point
   std::string fingerprint;   ///< of the sheet it was made for
-  double load = 0;           ///< N
+  std::string leg, viewed_from;
+  double load = 0;                     ///< N
+  std::vector<std::string> tube_legs;  ///< of plan.tubes; empty in a plan without
+  std::vector<TubeEcho> path_echoes;   ///< of plan.path; empty in a plan without
 };
 
 /// Reads both files of the folder, numbers in the cell's units. Throws InputError for a missing file, key or column,

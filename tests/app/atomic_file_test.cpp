@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/app/test_files.hpp"
 
@@ -88,6 +89,25 @@ TEST_F(AtomicFile, folderWithoutCommitNeverWas) {
     out.commit();
   }
   EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(AtomicFile, whatAKilledProgramLeftGoesAndWhatIsNotItsOwnStays) {
+  const std::string nobody = "1999999999", own = std::to_string(::getpid());  // beyond any process number
+  for (const std::string& name : {".tubeplan." + nobody + ".part", ".tubeplan." + own + ".part"}) {
+    fs::create_directory(folder / name);
+    write(name + "/plan.json", "half");
+  }
+  write(".film." + nobody + ".part", "x");
+  write(".a.txt." + nobody + ".part", "x");
+  write(".a.txt.12x.part", "x");
+  removeLeftovers(folder, "tubeplan");
+  EXPECT_FALSE(fs::exists(folder / (".tubeplan." + nobody + ".part")));
+  EXPECT_TRUE(fs::exists(folder / (".tubeplan." + own + ".part") / "plan.json"));
+  EXPECT_EQ(entries(), 5);
+  removeLeftovers(folder, "a.txt");
+  EXPECT_EQ(entries(), 4);
+  EXPECT_TRUE(fs::exists(folder / ".a.txt.12x.part"));
+  removeLeftovers(folder / "none", "a.txt");
 }
 
 TEST_F(AtomicFile, refusesFoldersThatCannotBeWritten) {

@@ -92,6 +92,36 @@ TEST(OrderVisits, FindsTheOptimumOfSmallRoutes) {
   EXPECT_GE(found, tried - 2) << "of " << tried;
 }
 
+TEST(OrderVisits, BeginsFromAGivenOrderAndOnlyGainsOnIt) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    std::mt19937_64 random(seed);
+    const Route route = randomRoute(random, 60, 3, seed % 2 == 0, seed % 3 == 0);
+    VisitOrderOptions options = quick(seed);
+    const VisitOrder searched = orderVisits(route, options);
+    options.start = searched.order;
+    const VisitOrder again = orderVisits(route, options);
+    expectValid(route, again);
+    EXPECT_LE(again.travel_time, searched.travel_time + 1e-9);
+    std::shuffle(options.start.begin(), options.start.end(), random);
+    const VisitOrder mended = orderVisits(route, options);
+    expectValid(route, mended);
+    EXPECT_LT(mended.travel_time, bestBranches(route, options.start).travel_time);
+  }
+}
+
+TEST(OrderVisits, StoppedAtOnceStillGivesAWholeOrderAndABoundThatHolds) {
+  std::mt19937_64 random(4);
+  const Route route = randomRoute(random, 80, 2, false, false);
+  const VisitOrder searched = orderVisits(route, quick(1));
+  VisitOrderOptions options;
+  int asked = 0;
+  options.stop = [&] { return ++asked > 0; };
+  const VisitOrder stopped = orderVisits(route, options);
+  expectValid(route, stopped);
+  EXPECT_GT(asked, 0);
+  EXPECT_LE(stopped.lower_bound, searched.travel_time);
+}
+
 TEST(OrderVisits, FindsTheOptimumWithExtraTimes) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

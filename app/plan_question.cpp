@@ -1,0 +1,108 @@
+#include "app/plan_question.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+// What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
+// own part; the tool's steps judge a plan, they do not shape it.
+constexpr std::array<std::string_view, 5> kOtherKeys{"name", "base", "identify", "tubesheet", "calibration_tool"};
+constexpr std::array<std::string_view, 6> kModelParts{"program", "arm and scene", "base",
+                                                      "load",    "compensation",  "sheet"};
+
+/// Values without their places and comments.
+void append(const YamlNode& node, std::string& text) {
+  if (node.kind == YamlNode::Kind::kScalar) text += fmt::format("{}:{}", node.scalar.size(), node.scalar);
+  if (node.kind == YamlNode::Kind::kNull) text += '~';
+  if (node.items.empty()) return;
+  text += node.keys.empty() ? '[' : '{';
+  for (std::size_t k = 0; k < node.items.size(); ++k) {
+    if (!node.keys.empty()) text += node.keys[k] + "=";
+    append(node.items[k], text);
+    text += ',';
+  }
+  text += ']';
+}
+
+std::string modelText(const Cell& cell) {
+  std::string text;
+  const YamlNode& root = cell.source.root;
+  for (std::size_t k = 0; k < root.items.size(); ++k) {
+    if (std::find(kOtherKeys.begin(), kOtherKeys.end(), root.keys[k]) != kOtherKeys.end()) continue;
+    // The arm's file by its content: a copy elsewhere is the same arm.
+    text += root.keys[k] + "=";
+    append(root.keys[k] == "arm" && !cell.arm_source.text.empty() ? cell.arm_source.root : root.items[k], text);
+    text += '\n';
+  }
+  return text;
+}
+
+/// The version and the program's own bytes: another build may round otherwise.
+std::string programText() {
+  std::ifstream stream("/proc/self/exe", std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return std::string(kVersion) + " " + fingerprintOf(bytes.str());
+}
+
+std::vector<std::string> differencesIn(const PlanQuestion& before, const PlanQuestion& now, const auto& counts) {
+  std::vector<std::string> differences;
+  for (const auto& [name, value] : now)
+    if (const std::string was = partOf(before, name); counts(name) && was != value)
+      differences.push_back(
+          fmt::format("another {} ({}, now {})", name, was.empty() ? "none" : was, value.empty() ? "none" : value));
+  return differences;
+}
+
+}  // namespace
+
+std::string fingerprintOf(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
+  for (const char c : bytes) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tubes) {
+  const Eigen::Matrix4d base = inputs.model.X_WB.matrix();
+  std::string base_text, tubes_text;
+  for (const double number : base.reshaped()) base_text += fmt::format("{:a} ", number);
+  for (const int tube : tubes) tubes_text += fmt::format("{} ", tube);
+  return {{"program", programText()},
+          {"arm and scene", fingerprintOf(modelText(inputs.cell))},
+          {"base", fingerprintOf(base_text)},
+          {"load", fmt::format("{} N", inputs.model.load)},
+          {"compensation", inputs.compensation},
+          {"sheet", inputs.model.sheet.fingerprint()},
+          {"seed", std::to_string(inputs.seed)},
+          {"list of tubes", fmt::format("{} tubes, {}", tubes.size(), fingerprintOf(tubes_text))},
+          {"plan to begin from", inputs.from}};
+}
+
+std::vector<std::string> findDifferences(const PlanQuestion& before, const PlanQuestion& now) {
+  return differencesIn(before, now, [](const std::string&) { return true; });
+}
+
+std::vector<std::string> findModelDifferences(const PlanQuestion& before, const PlanQuestion& now) {
+  return differencesIn(before, now, [](const std::string& name) {
+    return std::find(kModelParts.begin(), kModelParts.end(), name) != kModelParts.end();
+  });
+}
+
+std::string partOf(const PlanQuestion& question, std::string_view name) {
+  const auto found =
+      std::find_if(question.begin(), question.end(), [&](const auto& part) { return part.first == name; });
+  return found == question.end() ? "" : found->second;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,40 @@
+// What a plan was asked, in parts that can be compared: two plans with the same parts are the same plan.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/readers/cell_reader.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+/// By name, in a fixed order. Values are short texts: a number, a word or a fingerprint.
+using PlanQuestion = std::vector<std::pair<std::string, std::string>>;
+
+struct QuestionInputs {
+  const Cell& cell;
+  const planner::Workcell& model;  ///< as planned with: base as calibrated, load
+  std::string compensation;
+  std::uint64_t seed = 1;
+  std::string from;  ///< fingerprint of the memory that the plan begins with; empty without
+};
+
+/// program, arm and scene, base, load, compensation, sheet: what proved motions and postures depend on; then seed,
+/// tubes and from.
+[[nodiscard]] PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tubes);
+
+/// Names of the parts that differ, "another seed (1, now 2)" each; empty when the questions are the same.
+[[nodiscard]] std::vector<std::string> findDifferences(const PlanQuestion& before, const PlanQuestion& now);
+
+/// The same, but of those parts alone that proved motions and postures depend on.
+[[nodiscard]] std::vector<std::string> findModelDifferences(const PlanQuestion& before, const PlanQuestion& now);
+
+/// A part's value; empty where there is none.
+[[nodiscard]] std::string partOf(const PlanQuestion& question, std::string_view name);
+
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string fingerprintOf(std::string_view bytes);
+
+}  // namespace tubeplan::app

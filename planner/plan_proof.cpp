@@ -1,0 +1,72 @@
+#include "planner/plan_proof.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <mutex>
+
+namespace tubeplan::planner {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& options, const PathSegment& segment) {
+  MotionCheckOptions check = options.motion.check;
+  check.accuracy = options.report_accuracy;
+  const ContactRule rule = segment.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach;
+  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, rule); };
+  SegmentProof proof{kInfinity, {}};
+  for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) {
+    const MotionCheckResult result =
+        checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
+    const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -kInfinity;
+    if (proved < proof.margin) proof = {proved, result.tightest};
+  }
+  return proof;
+}
+
+/// A retreat is its approach backwards: proved with it.
+void fillIn(const std::vector<MotionEnds>& ends, const PlanMemory& memory, VisitPlan& plan) {
+  plan.min_margin = kInfinity;
+  for (std::size_t k = 0; k < plan.segments.size(); ++k) {
+    const SegmentProof& proof = memory.proofs.at(ends[k]);
+    plan.segments[k].margin = proof.margin;
+    plan.segments[k].tightest = proof.tightest;
+    if (proof.margin >= plan.min_margin) continue;
+    plan.min_margin = proof.margin;
+    plan.tightest = proof.tightest;
+  }
+}
+
+}  // namespace
+
+bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, const std::vector<MotionEnds>& ends,
+              const PlanHooks& hooks, PlanMemory& memory, VisitPlan& plan) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < plan.segments.size(); ++k) {
+    if (plan.segments[k].kind == SegmentKind::kRetreat) continue;
+    if (memory.proofs.contains(ends[k]))
+      ++plan.kept.proofs;
+    else
+      open.push_back(k);
+  }
+  std::mutex telling;
+  std::size_t done = 0;
+  bool stopped = false;
+  oneapi::tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
+    if (shouldStop(hooks)) {
+      const std::lock_guard lock(telling);
+      stopped = true;
+      return;
+    }
+    const SegmentProof proof = proofOf(clearance, options, plan.segments[open[k]]);
+    const std::lock_guard lock(telling);
+    memory.proofs[ends[open[k]]] = proof;
+    tell(hooks, "proof", ++done, open.size());
+    keep(hooks, memory);
+  });
+  if (!stopped) fillIn(ends, memory, plan);
+  return !stopped;
+}
+
+}  // namespace tubeplan::planner

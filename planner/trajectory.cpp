@@ -1,0 +1,48 @@
+#include "planner/trajectory.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+/// A place in a move: when, how fast, and the acceleration from there on, all of the progress s.
+struct Place {
+  double time, speed, acceleration;
+};
+
+std::vector<Place> placesOf(const TimedMove& move) {
+  if (move.ramp_time <= 0) return {{0, move.peak_speed, 0}};
+  const double acceleration = move.peak_speed / move.ramp_time;
+  std::vector<Place> places{{0, 0, acceleration}};
+  if (move.cruise_time > 0) places.push_back({move.ramp_time, move.peak_speed, 0});
+  places.push_back({move.ramp_time + move.cruise_time, move.peak_speed, -acceleration});
+  return places;
+}
+
+TrajectoryPoint pointAt(const TimedMove& move, const Place& place, double start) {
+  const Eigen::VectorXd way = move.to - move.from;
+  return {start + place.time, sampleMove(move, place.time), place.speed * way, place.acceleration * way};
+}
+
+}  // namespace
+
+std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpeeds& speeds, double least_step) {
+  std::vector<TrajectoryPoint> points;
+  double start = 0;
+  const auto add = [&](TrajectoryPoint point) {
+    if (points.empty() || point.time >= points.back().time + least_step) points.push_back(std::move(point));
+  };
+  for (const auto& segment : plan.segments)
+    for (const TimedMove& move : timePolyline(segment.waypoints, speeds).moves) {
+      if (move.duration <= 0) continue;
+      for (const Place& place : placesOf(move)) add(pointAt(move, place, start));
+      start += move.duration;
+    }
+  if (plan.segments.empty()) return points;
+  const Eigen::VectorXd end = plan.segments.back().waypoints.back(), none = Eigen::VectorXd::Zero(end.size());
+  // The end counts more than a point just before it.
+  if (!points.empty() && start < points.back().time + least_step) points.pop_back();
+  add({start, end, none, none});
+  return points;
+}
+
+}  // namespace tubeplan::planner
