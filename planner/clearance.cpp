@@ -47,14 +47,14 @@ CollisionWorld::CollisionWorld(Scene scene) : scene_(std::move(scene)), body_rea
       if (groups[i] - groups[k] > 1 || groups[k] - groups[i] > 1)
         addPair({i, k, true, solids_[k]}, mayTouch(scene_.bodies[k], scene_.bodies[i]));
   }
-  // Exact pairs first: they cost little, and what they find spares most of the others.
-  std::ranges::stable_partition(pairs_, [this](const Pair& pair) { return !needsLibrary(pair); });
+  // Pairs in closed form first: they cost little, and what they find spares most of the others.
+  std::ranges::stable_partition(pairs_, [this](const Pair& pair) { return isQuick(pair); });
 }
 
 void CollisionWorld::addPair(const Pair& pair, bool allowed) { (allowed ? allowed_pairs_ : pairs_).push_back(pair); }
 
-bool CollisionWorld::needsLibrary(const Pair& pair) const {
-  return pair.solid && !(pair.solid->isCapsule() && solids_[pair.body]->isCapsule());
+bool CollisionWorld::isQuick(const Pair& pair) const {
+  return !pair.solid || (pair.solid->isCapsule() && solids_[pair.body]->isCapsule());
 }
 
 CollisionWorld::Placed CollisionWorld::place(std::span<const Isometry3d> X_WL) const {
@@ -66,16 +66,26 @@ CollisionWorld::Placed CollisionWorld::place(std::span<const Isometry3d> X_WL) c
   return placed;
 }
 
-/// By the capsules around the two; minus infinity against a region.
-double CollisionWorld::quickLowerBound(const Pair& pair, const Placed& placed) const {
-  if (!pair.solid) return -std::numeric_limits<double>::infinity();
-  const Capsule& other = pair.with_body ? placed.around_W[pair.other] : pair.solid->around();
-  return separation(placed.around_W[pair.body], other).distance;
+/// By the spheres around the capsules around the two, then by the capsules. Nothing is told of a region.
+bool CollisionWorld::isFarther(const Pair& pair, const Placed& placed, double distance) const {
+  if (!pair.solid) return false;
+  const Capsule& a = placed.around_W[pair.body];
+  const Capsule& b = pair.with_body ? placed.around_W[pair.other] : pair.solid->around();
+  const double reach = distance + a.radius + b.radius +
+                       0.5 * (std::sqrt((a.to - a.from).squaredNorm()) + std::sqrt((b.to - b.from).squaredNorm()));
+  if (reach < 0 || 0.25 * (a.from + a.to - b.from - b.to).squaredNorm() > reach * reach) return true;
+  return separation(a, b).distance >= distance;
 }
 
 Separation CollisionWorld::pairSeparation(const Pair& pair, const Placed& placed) const {
   const Isometry3d& X_WB = placed.X_WL[scene_.bodies[pair.body].frame_index];
-  if (!pair.with_body) return scene_.obstacles[pair.other].shape->separationFrom(X_WB, *solids_[pair.body]);
+  const bool is_capsule = solids_[pair.body]->isCapsule();
+  if (!pair.with_body) {
+    const Shape& obstacle = *scene_.obstacles[pair.other].shape;
+    return is_capsule ? obstacle.separationFrom(placed.around_W[pair.body])
+                      : obstacle.separationFrom(X_WB, *solids_[pair.body]);
+  }
+  if (is_capsule && pair.solid->isCapsule()) return separation(placed.around_W[pair.body], placed.around_W[pair.other]);
   return separation(X_WB, *solids_[pair.body], placed.X_WL[scene_.bodies[pair.other].frame_index], *pair.solid);
 }
 
@@ -102,7 +112,7 @@ Clearance CollisionWorld::closest(std::span<const Isometry3d> X_WL, double stop_
   const Pair* nearest = nullptr;
   Separation least{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
   for (const Pair& pair : pairs_) {
-    if (quickLowerBound(pair, placed) >= least.distance) continue;
+    if (isFarther(pair, placed, least.distance)) continue;
     const Separation found = pairSeparation(pair, placed);
     if (found.distance >= least.distance) continue;
     least = found;

@@ -61,9 +61,9 @@ class CollisionWorld {
   struct Placed;  ///< the bodies in one posture
 
   void addPair(const Pair& pair, bool allowed);
-  [[nodiscard]] bool needsLibrary(const Pair& pair) const;
+  [[nodiscard]] bool isQuick(const Pair& pair) const;
   [[nodiscard]] Placed place(std::span<const Eigen::Isometry3d> X_WL) const;
-  [[nodiscard]] double quickLowerBound(const Pair& pair, const Placed& placed) const;
+  [[nodiscard]] bool isFarther(const Pair& pair, const Placed& placed, double distance) const;
   [[nodiscard]] Separation pairSeparation(const Pair& pair, const Placed& placed) const;
   [[nodiscard]] Clearance named(const Pair& pair, const Separation& separation) const;
   [[nodiscard]] std::optional<Clearance> findLostBody(std::span<const Eigen::Isometry3d> X_WL) const;

@@ -56,6 +56,10 @@ class CapsuleSolid : public Solid {
     return end == p ? Vector3d(p + around().radius * Vector3d::UnitX())
                     : Vector3d(end + around().radius * (end - p).normalized());
   }
+  SegmentNearest nearestTo(const Vector3d& from, const Vector3d& to) const override {
+    const auto [on_solid, on_segment] = nearestPoints(around().from, around().to, from, to);
+    return {on_segment, on_solid};
+  }
 
  private:
   static RoundedCore coreOf(const Capsule& capsule) {
@@ -72,22 +76,26 @@ class CapsuleSolid : public Solid {
 class BoxSolid : public Solid {
  public:
   BoxSolid(const Isometry3d& X_FC, const Vector3d& size)
-      : Solid(aroundBox(X_FC, size), false, {std::make_shared<fcl::Boxd>(size), X_FC, 0}),
-        X_FC_(X_FC),
-        half_(0.5 * size) {}
+      : Solid(aroundBox(X_FC, size), false, {std::make_shared<fcl::Boxd>(size), X_FC, 0}), box_{X_FC, 0.5 * size} {}
 
   double pointDistance(const Vector3d& p) const override {
-    const Vector3d beyond = (X_FC_.inverse() * p).cwiseAbs() - half_;
+    const Vector3d beyond = (box_.X_FC.inverse() * p).cwiseAbs() - box_.half;
     return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
   }
   Vector3d support(const Vector3d& direction) const override {
-    return X_FC_ * corner(X_FC_.linear().transpose() * direction);
+    return box_.X_FC * corner(box_.X_FC.linear().transpose() * direction);
   }
-  Vector3d farthestFrom(const Vector3d& p) const override { return X_FC_ * corner(-(X_FC_.inverse() * p)); }
+  Vector3d farthestFrom(const Vector3d& p) const override { return box_.X_FC * corner(-(box_.X_FC.inverse() * p)); }
+  SegmentNearest nearestTo(const Vector3d& from, const Vector3d& to) const override {
+    const Isometry3d X_CF = box_.X_FC.inverse();
+    const auto [on_segment, on_solid] = nearestToBox(X_CF * from, X_CF * to, box_.half);
+    return {box_.X_FC * on_segment, box_.X_FC * on_solid};
+  }
+  const Box* box() const override { return &box_; }
 
  private:
   Vector3d corner(const Vector3d& towards) const {
-    return half_.binaryExpr(towards, [](double half, double sign) { return std::copysign(half, sign); });
+    return box_.half.binaryExpr(towards, [](double half, double sign) { return std::copysign(half, sign); });
   }
   static Capsule aroundBox(const Isometry3d& X_FC, const Vector3d& size) {
     Eigen::Index longest = 0;
@@ -97,8 +105,7 @@ class BoxSolid : public Solid {
     return {X_FC.translation() - half_axis, X_FC.translation() + half_axis, radius * (1 + 1e-12)};
   }
 
-  Isometry3d X_FC_;
-  Vector3d half_;
+  Box box_;
 };
 
 /// A cylinder with flat ends.
@@ -120,6 +127,11 @@ class CylinderSolid : public Solid {
     return X_FC_ * rim(X_FC_.linear().transpose() * direction);
   }
   Vector3d farthestFrom(const Vector3d& p) const override { return X_FC_ * rim(-(X_FC_.inverse() * p)); }
+  SegmentNearest nearestTo(const Vector3d& from, const Vector3d& to) const override {
+    const Isometry3d X_CF = X_FC_.inverse();
+    const auto [on_segment, on_solid] = nearestToCylinder(X_CF * from, X_CF * to, radius_, half_length_);
+    return {X_FC_ * on_segment, X_FC_ * on_solid};
+  }
 
  private:
   Vector3d rim(const Vector3d& towards) const {
@@ -143,6 +155,13 @@ class SphereInterior : public Shape {
     const Vector3d farthest = X_FB * body.farthestFrom(X_FB.inverse() * centre_);
     return {pointDistance(farthest), farthest};
   }
+  Separation separationFrom(const Capsule& body) const override {
+    const bool to_end = (body.to - centre_).squaredNorm() > (body.from - centre_).squaredNorm();
+    const Vector3d& end = to_end ? body.to : body.from;
+    const double distance = (end - centre_).norm();
+    const Vector3d outwards = distance > 0 ? Vector3d((end - centre_) / distance) : Vector3d::UnitX();
+    return {radius_ - distance - body.radius, end + body.radius * outwards};
+  }
 
  private:
   Vector3d centre_;
@@ -158,6 +177,10 @@ class HalfSpace : public Shape {
   Separation separationFrom(const Isometry3d& X_FB, const Solid& body) const override {
     const Vector3d lowest = X_FB * body.support(X_FB.linear().transpose() * -normal_);
     return {pointDistance(lowest), lowest};
+  }
+  Separation separationFrom(const Capsule& body) const override {
+    const double from = pointDistance(body.from), to = pointDistance(body.to);
+    return {std::min(from, to) - body.radius, (to < from ? body.to : body.from) - body.radius * normal_};
   }
 
  private:

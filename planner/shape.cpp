@@ -8,4 +8,6 @@ Separation Solid::separationFrom(const Eigen::Isometry3d& X_FB, const Solid& bod
   return separation(X_FB, body, Eigen::Isometry3d::Identity(), *this);
 }
 
+Separation Solid::separationFrom(const Capsule& body_F) const { return separation(body_F, *this); }
+
 }  // namespace tubeplan::planner

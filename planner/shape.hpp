@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "planner/segment_distance.hpp"
+
 namespace fcl {
 template <typename S>
 class CollisionGeometry;
@@ -18,6 +20,12 @@ namespace tubeplan::planner {
 struct Separation {
   double distance;        ///< m; never more than the true distance, beyond rounding
   Eigen::Vector3d point;  ///< of the body, nearest to the other thing, in the frame asked for
+};
+
+/// All points within `radius` of the segment [m].
+struct Capsule {
+  Eigen::Vector3d from, to;
+  double radius;
 };
 
 class Solid;
@@ -32,14 +40,17 @@ class Shape {
 
   /// How far a body, placed at X_FB, is from the shape. The point is in frame F.
   [[nodiscard]] virtual Separation separationFrom(const Eigen::Isometry3d& X_FB, const Solid& body) const = 0;
+
+  /// The same of a capsule given in frame F.
+  [[nodiscard]] virtual Separation separationFrom(const Capsule& body_F) const = 0;
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;
 
-/// All points within `radius` of the segment [m].
-struct Capsule {
-  Eigen::Vector3d from, to;
-  double radius;
+/// A box about C's origin, its edges along C's axes.
+struct Box {
+  Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d half;  ///< of its size [m]
 };
 
 /// A core in the terms of the distance library, placed in the shape's frame, with a rounding of its own around it.
@@ -60,7 +71,14 @@ class Solid : public Shape {
   /// The point farthest from p_F.
   [[nodiscard]] virtual Eigen::Vector3d farthestFrom(const Eigen::Vector3d& p_F) const = 0;
 
+  /// The nearest points of a segment and the core.
+  [[nodiscard]] virtual SegmentNearest nearestTo(const Eigen::Vector3d& from_F, const Eigen::Vector3d& to_F) const = 0;
+
+  /// The solid itself, where it is a box; else null.
+  [[nodiscard]] virtual const Box* box() const { return nullptr; }
+
   [[nodiscard]] Separation separationFrom(const Eigen::Isometry3d& X_FB, const Solid& body) const override;
+  [[nodiscard]] Separation separationFrom(const Capsule& body_F) const override;
 
   /// A capsule around the solid, and whether it is the solid itself.
   [[nodiscard]] const Capsule& around() const { return around_; }

@@ -1,0 +1,148 @@
+// What a posture and a move of the mock-up cell cost to prove clear, by own distances and by the distance library's
+// (FCL), in the same run. The shape of the bent arm is timed by itself: every posture needs it, however distances are
+// found.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/workcell.hpp"
+#include "planner/arm_clearance.hpp"
+#include "planner/motion_check.hpp"
+#include "planner/separation.hpp"
+#include "planner/tube_reach.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::benchmarks {
+namespace {
+
+using namespace planner;
+using Eigen::Isometry3d, Eigen::VectorXd;
+using Clock = std::chrono::steady_clock;
+
+struct Move {
+  VectorXd from, to;
+};
+
+/// The cell, and moves between the standoffs of neighbouring tubes, same branch, all over the sheet.
+struct Bench {
+  const Workcell cell = app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml"), "time clearance");
+  const ArmClearance clearance{cell};
+  std::vector<Move> moves;
+
+  Bench() {
+    for (const char* pair :
+         {"R5C30,R5C31", "R5C85,R6C85", "R10C20,R10C21", "R10C57,R11C57", "R15C40,R15C41", "R20C80,R21C80",
+          "R20C57,R20C58", "R25C30,R25C31", "R30C90,R31C90", "R35C45,R35C46", "R8C100,R8C101"}) {
+      const auto tubes = tubesheets::selectTubes(cell.sheet, pair).tube_indices;
+      const TubeReach a = reachTube(clearance, tubes.at(0)), b = reachTube(clearance, tubes.at(1));
+      for (const TubeBranch& from : a.branches)
+        for (const TubeBranch& to : b.branches)
+          if ((from.q - to.q).cwiseAbs().maxCoeff() < 0.3)
+            moves.push_back({from.approach.front(), to.approach.front()});
+    }
+  }
+};
+
+const Bench& bench() {
+  static const Bench made;
+  return made;
+}
+
+/// What CollisionWorld::closest answers, every solid pair asked of the library.
+double marginByLibrary(const Scene& scene, const std::vector<int>& groups, const std::vector<Isometry3d>& X_WL) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto solidOf = [](const ShapePointer& shape) { return dynamic_cast<const Solid*>(shape.get()); };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    const Isometry3d& X_WB = X_WL[static_cast<std::size_t>(body.frame_index)];
+    const Solid& solid = *solidOf(body.shape);
+    for (const Obstacle& obstacle : scene.obstacles) {
+      if (mayTouch(obstacle, body)) continue;
+      const Solid* other = solidOf(obstacle.shape);
+      least = std::min(least, (other ? separationByLibrary(X_WB, solid, Isometry3d::Identity(), *other)
+                                     : obstacle.shape->separationFrom(X_WB, solid))
+                                  .distance);
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      const Body& other = scene.bodies[k];
+      if (std::abs(groups[i] - groups[k]) <= 1 || mayTouch(other, body)) continue;
+      const Isometry3d& X_WO = X_WL[static_cast<std::size_t>(other.frame_index)];
+      least = std::min(least, separationByLibrary(X_WB, solid, X_WO, *solidOf(other.shape)).distance);
+    }
+  }
+  return least - scene.clearance;
+}
+
+void shape(benchmark::State& state) {
+  std::size_t k = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(bodyFrames(bench().cell, bench().moves[k++ % bench().moves.size()].from, nullptr));
+}
+
+template <class MarginOf>
+void distances(benchmark::State& state, const MarginOf& margin_of) {
+  std::vector<std::vector<Isometry3d>> frames;
+  for (const Move& move : bench().moves) frames.push_back(bodyFrames(bench().cell, move.from, nullptr));
+  std::size_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(margin_of(frames[k++ % frames.size()]));
+}
+
+/// The median over the moves stands beside the mean.
+void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
+  const auto& moves = bench().moves;
+  std::vector<double> seconds, checks;
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const Move& move = moves[k++ % moves.size()];
+    const auto start = Clock::now();
+    const auto result = checkMotion(move.from, move.to, clearance_of, bench().clearance.travel());
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    checks.push_back(result.checks);
+    if (result.status != MotionCheckStatus::kFree) state.SkipWithError("a move is not free");
+  }
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  state.counters["median_us"] = 1e6 * median(seconds);
+  state.counters["postures"] = median(checks);
+  state.counters["moves"] = static_cast<double>(moves.size());
+}
+
+void registerAll() {
+  static const CollisionWorld world(bench().cell.scene);
+  static const std::vector<int> groups = rigidGroups(bench().cell.scene);
+  const auto own = [](const auto& frames) { return world.closest(frames).margin; };
+  const auto library = [](const auto& frames) { return marginByLibrary(bench().cell.scene, groups, frames); };
+  const auto us = benchmark::kMicrosecond;
+  benchmark::RegisterBenchmark("posture/shape", shape)->Unit(us);
+  benchmark::RegisterBenchmark("posture/distances", [=](benchmark::State& s) { distances(s, own); })->Unit(us);
+  benchmark::RegisterBenchmark("posture/distances/fcl", [=](benchmark::State& s) { distances(s, library); })->Unit(us);
+  const auto at = [](const VectorXd& q) { return bench().clearance.at(q, ContactRule::kApproach); };
+  const auto atByLibrary = [library](const VectorXd& q) {
+    double bow = 0;
+    const auto frames = bodyFrames(bench().cell, q, &bow);
+    Clearance clearance;
+    clearance.margin = library(frames) - bow;
+    clearance.distance = clearance.margin + bench().cell.scene.clearance;
+    return clearance;
+  };
+  benchmark::RegisterBenchmark("neighbour move", [=](benchmark::State& s) { proveMoves(s, at); })->Unit(us);
+  benchmark::RegisterBenchmark("neighbour move/fcl", [=](benchmark::State& s) {
+    proveMoves(s, atByLibrary);
+  })->Unit(us);
+}
+
+}  // namespace
+}  // namespace tubeplan::benchmarks
+
+int main(int argc, char** argv) {
+  tubeplan::benchmarks::registerAll();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
