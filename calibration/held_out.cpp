@@ -79,9 +79,8 @@ ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged)
   return residual.ok ? errorSize(judged, *weights, residual.error) : ErrorSize{};
 }
 
-ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                        const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
-                        const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss) {
+ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
+                     const FitToReadings& fit) {
   ErrorSize total;
   double squares = 0, lengths = 0;
   const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
@@ -89,14 +88,24 @@ ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unkn
     std::vector<Measurement> kept, out;
     for (std::size_t k = 0; k < readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(readings[k]);
     if (kept.empty() || out.empty()) continue;
-    const Fit fit = fitUnknowns(start, unknowns, kept, x, solver, loss);
-    if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
-    collect(total, squares, lengths, judge(applied(start, unknowns, fit.solution.x), out));
+    const auto fitted = fit(kept);
+    if (!fitted) return {};
+    collect(total, squares, lengths, judge(*fitted, out));
   }
   if (total.readings == 0) return {};
   total.rms = std::sqrt(squares / total.readings);
   total.mean = lengths / total.readings;
   return total;
+}
+
+ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                        const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                        const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss) {
+  return judgeFolds(readings, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+    const Fit fit = fitUnknowns(start, unknowns, kept, x, solver, loss);
+    if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
+    return applied(start, unknowns, fit.solution.x);
+  });
 }
 
 }  // namespace tubeplan::calibration

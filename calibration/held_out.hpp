@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "calibration/fit.hpp"
@@ -19,7 +21,14 @@ namespace tubeplan::calibration {
 /// readings themselves.
 [[nodiscard]] ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged);
 
-/// Each fold judged by a fit to the others, from `x`; all errors together.
+/// The model as fitted to some readings; nothing where it cannot be.
+using FitToReadings = std::function<std::optional<PlacedArm>(const std::vector<Measurement>& kept)>;
+
+/// Each fold judged by a fit to the others; all errors together. Nothing where a fit fails.
+[[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
+                                   const FitToReadings& fit);
+
+/// The same with the unknowns fitted from `x`.
 [[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                       const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
                                       const std::vector<int>& folds, const LeastSquaresOptions& solver,

@@ -100,10 +100,6 @@ void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vecto
   if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 
-}  // namespace
-
-namespace {
-
 /// A stiffness that the readings do not need is rigid; any other number stays at its start.
 void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
   const bool is_stiffness = number.unknown.scale != Unknown::Scale::kLinear;
@@ -198,6 +194,15 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
 }
 
 }  // namespace
+
+std::vector<Unknown> fittedUnknowns(const Identification& result) {
+  std::vector<Unknown> unknowns;
+  for (const int k : result.fitted_numbers) {
+    const IdentifiedNumber& number = result.numbers[static_cast<std::size_t>(k)];
+    unknowns.push_back(rebased(number.unknown, number.value));
+  }
+  return unknowns;
+}
 
 Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                         const std::vector<Measurement>& readings, const IdentificationOptions& options) {

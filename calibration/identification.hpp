@@ -93,6 +93,9 @@ struct Identification {
   int starts_agreeing = 1;
 };
 
+/// The numbers that were fitted, in the order of the covariance, as variables that are 0 where the fit left them.
+[[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
+
 /// Finds the free numbers and the placings that are not known. Readings marked held-out are not fitted but judged.
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                       const std::vector<Measurement>& readings, const IdentificationOptions& options);

@@ -14,11 +14,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// The other way round of valueAt().
-double variableAt(const Unknown& unknown, double value) {
-  return unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
-}
-
 void takeFit(const Identification& fit, Knowledge& knowledge) {
   knowledge.start = fit.start;
   knowledge.unknowns.clear();

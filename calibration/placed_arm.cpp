@@ -200,11 +200,15 @@ double valueAt(const Unknown& unknown, double x) {
 
 Unknown rebased(Unknown unknown, double value) {
   if (unknown.owner == Unknown::Owner::kBase) return unknown;
-  const double x = unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
+  const double x = variableAt(unknown, value);
   unknown.start = value;
   unknown.lower -= x;
   unknown.upper -= x;
   return unknown;
+}
+
+double variableAt(const Unknown& unknown, double value) {
+  return unknown.scale == Unknown::Scale::kCompliance ? 1 / value - 1 / unknown.start : value - unknown.start;
 }
 
 double slopeAt(const Unknown& unknown, double x) {

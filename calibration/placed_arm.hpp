@@ -79,6 +79,9 @@ struct Unknowns {
 [[nodiscard]] double valueAt(const Unknown& unknown, double x);
 [[nodiscard]] double slopeAt(const Unknown& unknown, double x);
 
+/// The other way round of valueAt().
+[[nodiscard]] double variableAt(const Unknown& unknown, double value);
+
 /// The values, least first, between two variables: a stiffness whose compliance may be none has no upper end.
 [[nodiscard]] std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, double upper);
 

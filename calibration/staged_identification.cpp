@@ -41,16 +41,6 @@ void countAmongAll(const StageReadings& some, Identification& stage) {
   if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
 }
 
-/// The fitted numbers of a stage, 0 at their optimum.
-std::vector<Unknown> fittedUnknowns(const Identification& stage) {
-  std::vector<Unknown> unknowns;
-  for (const int k : stage.fitted_numbers) {
-    const auto& number = stage.numbers[static_cast<std::size_t>(k)];
-    unknowns.push_back(rebased(number.unknown, number.value));
-  }
-  return unknowns;
-}
-
 /// Sigmas and intervals again, from a larger covariance.
 void widen(Identification& stage) {
   for (std::size_t i = 0; i < stage.fitted_numbers.size(); ++i) {

@@ -147,11 +147,23 @@ std::vector<Unknown> effectUnknowns(const deflection::Arm& arm, const Candidate&
   return unknowns;
 }
 
-MatrixXd linearizeCandidate(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                            const ReadingWeights& weights, const Candidate& candidate, double shape) {
+StepColumns::StepColumns(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                         const ReadingWeights& weights, const Candidate& step)
+    : readings_(readings), weights_(weights) {
   PlacedArm with = placed;
-  const int effect = placeEffect(with.arm, candidate, shape);
-  return effectColumns(with, readings, weights, effectUnknowns(with.arm, candidate, effect, allSizes(candidate)));
+  const int effect = placeEffect(with.arm, step, -std::numeric_limits<double>::infinity());
+  ReadingWeights apart = weights;  // what points absorb depends on the time
+  apart.points.clear();
+  always_ = effectColumns(with, readings, apart, effectUnknowns(with.arm, step, effect, allSizes(step)));
+}
+
+MatrixXd StepColumns::at(double time) const {
+  MatrixXd columns = always_;
+  if (columns.cols() == 0) return columns;
+  for (std::size_t k = 0; k < readings_.size(); ++k)
+    if (readings_[k].time < time) columns.middleRows(weights_.first_row[k], rowsOf(readings_[k])).setZero();
+  takePointsOff(weights_, columns);
+  return columns;
 }
 
 namespace {
@@ -183,24 +195,14 @@ void linearizeLevels(const PlacedArm& placed, const std::vector<Measurement>& re
   }
 }
 
-/// A step's columns at every time from one linearisation: before its time it does nothing.
 void linearizeSteps(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
                     Catalogue& catalogue) {
-  ReadingWeights apart = weights;
-  apart.points.clear();
   for (std::size_t c = 0; c < catalogue.candidates.size(); ++c) {
     const Candidate& candidate = catalogue.candidates[c];
     if (!isStep(candidate)) continue;
-    const MatrixXd always =
-        linearizeCandidate(placed, readings, apart, candidate, -std::numeric_limits<double>::infinity());
-    for (std::size_t level = 0; level < candidate.levels.size(); ++level) {
-      MatrixXd columns = always;
-      for (std::size_t k = 0; k < readings.size(); ++k)
-        if (readings[k].time < candidate.levels[level])
-          columns.middleRows(weights.first_row[k], rowsOf(readings[k])).setZero();
-      takePointsOff(weights, columns);
-      catalogue.columns.push_back({static_cast<int>(c), static_cast<int>(level), std::move(columns)});
-    }
+    const StepColumns columns(placed, readings, weights, candidate);
+    for (std::size_t level = 0; level < candidate.levels.size(); ++level)
+      catalogue.columns.push_back({static_cast<int>(c), static_cast<int>(level), columns.at(candidate.levels[level])});
   }
 }
 

@@ -46,10 +46,19 @@ struct CatalogueOptions {
 [[nodiscard]] Catalogue linearizeCatalogue(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                            const ReadingWeights& weights, const CatalogueOptions& options = {});
 
-/// Columns of one candidate at one shape value.
-[[nodiscard]] Eigen::MatrixXd linearizeCandidate(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                                                 const ReadingWeights& weights, const Candidate& candidate,
-                                                 double shape);
+/// A step's columns at any time from one linearisation, as before its time it does nothing. Keeps references to
+/// readings and weights.
+class StepColumns {
+ public:
+  StepColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
+              const Candidate& step);
+  [[nodiscard]] Eigen::MatrixXd at(double time) const;
+
+ private:
+  const std::vector<Measurement>& readings_;
+  const ReadingWeights& weights_;
+  Eigen::MatrixXd always_;  ///< as if it had been there from the first
+};
 
 /// The candidate's effect placed on an arm: its values at the given sizes (in units), shape as given; returns the
 /// index of the effect.

@@ -110,25 +110,30 @@ void judgeAll(const DiagnosisWork& work, const std::vector<Measurement>& held_ou
   result.heldout_after = result.alternatives.front().heldout;
 }
 
-}  // namespace
-
-namespace {
-
-Diagnosis diagnoseReadings(Identification baseline, const std::vector<Measurement>& all,
-                           const std::vector<int>& set_aside, const DiagnosisOptions& options) {
+/// An answer with what it was found by: errors kept out, powers and views are worked out for the one that is given.
+struct Answer {
   Diagnosis result;
+  DiagnosisWork work;
+  std::vector<Measurement> held_out;
+};
+
+Answer answerBy(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
+                const DiagnosisOptions& options) {
+  Answer answer{{}, {options, {}, {}, {}, {}, 0}, {}};
+  Diagnosis& result = answer.result;
   result.set_aside = set_aside;
-  std::vector<Measurement> used, held_out;
+  std::vector<Measurement> used;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool is_set_aside = std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
-    if (!is_set_aside) (all[k].is_held_out ? held_out : used).push_back(all[k]);
+    if (!is_set_aside) (all[k].is_held_out ? answer.held_out : used).push_back(all[k]);
   }
   result.baseline = std::move(baseline);
-  const DiagnosisWork work = linearize(result.baseline, used, options);
+  answer.work = linearize(result.baseline, used, options);
+  const DiagnosisWork& work = answer.work;
   if (!work.basis.residual.ok) {
     result.reason =
         result.baseline.reason.empty() ? "the model cannot be evaluated at the readings" : result.baseline.reason;
-    return result;
+    return answer;
   }
   result.not_tried = work.catalogue.not_tried;
   result.chi2 = work.basis.residual.r.squaredNorm();
@@ -150,10 +155,16 @@ Diagnosis diagnoseReadings(Identification baseline, const std::vector<Measuremen
     finding.fits = plausibleSingles(work, singles);
   rank(work, singles, finding.fits, result);
   decide(work, std::move(finding), result);
-  listDetectable(work, result.threshold, result);
-  judgeAll(work, held_out, result);
-  result.views = viewsOf(work.basis, result, all);
-  return result;
+  return answer;
+}
+
+Diagnosis completed(Answer answer, const std::vector<Measurement>& all) {
+  Diagnosis& result = answer.result;
+  if (!answer.work.basis.residual.ok) return result;
+  listDetectable(answer.work, result.threshold, result);
+  judgeAll(answer.work, answer.held_out, result);
+  result.views = viewsOf(answer.work.basis, result, all);
+  return std::move(result);
 }
 
 std::vector<Measurement> without(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
@@ -184,14 +195,15 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   for (const auto& outlier : baseline.outliers) set_aside.push_back(outlier.reading);
   std::sort(set_aside.begin(), set_aside.end());
   const bool are_few = set_aside.size() <= readings.size() / kFewOutliers;
-  if (set_aside.empty() || !are_few) return diagnoseReadings(std::move(baseline), readings, {}, options);
+  Answer whole = answerBy(std::move(baseline), readings, {}, options);
+  if (set_aside.empty() || !are_few) return completed(std::move(whole), readings);
   // What an effect moves is mostly spread too widely to be among a few outliers, but a base that slips between touches
   // of one point is not: an effect that explains every reading in fewer numbers goes before setting some aside.
-  Diagnosis whole = diagnoseReadings(std::move(baseline), readings, {}, options);
   Identification rest = identify(start, without(readings, set_aside), baseline_options);
-  if (isAnswered(whole) && whole.alternatives.front().criterion < criterionOf(rest, whole, readings, set_aside))
-    return whole;
-  return diagnoseReadings(std::move(rest), readings, set_aside, options);
+  if (isAnswered(whole.result) &&
+      whole.result.alternatives.front().criterion < criterionOf(rest, whole.result, readings, set_aside))
+    return completed(std::move(whole), readings);
+  return completed(answerBy(std::move(rest), readings, set_aside, options), readings);
 }
 
 std::vector<Explanation> explainBySingles(const PlacedArm& start, const std::vector<Measurement>& readings,

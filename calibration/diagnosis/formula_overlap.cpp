@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calibration/diagnosis/candidates.hpp"
+#include "calibration/span.hpp"
 #include "deflection/effects/formula.hpp"
 
 namespace tubeplan::calibration {
@@ -13,30 +14,6 @@ namespace {
 
 constexpr double kLeastShare = 0.05;
 constexpr double kAbsorbed = 1e-4;  // kept length of a signature below which nothing is left of it
-constexpr double kRank = 1e-8;      // of an effect's columns
-
-/// An orthonormal basis of what columns span; scales do not matter.
-MatrixXd spanOf(MatrixXd columns) {
-  for (auto column : columns.colwise())
-    if (column.norm() > 0) column.normalize();
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
-  qr.setThreshold(kRank);
-  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
-}
-
-MatrixXd without(const MatrixXd& Q, const MatrixXd& columns) {
-  return Q.cols() == 0 ? columns : MatrixXd(columns - Q * (Q.transpose() * columns));
-}
-
-/// The fitted numbers, where the fit left them.
-std::vector<Unknown> fittedUnknowns(const Identification& result) {
-  std::vector<Unknown> unknowns;
-  for (const int k : result.fitted_numbers) {
-    const IdentifiedNumber& number = result.numbers[static_cast<std::size_t>(k)];
-    unknowns.push_back(rebased(number.unknown, number.value));
-  }
-  return unknowns;
-}
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   std::vector<Unknown> unknowns;

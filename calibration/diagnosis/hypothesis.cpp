@@ -5,6 +5,7 @@
 
 #include "calibration/diagnosis/smooth_misfit.hpp"
 #include "calibration/held_out.hpp"
+#include "calibration/span.hpp"
 
 namespace tubeplan::calibration {
 
@@ -13,6 +14,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 const LeastSquaresOptions kRefit{1e-5, 30, LeastSquaresMethod::kLevenbergMarquardt};
+const LeastSquaresOptions kQuickRefit{1e-5, 4, LeastSquaresMethod::kLevenbergMarquardt};
 
 /// A catalogue's candidate as it goes into a model: which of its values are free, and where they start.
 struct Part {
@@ -36,18 +38,16 @@ double refinedTime(const DiagnosisBasis& basis, const Candidate& candidate, int 
   for (const auto& reading : basis.readings) times.push_back(reading.time);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  const MatrixXd& J = basis.residual.jacobian;
-  const MatrixXd Q =
-      MatrixXd(Eigen::HouseholderQR<MatrixXd>(J).householderQ() * MatrixXd::Identity(J.rows(), J.cols()));
-  const VectorXd rest = -basis.residual.r + Q * (Q.transpose() * basis.residual.r);
+  const StepColumns columns(basis.fitted, basis.readings, basis.weights, candidate);
+  const MatrixXd Q = spanOf(basis.residual.jacobian);
+  const VectorXd rest = -without(Q, basis.residual.r);
   double best = candidate.levels[static_cast<std::size_t>(level)], most = -1;
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const double time = (times[k] + times[k + 1]) / 2;
     if (time < from || time > to) continue;
-    const MatrixXd all = linearizeCandidate(basis.fitted, basis.readings, basis.weights, candidate, time);
+    const MatrixXd all = columns.at(time);
     if (all.cols() == 0) continue;
-    MatrixXd S = all(Eigen::all, sizes);
-    S -= (Q * (Q.transpose() * S)).eval();
+    const MatrixXd S = without(Q, all(Eigen::all, sizes));
     const VectorXd phi = S.completeOrthogonalDecomposition().solve(rest);
     const double fall = (S * phi).dot(rest);
     if (fall > most) most = fall, best = time;
@@ -115,19 +115,10 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
   return result;
 }
 
-/// Tighter weights would change the comparison, so folds keep the basis' own: whitening is by reading.
-ReadingWeights weightsOf(const std::vector<Measurement>& readings, const PlacedArm& placed) {
-  return weighReadings(placed, readings).value_or(ReadingWeights{});
-}
-
 }  // namespace
 
 DiagnosisBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings) {
-  DiagnosisBasis basis{readings, baseline.fitted, {}, {}, {}};
-  for (const int k : baseline.fitted_numbers) {
-    const auto& number = baseline.numbers[static_cast<std::size_t>(k)];
-    basis.unknowns.push_back(rebased(number.unknown, number.value));
-  }
+  DiagnosisBasis basis{readings, baseline.fitted, fittedUnknowns(baseline), {}, {}};
   if (auto weights = weighReadings(basis.fitted, readings)) basis.weights = std::move(*weights);
   if (basis.weights.rows > 0)
     basis.residual = whitenedResidual(basis.fitted, basis.unknowns, readings, basis.weights,
@@ -182,32 +173,15 @@ ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explana
 }
 
 ErrorSize judgeOnFolds(const DiagnosisBasis& basis, const ExplanationModel& model, const std::vector<int>& folds) {
-  const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
-  double squares = 0, lengths = 0;
-  ErrorSize total;
-  for (int fold = 0; fold < count; ++fold) {
-    std::vector<Measurement> kept, out;
-    for (std::size_t k = 0; k < basis.readings.size(); ++k)
-      (folds[k] == fold ? out : kept).push_back(basis.readings[k]);
-    if (kept.empty() || out.empty()) continue;
-    const ReadingWeights weights = weightsOf(kept, model.placed);
-    if (weights.rows == 0) return {};
-    const LeastSquaresOptions quick{1e-5, 4, LeastSquaresMethod::kLevenbergMarquardt};
-    const auto solution = minimizeLeastSquares(fitProblem(model.placed, model.unknowns, kept, weights,
-                                                          VectorXd::Zero(static_cast<Index>(model.unknowns.size()))),
-                                               quick);
+  const VectorXd start = VectorXd::Zero(static_cast<Index>(model.unknowns.size()));
+  return judgeFolds(basis.readings, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+    const auto weights = weighReadings(model.placed, kept);  // whitening is by reading: the basis' own
+    if (!weights) return {};
+    const auto solution =
+        minimizeLeastSquares(fitProblem(model.placed, model.unknowns, kept, *weights, start), kQuickRefit);
     if (solution.status == LeastSquaresStatus::kFailed) return {};
-    const ErrorSize part = judge(applied(model.placed, model.unknowns, solution.x), out);
-    if (part.readings == 0) continue;
-    squares += part.rms * part.rms * part.readings;
-    lengths += part.mean * part.readings;
-    total.max = std::isnan(total.max) ? part.max : std::max(total.max, part.max);
-    total.readings += part.readings;
-  }
-  if (total.readings == 0) return total;
-  total.rms = std::sqrt(squares / total.readings);
-  total.mean = lengths / total.readings;
-  return total;
+    return applied(model.placed, model.unknowns, solution.x);
+  });
 }
 
 }  // namespace tubeplan::calibration

@@ -10,6 +10,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "calibration/span.hpp"
+
 namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
@@ -77,15 +79,10 @@ ScoreSpace::ScoreSpace(const Catalogue& catalogue, const MatrixXd& jacobian, con
       variants_.push_back(std::move(variant));
     }
   }
-  VectorXd rest = -r;
-  if (jacobian.cols() > 0) {
-    const Eigen::HouseholderQR<MatrixXd> qr(jacobian);
-    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(jacobian.rows(), jacobian.cols());
-    S -= (Q * (Q.transpose() * S)).eval();
-    rest -= (Q * (Q.transpose() * rest)).eval();
-  }
+  const MatrixXd Q = spanOf(jacobian);
+  S = without(Q, S);
   G_ = S.transpose() * S;
-  b_ = S.transpose() * rest;
+  b_ = S.transpose() * -without(Q, r);
   std::erase_if(variants_, [&](const Variant& variant) {
     return std::any_of(variant.columns.begin(), variant.columns.end(), [&](int c) {
       return !(std::sqrt(G_(c, c)) > kAbsorbed * length_[static_cast<std::size_t>(c)]);

@@ -14,7 +14,7 @@ struct Scored {
 
 /// All that one diagnosis linearises about its baseline.
 struct DiagnosisWork {
-  const DiagnosisOptions& options;
+  DiagnosisOptions options;
   Identification baseline;
   DiagnosisBasis basis;
   Catalogue catalogue;

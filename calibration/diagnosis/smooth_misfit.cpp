@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/reading_prediction.hpp"
+#include "calibration/span.hpp"
 
 namespace tubeplan::calibration {
 
@@ -32,20 +33,6 @@ std::vector<double> functionsOf(const Measurement& reading, double heaviest) {
   return values;
 }
 
-/// Takes the touched points' estimates off columns, as off the residual.
-void projectPoints(const ReadingWeights& weights, MatrixXd& columns) {
-  for (const auto& point : weights.points) {
-    MatrixXd stacked(3 * static_cast<Index>(point.readings.size()), columns.cols());
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      stacked.middleRows(3 * static_cast<Index>(i), 3) =
-          columns.middleRows(weights.first_row[static_cast<std::size_t>(point.readings[i])], 3);
-    stacked -= (point.Q * (point.Q.transpose() * stacked)).eval();
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      columns.middleRows(weights.first_row[static_cast<std::size_t>(point.readings[i])], 3) =
-          stacked.middleRows(3 * static_cast<Index>(i), 3);
-  }
-}
-
 MatrixXd smoothColumns(const PlacedArm& placed, const std::vector<Measurement>& readings,
                        const ReadingWeights& weights) {
   double heaviest = 0;
@@ -65,7 +52,7 @@ MatrixXd smoothColumns(const PlacedArm& placed, const std::vector<Measurement>& 
       columns.block(weights.first_row[k], f * joints, by_joints.rows(), joints) =
           by_joints * values[static_cast<std::size_t>(f)];
   });
-  projectPoints(weights, columns);
+  takePointsOff(weights, columns);
   return columns;
 }
 
@@ -74,15 +61,9 @@ MatrixXd smoothColumns(const PlacedArm& placed, const std::vector<Measurement>& 
 SmoothMisfit findSmoothMisfit(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const ReadingWeights& weights, const WhitenedResidual& residual) {
   SmoothMisfit result;
-  MatrixXd S = smoothColumns(placed, readings, weights);
-  VectorXd rest = residual.r;
-  const MatrixXd& J = residual.jacobian;
-  if (J.cols() > 0) {
-    const MatrixXd Q =
-        MatrixXd(Eigen::HouseholderQR<MatrixXd>(J).householderQ() * MatrixXd::Identity(J.rows(), J.cols()));
-    S -= (Q * (Q.transpose() * S)).eval();
-    rest -= (Q * (Q.transpose() * rest)).eval();
-  }
+  const MatrixXd Q = spanOf(residual.jacobian);
+  const MatrixXd S = without(Q, smoothColumns(placed, readings, weights));
+  const VectorXd rest = without(Q, residual.r);
   // The directions of the projected functions, from the eigenvectors of their Gram matrix.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(S.transpose() * S));
   const VectorXd along = eigen.eigenvectors().transpose() * (S.transpose() * rest);
@@ -92,7 +73,7 @@ SmoothMisfit findSmoothMisfit(const PlacedArm& placed, const std::vector<Measure
     result.fall += along[k] * along[k] / eigen.eigenvalues()[k];
     ++result.degrees_of_freedom;
   }
-  const int freedom = weights.degrees_of_freedom - static_cast<int>(J.cols());
+  const int freedom = weights.degrees_of_freedom - static_cast<int>(residual.jacobian.cols());
   if (2 * result.degrees_of_freedom > freedom) return {};  // they would follow noise as well
   result.p_value = chiSquareTail(result.fall, result.degrees_of_freedom);
   return result;
