@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 #include "app/identification_json.hpp"
 #include "app/pattern_json.hpp"
+#include "app/readers/measurements_writer.hpp"
 
 namespace tubeplan::app {
 
@@ -21,18 +23,6 @@ using calibration::Adequacy, calibration::ComparedReading, calibration::Comparis
 using nlohmann::json;
 
 constexpr std::size_t kWorstShown = 10;
-
-json finite(double value) { return std::isfinite(value) ? json(rounded(value)) : json(); }
-
-json lengthJson(double metres, const Units& units) { return finite(metres / units.factor(dimension::kLength)); }
-
-json placeJson(const Eigen::Vector3d& place, const Units& units) {
-  return {lengthJson(place.x(), units), lengthJson(place.y(), units), lengthJson(place.z(), units)};
-}
-
-std::string lengthText(double metres, const Units& units) {
-  return fmt::format("{:.3g} {}", metres / units.factor(dimension::kLength), units.length().name);
-}
 
 const char* statusName(ComparisonStatus status) {
   switch (status) {
@@ -48,31 +38,17 @@ const char* statusName(ComparisonStatus status) {
   return "";
 }
 
-const char* kindName(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::kPosition:
-      return "position";
-    case MeasurementKind::kTouch:
-      return "touch";
-    case MeasurementKind::kDeflection:
-      return "deflection";
-    case MeasurementKind::kDistance:
-      return "distance";
-  }
-  return "";
-}
-
 json repeatsJson(const Repeats& repeats) {
   return {{"groups", repeats.groups},
           {"readings", repeats.readings},
-          {"pure_error_chi2", finite(repeats.pure_error)},
+          {"pure_error_chi2", finiteJson(repeats.pure_error)},
           {"degrees_of_freedom", repeats.pure_freedom},
-          {"noise_over_stated", finite(repeats.noise_ratio)},
-          {"noise_p_value", finite(repeats.noise_p_value)},
+          {"noise_over_stated", finiteJson(repeats.noise_ratio)},
+          {"noise_p_value", finiteJson(repeats.noise_p_value)},
           {"lack_of_fit",
-           {{"F", finite(repeats.lack_of_fit_F)},
+           {{"F", finiteJson(repeats.lack_of_fit_F)},
             {"degrees_of_freedom", repeats.lack_freedom},
-            {"p_value", finite(repeats.lack_of_fit_p_value)}}}};
+            {"p_value", finiteJson(repeats.lack_of_fit_p_value)}}}};
 }
 
 json misfitJson(const ModelMisfit& misfit, const Units& units) {
@@ -81,10 +57,10 @@ json misfitJson(const ModelMisfit& misfit, const Units& units) {
           {"worst", lengthJson(misfit.errors.max, units)},
           {"readings", misfit.errors.readings},
           {"noise_floor", lengthJson(misfit.noise_floor, units)},
-          {"chi2", finite(misfit.chi2)},
+          {"chi2", finiteJson(misfit.chi2)},
           {"degrees_of_freedom", misfit.degrees_of_freedom},
-          {"chi2_per_dof", finite(misfit.chi2 / std::max(1, misfit.degrees_of_freedom))},
-          {"p_value", finite(misfit.p_value)},
+          {"chi2_per_dof", finiteJson(misfit.chi2 / std::max(1, misfit.degrees_of_freedom))},
+          {"p_value", finiteJson(misfit.p_value)},
           {"verdict", nameOf(misfit.adequacy)},
           {"repeats", misfit.repeats.groups > 0 ? repeatsJson(misfit.repeats) : json()}};
 }
@@ -98,47 +74,48 @@ json equivalentsJson(const Comparison& result, const JointEquivalents& joints, c
     const double factor = units.factor(jointDimension(joint));
     const auto row = static_cast<Eigen::Index>(j);
     list.push_back({{"joint", joint.name},
-                    {"mean", finite(joints.mean[row] / factor)},
-                    {"spread", finite(joints.spread[row] / factor)},
-                    {"encoder_sigma", finite(joints.sigma[row] / factor)},
+                    {"mean", finiteJson(joints.mean[row] / factor)},
+                    {"spread", finiteJson(joints.spread[row] / factor)},
+                    {"encoder_sigma", finiteJson(joints.sigma[row] / factor)},
                     {"unit", units.nameOf(jointDimension(joint))}});
   }
   return {{"joints", list},
-          {"chi2", finite(joints.chi2)},
+          {"chi2", finiteJson(joints.chi2)},
           {"degrees_of_freedom", joints.degrees_of_freedom},
-          {"p_value", finite(joints.p_value)}};
+          {"p_value", finiteJson(joints.p_value)}};
 }
 
 json jointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, const Units& units) {
   const Eigen::VectorXd factors = jointFactors(arm, units);
   json list = json::array();
-  for (Eigen::Index j = 0; j < q.size(); ++j) list.push_back(finite(q[j] / factors[j]));
+  for (Eigen::Index j = 0; j < q.size(); ++j) list.push_back(finiteJson(q[j] / factors[j]));
   return list;
 }
 
 json readingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
                  const Units& units) {
-  json entry = {{"id", reading.id},
-                {"kind", kindName(reading.kind)},
-                {"point", reading.point},
-                {"setup", reading.setup},
-                {"load", finite(reading.load / units.factor(dimension::kForce))},
-                {"joints", jointsJson(reading.q, result.fitted.arm, units)},
-                {"senses", reading.senses},
-                {"temperature",
-                 std::isfinite(reading.temperature) ? finite(units.temperatureToFile(reading.temperature)) : json()},
-                {"time", finite(reading.time / units.factor(dimension::kTime))},
-                {"sigma", lengthJson(reading.sigma, units)},
-                {"held_out", compared.is_held_out},
-                {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
-                {"position_before", placeJson(compared.tip_before, units)},
-                {"position_after", placeJson(compared.tip_after, units)},
-                {"error_before", placeJson(compared.error_before, units)},
-                {"error_after", placeJson(compared.error_after, units)},
-                {"size_before", lengthJson(compared.error_before.norm(), units)},
-                {"size_after", lengthJson(compared.error_after.norm(), units)},
-                {"sigmas_before", finite(compared.sigmas_before)},
-                {"sigmas_after", finite(compared.sigmas_after)}};
+  json entry = {
+      {"id", reading.id},
+      {"kind", measurementKindName(reading.kind)},
+      {"point", reading.point},
+      {"setup", reading.setup},
+      {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
+      {"joints", jointsJson(reading.q, result.fitted.arm, units)},
+      {"senses", reading.senses},
+      {"temperature",
+       std::isfinite(reading.temperature) ? finiteJson(units.temperatureToFile(reading.temperature)) : json()},
+      {"time", finiteJson(reading.time / units.factor(dimension::kTime))},
+      {"sigma", lengthJson(reading.sigma, units)},
+      {"held_out", compared.is_held_out},
+      {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
+      {"position_before", placeJson(compared.tip_before, units)},
+      {"position_after", placeJson(compared.tip_after, units)},
+      {"error_before", placeJson(compared.error_before, units)},
+      {"error_after", placeJson(compared.error_after, units)},
+      {"size_before", lengthJson(compared.error_before.norm(), units)},
+      {"size_after", lengthJson(compared.error_after.norm(), units)},
+      {"sigmas_before", finiteJson(compared.sigmas_before)},
+      {"sigmas_after", finiteJson(compared.sigmas_after)}};
   if (reading.kind == MeasurementKind::kDistance) entry["distance"] = lengthJson(reading.distance, units);
   return entry;
 }
@@ -162,7 +139,7 @@ json worstJson(const Comparison& result, const std::vector<Measurement>& reading
     list.push_back({{"id", readings.at(reading).id},
                     {"error", placeJson(compared.error_after, units)},
                     {"size", lengthJson(compared.error_after.norm(), units)},
-                    {"sigmas", finite(compared.sigmas_after)}});
+                    {"sigmas", finiteJson(compared.sigmas_after)}});
   }
   return list;
 }
@@ -181,8 +158,8 @@ std::string noiseSentence(const Comparison& result) {
 
 std::string misfitLine(const char* title, const ModelMisfit& misfit, const Units& units) {
   return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
-                     lengthText(misfit.errors.rms, units), lengthText(misfit.errors.mean, units),
-                     lengthText(misfit.errors.max, units), misfit.chi2 / std::max(1, misfit.degrees_of_freedom),
+                     lengthText(misfit.errors.rms, units, 3), lengthText(misfit.errors.mean, units, 3),
+                     lengthText(misfit.errors.max, units, 3), misfit.chi2 / std::max(1, misfit.degrees_of_freedom),
                      chanceText(misfit.p_value), nameOf(misfit.adequacy));
 }
 
@@ -219,8 +196,8 @@ std::string comparisonSentence(const Comparison& result, const Units& units) {
   const auto& after = result.after_refit;
   const std::string sizes =
       fmt::format("the error is {} as the model stands and {} after the refit; noise alone leaves {}",
-                  lengthText(result.as_it_stands.errors.rms, units), lengthText(after.errors.rms, units),
-                  lengthText(after.noise_floor, units));
+                  lengthText(result.as_it_stands.errors.rms, units, 3), lengthText(after.errors.rms, units, 3),
+                  lengthText(after.noise_floor, units, 3));
   if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", sizes);
   return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), sizes);
 }
@@ -235,8 +212,8 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                  {"grounds", result.grounds},
                  {"sentence", comparisonSentence(result, units)},
                  {"noise", noiseSentence(result)},
-                 {"chi2_per_dof", finite(after.chi2 / std::max(1, after.degrees_of_freedom))},
-                 {"p_value", finite(after.p_value)},
+                 {"chi2_per_dof", finiteJson(after.chi2 / std::max(1, after.degrees_of_freedom))},
+                 {"p_value", finiteJson(after.p_value)},
                  {"as_it_stands", misfitJson(result.as_it_stands, units)},
                  {"after_refit", misfitJson(after, units)}};
   report["rms"] = {{"before", lengthJson(result.as_it_stands.errors.rms, units)},
@@ -269,9 +246,9 @@ std::string comparisonText(const Comparison& result, const std::vector<Measureme
   text += misfitLine("as it stands", result.as_it_stands, units);
   text += misfitLine("after the refit", result.after_refit, units);
   if (result.refit.heldout.readings > 0)
-    text +=
-        fmt::format("  held out: rms {} with only the base placed, {} after the refit\n",
-                    lengthText(result.refit.heldout_before.rms, units), lengthText(result.refit.heldout.rms, units));
+    text += fmt::format("  held out: rms {} with only the base placed, {} after the refit\n",
+                        lengthText(result.refit.heldout_before.rms, units, 3),
+                        lengthText(result.refit.heldout.rms, units, 3));
   text += noiseSentence(result) + "\n";
   for (const auto& test : result.patterns.findings)
     text += "  " + patternSentence(test, units) +
@@ -281,7 +258,7 @@ std::string comparisonText(const Comparison& result, const std::vector<Measureme
   for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
     const auto reading = static_cast<std::size_t>(result.worst[k]);
     text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", readings.at(reading).id,
-                        lengthText(result.readings.at(reading).error_after.norm(), units),
+                        lengthText(result.readings.at(reading).error_after.norm(), units, 3),
                         result.readings.at(reading).sigmas_after);
   }
   return text + equivalentsText(result, units);

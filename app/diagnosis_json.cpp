@@ -9,6 +9,7 @@
 
 #include "app/command_inputs.hpp"
 #include "app/diagnosis_views_json.hpp"
+#include "app/figures.hpp"
 
 namespace tubeplan::app {
 
@@ -17,17 +18,11 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect, calibration::FoundNumber,
     calibration::Measurement, calibration::RankedEffect, calibration::Verdict;
 
-nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
-
-nlohmann::json lengthJson(double metres, const Units& units) {
-  return finite(metres / units.factor(dimension::kLength));
-}
-
 nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
   const Dimension unit = dimensionOf(number.quantity);
   return {{"name", number.name},
-          {"value", finite(number.value / units.factor(unit))},
-          {"sigma", finite(number.sigma / units.factor(unit))},
+          {"value", finiteJson(number.value / units.factor(unit))},
+          {"sigma", finiteJson(number.sigma / units.factor(unit))},
           {"unit", units.nameOf(unit)}};
 }
 
@@ -43,12 +38,12 @@ nlohmann::json effectJson(const FoundEffect& effect, const Units& units) {
 nlohmann::json rankedJson(const RankedEffect& entry, const Units& units) {
   return {{"effect", entry.effect},
           {"at", entry.at},
-          {"probability", finite(entry.probability)},
-          {"p_value", finite(entry.p_value)},
-          {"chi2_fall", finite(entry.fall)},
+          {"probability", finiteJson(entry.probability)},
+          {"p_value", finiteJson(entry.p_value)},
+          {"chi2_fall", finiteJson(entry.fall)},
           {"size", numberJson(entry.size, units)},
-          {"kept_fraction", finite(entry.kept_fraction)},
-          {"correlation_with_leader", finite(entry.correlation)},
+          {"kept_fraction", finiteJson(entry.kept_fraction)},
+          {"correlation_with_leader", finiteJson(entry.correlation)},
           {"heldout_rms",
            {{"before", lengthJson(entry.heldout_before.rms, units)},
             {"after", lengthJson(entry.heldout_after.rms, units)}}}};
@@ -74,10 +69,6 @@ std::string explanationText(const Explanation& explanation, const Units& units) 
   std::vector<std::string> effects;
   for (const auto& effect : explanation.effects) effects.push_back(effectText(effect, units));
   return fmt::format("{}", fmt::join(effects, " with "));
-}
-
-std::string lengthText(double metres, const Units& units) {
-  return fmt::format("{:.4g} {}", metres / units.factor(dimension::kLength), units.length().name);
 }
 
 /// What is known explains some of it, most of it, or nothing worth a word.
@@ -109,9 +100,9 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
     nlohmann::json effects = nlohmann::json::array();
     for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
     list.push_back({{"effects", effects},
-                    {"chi2", finite(explanation.chi2)},
-                    {"criterion", finite(explanation.criterion)},
-                    {"p_value", finite(explanation.p_value)},
+                    {"chi2", finiteJson(explanation.chi2)},
+                    {"criterion", finiteJson(explanation.criterion)},
+                    {"p_value", finiteJson(explanation.p_value)},
                     {"rms", lengthJson(explanation.after.rms, units)},
                     {"heldout_rms", lengthJson(explanation.heldout.rms, units)},
                     {"enough", !result.alternatives.empty()}});
@@ -176,10 +167,10 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
     nlohmann::json effects = nlohmann::json::array();
     for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
     json["closest"].push_back({{"effects", effects},
-                               {"chi2", finite(explanation.chi2)},
+                               {"chi2", finiteJson(explanation.chi2)},
                                {"near_best", explanation.is_near_best},
-                               {"criterion", finite(explanation.criterion)},
-                               {"p_value", finite(explanation.p_value)},
+                               {"criterion", finiteJson(explanation.criterion)},
+                               {"p_value", finiteJson(explanation.p_value)},
                                {"rms", lengthJson(explanation.after.rms, units)},
                                {"heldout_rms", lengthJson(explanation.heldout.rms, units)}});
   }
@@ -190,16 +181,16 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
                  {"after", lengthJson(result.after.rms, units)},
                  {"heldout_before", lengthJson(result.heldout_before.rms, units)},
                  {"heldout_after", lengthJson(result.heldout_after.rms, units)}};
-  json["chi2_per_dof"] = finite(result.chi2 / std::max(1, result.degrees_of_freedom));
+  json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
   json["degrees_of_freedom"] = result.degrees_of_freedom;
-  json["p_value"] = finite(result.p_value);
-  json["evidence"] = {{"best", finite(result.evidence)}, {"noise_reaches", finite(result.threshold)}};
+  json["p_value"] = finiteJson(result.p_value);
+  json["evidence"] = {{"best", finiteJson(result.evidence)}, {"noise_reaches", finiteJson(result.threshold)}};
   json["detectable"] = nlohmann::json::array();
   for (const auto& entry : result.detectable)
     json["detectable"].push_back({{"effect", entry.effect},
                                   {"at", entry.at},
                                   {"number", entry.number},
-                                  {"size", finite(entry.size / units.factor(dimensionOf(entry.quantity)))},
+                                  {"size", finiteJson(entry.size / units.factor(dimensionOf(entry.quantity)))},
                                   {"unit", units.nameOf(dimensionOf(entry.quantity))},
                                   {"beyond_plausible", entry.is_beyond_plausible}});
   json["not_tried"] = result.not_tried;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/readers/measurements_writer.hpp"
 
 namespace tubeplan::app {
 
@@ -27,20 +28,6 @@ json lengthJson(double metres, const Units& units) { return brief(metres / units
 
 json placeJson(const Eigen::Vector3d& p, const Units& units) {
   return {lengthJson(p.x(), units), lengthJson(p.y(), units), lengthJson(p.z(), units)};
-}
-
-const char* kindName(calibration::MeasurementKind kind) {
-  switch (kind) {
-    case calibration::MeasurementKind::kPosition:
-      return "position";
-    case calibration::MeasurementKind::kTouch:
-      return "touch";
-    case calibration::MeasurementKind::kDeflection:
-      return "deflection";
-    case calibration::MeasurementKind::kDistance:
-      return "distance";
-  }
-  return "";
 }
 
 std::string nameOf(const Explanation& explanation) {
@@ -87,7 +74,7 @@ json jointsJson(const deflection::Arm& arm, const Units& units) {
 
 json readingJson(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
   json entry = {{"id", reading.id},
-                {"kind", kindName(reading.kind)},
+                {"kind", measurementKindName(reading.kind)},
                 {"point", reading.point},
                 {"joints", json::array()},
                 {"load", brief(reading.load / units.factor(dimension::kForce))}};

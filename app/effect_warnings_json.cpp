@@ -6,14 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 using calibration::EffectWarning, calibration::EffectWarningKind;
-
-nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
 
 const char* nameOf(EffectWarningKind kind) {
   switch (kind) {
@@ -86,22 +85,22 @@ nlohmann::json effectWarningsJson(const std::vector<EffectWarning>& warnings, co
                            {"at", warning.at},
                            {"kind", nameOf(warning.kind)},
                            {"sentence", warningText(warning, units)}};
-    if (std::isfinite(warning.p_value)) json["p_value"] = finite(warning.p_value);
+    if (std::isfinite(warning.p_value)) json["p_value"] = finiteJson(warning.p_value);
     if (warning.kind == EffectWarningKind::kNotNeeded) {
-      json["chi2_fall"] = finite(warning.fall);
+      json["chi2_fall"] = finiteJson(warning.fall);
       json["within_noise"] = warning.is_within_noise;
       json["at_neutral"] = warning.is_at_neutral;
-      json["heldout_rms"] = {{"with", finite(warning.heldout_with.rms / units.factor(dimension::kLength))},
-                             {"without", finite(warning.heldout_without.rms / units.factor(dimension::kLength))}};
+      json["heldout_rms"] = {{"with", finiteJson(warning.heldout_with.rms / units.factor(dimension::kLength))},
+                             {"without", finiteJson(warning.heldout_without.rms / units.factor(dimension::kLength))}};
     }
     if (warning.kind == EffectWarningKind::kBetterExplainedBy) {
       json["better"] = {{"effect", warning.better.effect}, {"at", warning.better.at}};
-      json["criterion_gap"] = finite(warning.by);
+      json["criterion_gap"] = finiteJson(warning.by);
     }
     if (warning.kind == EffectWarningKind::kBeyondPlausible)
       json["number"] = {{"name", warning.number.name},
-                        {"value", finite(inFile(warning.number.value, warning.number.quantity, units))},
-                        {"plausible", finite(inFile(warning.plausible, warning.number.quantity, units))},
+                        {"value", finiteJson(inFile(warning.number.value, warning.number.quantity, units))},
+                        {"plausible", finiteJson(inFile(warning.plausible, warning.number.quantity, units))},
                         {"unit", units.nameOf(dimensionOf(warning.number.quantity))}};
     list.push_back(std::move(json));
   }

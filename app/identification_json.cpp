@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 #include "app/workcell.hpp"
 
 namespace tubeplan::app {
@@ -36,12 +37,6 @@ std::string toldText(const IdentifiedNumber& number) {
   return fmt::format("with {}", fmt::join(number.with, " and "));
 }
 
-nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
-
-nlohmann::json lengthJson(double metres, const Units& units) {
-  return finite(metres / units.factor(dimension::kLength));
-}
-
 nlohmann::json sizeJson(const ErrorSize& size, const Units& units) {
   return {{"rms", lengthJson(size.rms, units)},
           {"mean", lengthJson(size.mean, units)},
@@ -53,27 +48,27 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const deflection::Arm&
   const Dimension unit = dimensionOf(number.unknown, arm);
   const double factor = units.factor(unit);
   nlohmann::json json = {{"name", number.unknown.name},
-                         {"value", finite(number.value / factor)},
-                         {"sigma", finite(number.sigma / factor)},
+                         {"value", finiteJson(number.value / factor)},
+                         {"sigma", finiteJson(number.sigma / factor)},
                          {"unit", units.nameOf(unit)},
-                         {"start", finite(number.unknown.start / factor)},
+                         {"start", finiteJson(number.unknown.start / factor)},
                          {"identifiable", toldText(number)},
                          {"held", number.is_held},
-                         {"interval", {finite(number.lower / factor), finite(number.upper / factor)}},
+                         {"interval", {finiteJson(number.lower / factor), finiteJson(number.upper / factor)}},
                          {"interval_by", number.is_profile ? "profile" : "sigma"}};
   if (number.is_at_bound) json["at_bound"] = true;
   if (!number.note.empty()) json["note"] = number.note;
   return json;
 }
 
-std::string lengthText(double metres, const Units& units) {
+std::string lengthFigure(double metres, const Units& units) {
   return fmt::format("{:.4g}", metres / units.factor(dimension::kLength));
 }
 
 std::string sizeText(const char* title, const ErrorSize& size, const Units& units) {
   if (size.readings == 0) return "";
-  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, lengthText(size.rms, units),
-                     lengthText(size.mean, units), lengthText(size.max, units), units.length().name);
+  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, lengthFigure(size.rms, units),
+                     lengthFigure(size.mean, units), lengthFigure(size.max, units), units.length().name);
 }
 
 std::string numberText(const IdentifiedNumber& number, const deflection::Arm& arm, const Units& units) {
@@ -126,22 +121,22 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
                     {"after", sizeJson(result.after, units)},
                     {"heldout_before", sizeJson(result.heldout_before, units)},
                     {"heldout_after", sizeJson(result.heldout, units)}};
-  json["chi2"] = finite(result.chi2);
+  json["chi2"] = finiteJson(result.chi2);
   json["degrees_of_freedom"] = result.degrees_of_freedom;
-  json["chi2_per_dof"] = finite(result.chi2 / std::max(1, result.degrees_of_freedom));
-  json["p_value"] = finite(result.p_value);
-  json["sigma_widened_by"] = finite(result.widening);
+  json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
+  json["p_value"] = finiteJson(result.p_value);
+  json["sigma_widened_by"] = finiteJson(result.widening);
   json["dropped"] = result.dropped;
   json["correlations"] = nlohmann::json::array();
   for (const auto& pair : result.correlations)
-    json["correlations"].push_back({{"a", pair.a}, {"b", pair.b}, {"value", finite(pair.value)}});
+    json["correlations"].push_back({{"a", pair.a}, {"b", pair.b}, {"value", finiteJson(pair.value)}});
   json["outliers"] = nlohmann::json::array();
   for (const auto& outlier : result.outliers)
     json["outliers"].push_back({{"id", readings.at(static_cast<std::size_t>(outlier.reading)).id},
                                 {"size", lengthJson(outlier.size, units)},
-                                {"sigmas", finite(outlier.sigmas)}});
+                                {"sigmas", finiteJson(outlier.sigmas)}});
   json["singular_values"] = nlohmann::json::array();
-  for (const double value : result.singular_values) json["singular_values"].push_back(finite(value));
+  for (const double value : result.singular_values) json["singular_values"].push_back(finiteJson(value));
   json["solver"] = {{"iterations", result.iterations},
                     {"evaluations", result.evaluations},
                     {"jacobian_evaluations", result.jacobian_evaluations},
@@ -161,7 +156,7 @@ std::string identificationText(const Identification& result, const std::vector<c
   text += sizeText("held out, with the base placed", result.heldout_before, units);
   text += sizeText("held out, identified", result.heldout, units);
   if (result.numbers.empty()) return text;
-  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthText(result.noise_floor, units));
+  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthFigure(result.noise_floor, units));
   text += fmt::format("chi-square {:.1f} for {} degrees of freedom ({:.2f} each, p = {:.3g})\n", result.chi2,
                       result.degrees_of_freedom, result.chi2 / std::max(1, result.degrees_of_freedom), result.p_value);
   if (result.widening > 1)
@@ -176,7 +171,7 @@ std::string identificationText(const Identification& result, const std::vector<c
     text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);
   for (const auto& outlier : result.outliers)
     text += fmt::format("  outlier: reading {} is off by {} {} ({:.1f} sigmas)\n",
-                        readings.at(static_cast<std::size_t>(outlier.reading)).id, lengthText(outlier.size, units),
+                        readings.at(static_cast<std::size_t>(outlier.reading)).id, lengthFigure(outlier.size, units),
                         units.length().name, outlier.sigmas);
   return text;
 }

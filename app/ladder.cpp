@@ -7,16 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/held_out.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-nlohmann::json lengthJson(double metres, const Units& units) {
-  return std::isfinite(metres) ? nlohmann::json(rounded(metres / units.factor(dimension::kLength))) : nlohmann::json();
-}
 
 /// A model that frees nothing: its error is what it is.
 Rung rungAsItStands(const std::string& name, const Cell& cell, const std::vector<calibration::Measurement>& readings) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 
 namespace tubeplan::app {
 
@@ -13,18 +14,6 @@ namespace {
 
 using calibration::PatternFrame, calibration::PatternTest, calibration::TrendStep, calibration::VariableUnit;
 using nlohmann::json;
-
-json finite(double value) { return std::isfinite(value) ? json(rounded(value)) : json(); }
-
-json lengthJson(double metres, const Units& units) { return finite(metres / units.factor(dimension::kLength)); }
-
-json placeJson(const Eigen::Vector3d& place, const Units& units) {
-  return {lengthJson(place.x(), units), lengthJson(place.y(), units), lengthJson(place.z(), units)};
-}
-
-std::string lengthText(double metres, const Units& units) {
-  return fmt::format("{:.3g} {}", metres / units.factor(dimension::kLength), units.length().name);
-}
 
 const char* frameName(PatternFrame frame) {
   switch (frame) {
@@ -92,11 +81,11 @@ std::string patternSentence(const PatternTest& test, const Units& units) {
   if (test.trend.size() == 1)
     return fmt::format("{} of the error {} the same everywhere: {} {} beside what the fit absorbs ({}).",
                        test.is_finding ? "A part" : "No part", test.is_finding ? "is" : "is shown to be",
-                       lengthText(test.size, units), where, chance);
+                       lengthText(test.size, units, 3), where, chance);
   const auto& low = test.trend.at(static_cast<std::size_t>(test.low));
   const auto& high = test.trend.at(static_cast<std::size_t>(test.high));
   return fmt::format("The error {} {}: {} more {} at {} than at {} ({}).", verb, test.variable,
-                     lengthText(test.size, units), where, valueText(test, high, units), valueText(test, low, units),
+                     lengthText(test.size, units, 3), where, valueText(test, high, units), valueText(test, low, units),
                      chance);
 }
 
@@ -106,13 +95,13 @@ json testJson(const PatternTest& test, const Units& units) {
                 {"unit", inFileUnits(test.unit, 0, units).second},
                 {"frame", frameName(test.frame)},
                 {"components", componentsOf(test.frame)},
-                {"chi2_fall", finite(test.fall)},
+                {"chi2_fall", finiteJson(test.fall)},
                 {"degrees_of_freedom", test.numbers},
                 {"remaining_degrees_of_freedom", test.rest},
-                {"F", finite(test.F)},
-                {"p_value_alone", finite(test.p_value)},
-                {"p_value", finite(test.p_corrected)},
-                {"share_of_misfit", finite(test.share)},
+                {"F", finiteJson(test.F)},
+                {"p_value_alone", finiteJson(test.p_value)},
+                {"p_value", finiteJson(test.p_corrected)},
+                {"share_of_misfit", finiteJson(test.share)},
                 {"size", lengthJson(test.size, units)},
                 {"followed_rms", lengthJson(test.followed_rms, units)},
                 {"finding", test.is_finding},
@@ -126,7 +115,7 @@ json findingJson(const PatternTest& test, const Units& units) {
   entry["goes_with"] = test.goes_with;
   entry["trend"] = json::array();
   for (const auto& step : test.trend) {
-    json at = finite(inFileUnits(test.unit, step.at, units).first);
+    json at = finiteJson(inFileUnits(test.unit, step.at, units).first);
     if (!test.groups.empty()) at = valueText(test, step, units);
     entry["trend"].push_back({{"at", at}, {"error", placeJson(step.error, units)}, {"readings", step.readings}});
   }

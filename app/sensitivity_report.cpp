@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 
 namespace tubeplan::app {
 
@@ -73,8 +74,6 @@ double knowledgeFigure(const SensitivityReport& report, std::size_t n) {
   return isDesignable(number) ? perCent(number, number.error) : kNone;
 }
 
-nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
-
 Dimension unitOf(const NumberSensitivity& number, const Cell& cell) {
   const bool slides = number.parameter.name.ends_with("joint.offset") &&
                       cell.arm.rows[static_cast<std::size_t>(number.parameter.path.row)].joint.type ==
@@ -91,8 +90,8 @@ nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
                     {"kind", wordsOf(number.kind)->name},
                     {"value", cell.units.toFile(number.parameter.value, unitOf(number, cell))},
                     {"unit", cell.units.nameOf(unitOf(number, cell))},
-                    {"deflection_per_percent", finite(perCent(number, number.deflection) / unit)},
-                    {"uncompensated_per_percent", finite(perCent(number, number.centring) / unit)},
+                    {"deflection_per_percent", finiteJson(perCent(number, number.deflection) / unit)},
+                    {"uncompensated_per_percent", finiteJson(perCent(number, number.centring) / unit)},
                     {"sentence", sentence(number, cell.units)}});
   }
   return list;
@@ -105,13 +104,13 @@ nlohmann::json knowledgeJson(const SensitivityReport& report, const Cell& cell) 
     const auto& number = report.figures.numbers[n];
     const double factor = cell.units.factor(unitOf(number, cell)), sigma = sigmaOf(report, n);
     nlohmann::json json = {{"name", number.parameter.name},
-                           {"value", finite(number.parameter.value / factor)},
+                           {"value", finiteJson(number.parameter.value / factor)},
                            {"unit", cell.units.nameOf(unitOf(number, cell))},
-                           {"sigma", finite(sigma / factor)},
-                           {"error_per_sigma", finite(sigma * number.error / unit)}};
+                           {"sigma", finiteJson(sigma / factor)},
+                           {"error_per_sigma", finiteJson(sigma * number.error / unit)}};
     if (isDesignable(number)) {
-      json["error_per_percent"] = finite(perCent(number, number.error) / unit);
-      json["error_per_percent_base_known"] = finite(perCent(number, number.error_base_known) / unit);
+      json["error_per_percent"] = finiteJson(perCent(number, number.error) / unit);
+      json["error_per_percent_base_known"] = finiteJson(perCent(number, number.error_base_known) / unit);
     }
     list.push_back(json);
   }
@@ -161,8 +160,8 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
   const double unit = cell.units.factor(dimension::kLength);
   return {{"work", {{"postures", report.work}, {"out_of_reach", report.work_lost}}},
           {"touches", report.touches},
-          {"mean_deflection", finite(report.figures.mean_deflection / unit)},
-          {"mean_uncompensated_error", finite(report.figures.mean_uncompensated / unit)},
+          {"mean_deflection", finiteJson(report.figures.mean_deflection / unit)},
+          {"mean_uncompensated_error", finiteJson(report.figures.mean_uncompensated / unit)},
           {"error", report.has_sheet ? "across the holes" : "whole"},
           {"design", designJson(report, cell)},
           {"knowledge", knowledgeJson(report, cell)},

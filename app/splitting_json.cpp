@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
+#include "app/readers/measurements_writer.hpp"
 
 namespace tubeplan::app {
 
@@ -14,22 +16,6 @@ namespace {
 
 using calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate, calibration::SplitPair,
     calibration::SplittingReading, calibration::SplittingReadings, calibration::SplittingStatus;
-
-nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
-
-const char* nameOf(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::kPosition:
-      return "position";
-    case MeasurementKind::kTouch:
-      return "touch";
-    case MeasurementKind::kDeflection:
-      return "deflection";
-    case MeasurementKind::kDistance:
-      return "distance";
-  }
-  return "";
-}
 
 std::vector<std::string> jointNames(const deflection::Arm& arm) {
   std::vector<std::string> names;
@@ -46,11 +32,11 @@ nlohmann::json readingJson(const SplittingReadings& result, const SplittingReadi
                            const Measurement& reading, const deflection::Arm& arm, const Units& units) {
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
   const auto names = jointNames(arm);
-  nlohmann::json json = {{"kind", nameOf(reading.kind)},
+  nlohmann::json json = {{"kind", measurementKindName(reading.kind)},
                          {"posture", nlohmann::json::object()},
                          {"load", rounded(units.toFile(reading.load, dimension::kForce))},
                          {"splits", {explanationName(result, chosen.a), explanationName(result, chosen.b)}},
-                         {"separation_sigmas", finite(chosen.separation)},
+                         {"separation_sigmas", finiteJson(chosen.separation)},
                          {"point", nullptr}};
   for (std::size_t j = 0; j < names.size(); ++j)
     json["posture"][names[j]] = rounded(joints[static_cast<Eigen::Index>(j)]);
@@ -71,9 +57,9 @@ const std::vector<Measurement>& readingsOf(const std::vector<ReadingCandidate>& 
 nlohmann::json pairJson(const SplittingReadings& result, const SplitPair& pair) {
   return {{"if_true", explanationName(result, pair.truth)},
           {"against", explanationName(result, pair.other)},
-          {"criterion_gap_now", finite(pair.now)},
-          {"criterion_gap_expected", finite(pair.expected)},
-          {"probability_told", finite(pair.probability)}};
+          {"criterion_gap_now", finiteJson(pair.now)},
+          {"criterion_gap_expected", finiteJson(pair.expected)},
+          {"probability_told", finiteJson(pair.probability)}};
 }
 
 std::string firstMeans(const SplittingReadings& result) {
@@ -130,8 +116,8 @@ void addNextReadings(const SplittingReadings& result, const std::vector<ReadingC
   nlohmann::json splitting = {{"advice", splittingAdvice(result)},
                               {"can_be_split", result.times > 0},
                               {"times_needed", result.times},
-                              {"criterion_gap_expected", finite(result.least_expected)},
-                              {"probability_named", finite(result.probability)},
+                              {"criterion_gap_expected", finiteJson(result.least_expected)},
+                              {"probability_named", finiteJson(result.probability)},
                               {"columns_to_add", result.columns},
                               {"pairs", nlohmann::json::array()},
                               {"never_split", nlohmann::json::array()},
@@ -141,7 +127,7 @@ void addNextReadings(const SplittingReadings& result, const std::vector<ReadingC
     splitting["never_split"].push_back({explanationName(result, pair.truth), explanationName(result, pair.other)});
   for (const auto& means : result.other_means)
     splitting["other_means"].push_back(
-        {{"what", means.what}, {"criterion_gap_expected", finite(means.least_expected)}});
+        {{"what", means.what}, {"criterion_gap_expected", finiteJson(means.least_expected)}});
   if (!splittingAdvice(result).empty())
     diagnosis["sentence"] = diagnosis["sentence"].get<std::string>() + " " + splittingAdvice(result);
   diagnosis["splitting"] = std::move(splitting);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 #include "app/identification_json.hpp"
 #include "app/workcell.hpp"
 
@@ -41,11 +42,9 @@ std::vector<NamedReading> nameReadings(const Proposal& proposal, char letter) {
 
 const char* nameOf(MeasurementKind kind) { return kind == MeasurementKind::kTouch ? "touch" : "position"; }
 
-nlohmann::json finite(double value) { return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json(); }
-
 nlohmann::json tipJson(const TipSigma& sigma, const Units& units) {
   const double unit = units.factor(dimension::kLength);
-  return {{"rms", finite(sigma.rms / unit)}, {"worst", finite(sigma.worst / unit)}};
+  return {{"rms", finiteJson(sigma.rms / unit)}, {"worst", finiteJson(sigma.worst / unit)}};
 }
 
 nlohmann::json jointsJson(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
@@ -64,10 +63,10 @@ void appendReadings(const TouchOutcome& outcome, const Proposal& proposal, char 
                            {"joints", jointsJson(outcome, named.reading->q)},
                            {"load", units.toFile(named.reading->load, dimension::kForce)},
                            {"adds",
-                            {{"bits", finite(step.bits)},
+                            {{"bits", finiteJson(step.bits)},
                              {"tip_sigma_then", tipJson(step.tip, units)},
                              {"helps", proposal.next.numbers[static_cast<std::size_t>(step.most_helped)].unknown.name},
-                             {"its_sigma_times", finite(step.helped_by)}}}};
+                             {"its_sigma_times", finiteJson(step.helped_by)}}}};
     if (!named.point.empty()) json["point"] = named.point;
     if (named.reading->p_W) json["place"] = vectorJson(*named.reading->p_W, units, dimension::kLength);
     list.push_back(json);
@@ -78,12 +77,12 @@ nlohmann::json numberJson(const NumberForecast& number, const deflection::Arm& a
   const Dimension unit = dimensionOf(number.unknown, arm);
   const double factor = units.factor(unit);
   return {{"name", number.unknown.name},
-          {"value", finite(number.value / factor)},
+          {"value", finiteJson(number.value / factor)},
           {"unit", units.nameOf(unit)},
           {"sigma",
-           {{"now", finite(number.now / factor)},
-            {"after", finite(number.after / factor)},
-            {"random", finite(number.random / factor)}}},
+           {{"now", finiteJson(number.now / factor)},
+            {"after", finiteJson(number.after / factor)},
+            {"random", finiteJson(number.random / factor)}}},
           {"told", {{"now", number.is_told_now}, {"after", number.is_told_after}}}};
 }
 
@@ -99,7 +98,7 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const Proposal& proposa
                           {{"now", tipJson(next.tip_now, units)},
                            {"after", tipJson(next.tip_after, units)},
                            {"random", tipJson(next.tip_random, units)}}},
-                         {"bits", {{"after", finite(next.bits)}, {"random", finite(next.bits_random)}}}};
+                         {"bits", {{"after", finiteJson(next.bits)}, {"random", finiteJson(next.bits_random)}}}};
   json["numbers"] = nlohmann::json::array();
   for (const auto& number : next.numbers) json["numbers"].push_back(numberJson(number, outcome.cell.arm, units));
   return json;

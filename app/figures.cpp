@@ -1,0 +1,27 @@
+#include "app/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/readers/units.hpp"
+
+namespace tubeplan::app {
+
+nlohmann::json finiteJson(double value) {
+  return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json();
+}
+
+nlohmann::json lengthJson(double metres, const Units& units) {
+  return finiteJson(metres / units.factor(dimension::kLength));
+}
+
+nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
+  return {lengthJson(metres.x(), units), lengthJson(metres.y(), units), lengthJson(metres.z(), units)};
+}
+
+std::string lengthText(double metres, const Units& units, int digits) {
+  return fmt::format("{:.{}g} {}", metres / units.factor(dimension::kLength), digits, units.length().name);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,23 @@
+// Single figures as documents and texts write them: in the file's units, never NaN.
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/readers/units.hpp"
+
+namespace tubeplan::app {
+
+/// Rounded to 12 digits; null where it is not finite.
+[[nodiscard]] nlohmann::json finiteJson(double value);
+
+[[nodiscard]] nlohmann::json lengthJson(double metres, const Units& units);
+
+/// Three lengths.
+[[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
+
+/// "0.0123 in", to so many digits.
+[[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
+
+}  // namespace tubeplan::app
