@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -102,20 +103,47 @@ std::string withoutIdentifying(const std::string& text, const Cell& cell, const 
   return left.size() == cell.identify.size() ? text : withYamlValue(text, "identify", identifyList(left));
 }
 
-std::optional<Matrix6d> baseCovariance(const calibration::Identification& result) {
+std::optional<Matrix6d> baseCovariance(const calibration::Identification& result, int placing) {
   Matrix6d covariance = Matrix6d::Zero();
   int found = 0;
   for (std::size_t i = 0; i < result.fitted_numbers.size(); ++i)
     for (std::size_t j = 0; j < result.fitted_numbers.size(); ++j) {
       const auto& a = result.numbers[static_cast<std::size_t>(result.fitted_numbers[i])].unknown;
       const auto& b = result.numbers[static_cast<std::size_t>(result.fitted_numbers[j])].unknown;
-      if (a.owner != calibration::Unknown::Owner::kBase || b.owner != calibration::Unknown::Owner::kBase) continue;
+      const auto is_its = [&](const calibration::Unknown& unknown) {
+        return unknown.owner == calibration::Unknown::Owner::kBase && unknown.placing == placing;
+      };
+      if (!is_its(a) || !is_its(b)) continue;
       covariance(a.component, b.component) =
           result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * result.widening *
           result.widening;
       ++found;
     }
   return found == 36 ? std::optional(covariance) : std::nullopt;
+}
+
+/// A set-up's name as part of a file's, none like another's.
+std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t placing) {
+  const std::string& part = placed.placings[placing].setup;
+  const bool is_plain = !part.empty() && std::all_of(part.begin(), part.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  return is_plain ? part : std::to_string(placing + 1) + "-of-" + std::to_string(placed.placings.size());
+}
+
+/// A cell has one base: of several set-ups each gets a cell of its own, with the same arm.
+std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
+                                    const calibration::Identification& result, const fs::path& out) {
+  std::vector<TextFile> files;
+  const auto& placings = result.fitted.placings;
+  for (std::size_t k = 0; k < placings.size(); ++k) {
+    if (placings[k].is_known) continue;
+    fs::path path = out;
+    path.replace_filename(out.stem().string() + "-setup-" + fileNamePart(result.fitted, k) + out.extension().string());
+    const auto covariance = baseCovariance(result, static_cast<int>(k));
+    files.push_back({path, withBase(text, cell, {placings[k].X_WB, covariance, cell.base_known})});
+  }
+  return files;
 }
 
 }  // namespace
@@ -141,8 +169,10 @@ std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identi
   }
   if (!result.fitted.arm.effects.empty())
     text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
-  if (result.fitted.placings.size() == 1 && !result.fitted.placings.front().is_known)
-    text = withBase(text, cell, {result.fitted.placings.front().X_WB, baseCovariance(result), cell.base_known});
+  if (result.fitted.placings.size() > 1)
+    for (auto& file : cellsOfSetups(text, cell, result, out)) files.push_back(std::move(file));
+  else if (!result.fitted.placings.front().is_known)
+    text = withBase(text, cell, {result.fitted.placings.front().X_WB, baseCovariance(result, 0), cell.base_known});
   files.push_back({out, text});
   return files;
 }
@@ -166,8 +196,10 @@ std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, co
 std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
                                    const calibration::Identification& result, const fs::path& out) {
   auto files = identifiedCell(original, result, out);
-  if (!improved.identify.empty())
-    files.back().text = withYamlValue(files.back().text, "identify", identifyList(improved.identify));
+  if (improved.identify.empty()) return files;
+  const bool has_arm_file = !original.arm_source.text.empty();
+  for (std::size_t k = has_arm_file ? 1 : 0; k < files.size(); ++k)
+    files[k].text = withYamlValue(files[k].text, "identify", identifyList(improved.identify));
   return files;
 }
 

@@ -27,8 +27,9 @@ struct TextFile {
 };
 
 /// The cell with the numbers that were found, to be written at `out`. Where its arm stands in a file of its own that
-/// file is written too, first, beside the cell under the cell's name and "-arm". One base is written where there is one
-/// set-up and it was not known; with several the cell keeps the one it has.
+/// file is written too, first, beside the cell under the cell's name and "-arm". A base that was not known is written
+/// where there is one set-up; of several, each has a cell of its own beside it, under the name and "-setup-" and the
+/// set-up's, and the cell itself keeps the base it has.
 [[nodiscard]] std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result,
                                                    const std::filesystem::path& out);
 

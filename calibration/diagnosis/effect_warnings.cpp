@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "calibration/diagnosis/hypothesis.hpp"
@@ -193,24 +194,32 @@ std::optional<EffectWarning> findBetter(const Case& c, int effect, const Diagnos
   return std::nullopt;
 }
 
-/// A shape that no fit finds from where it starts (a time, a knee) and that makes the effect fit far better.
-std::optional<EffectWarning> findOtherShape(const Case& c, int effect) {
-  if (!hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)])) return std::nullopt;
-  DiagnosisOptions look;
-  look.baseline = c.options;
-  auto better = findBetter(c, effect, look, std::numeric_limits<double>::infinity());
-  if (!better || !isItself(*better)) return std::nullopt;
-  return better;
-}
-
 EffectWarning remaining(const Case& c, int effect, double p_value) {
   EffectWarning warning = named(c, effect, EffectWarningKind::kMisfitRemains);
   warning.p_value = p_value;
   return warning;
 }
 
-bool isUsable(const Identification& with) {
-  return with.status == IdentificationStatus::kDone || with.status == IdentificationStatus::kNotConverged;
+/// `with_more` is the least criterion of the model with another effect beside those it has.
+std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& effects, const DiagnosisOptions& options,
+                                      double with_more) {
+  std::vector<EffectWarning> warnings;
+  const double misfit = effects.empty() ? 1 : chanceOfMisfit(c);
+  for (const int e : effects) {
+    const auto better = findBetter(c, e, options, with_more);
+    const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
+    if (unneeded && !(better && isItself(*better))) warnings.push_back(*unneeded);
+    if (better) warnings.push_back(*better);
+    findBeyondPlausible(c, e, warnings);
+    if (misfit < c.limits.misfit) warnings.push_back(remaining(c, e, misfit));
+  }
+  return warnings;
+}
+
+double leastCriterion(const std::vector<Explanation>& explanations) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& explanation : explanations) least = std::min(least, explanation.criterion);
+  return least;
 }
 
 }  // namespace
@@ -218,24 +227,16 @@ bool isUsable(const Identification& with) {
 std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                          const IdentificationOptions& options, const Identification& fitted,
                                          const EffectWarningOptions& limits) {
-  if (!isUsable(fitted)) return {};
-  const Case c{start, readings, options, fitted, fitted.heldout, limits};
-  std::vector<EffectWarning> warnings;
+  const bool is_usable =
+      fitted.status == IdentificationStatus::kDone || fitted.status == IdentificationStatus::kNotConverged;
   std::vector<int> freed;
   for (int e = 0; e < static_cast<int>(start.arm.effects.size()); ++e)
-    if (isFreed(fitted, e)) freed.push_back(e);
-  const double misfit = freed.empty() ? 1 : chanceOfMisfit(c);
-  for (const int e : freed) {
-    const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
-    const auto reshaped = unneeded || misfit < limits.misfit ? findOtherShape(c, e) : std::nullopt;
-    if (reshaped)
-      warnings.push_back(*reshaped);
-    else if (unneeded)
-      warnings.push_back(*unneeded);
-    findBeyondPlausible(c, e, warnings);
-    if (misfit < limits.misfit) warnings.push_back(remaining(c, e, misfit));
-  }
-  return warnings;
+    if (is_usable && isFreed(fitted, e)) freed.push_back(e);
+  if (freed.empty()) return {};
+  DiagnosisOptions look;
+  look.baseline = options;
+  return warningsOf({start, readings, options, fitted, fitted.heldout, limits}, freed, look,
+                    leastCriterion(explainBySingles(start, readings, look)));
 }
 
 std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
@@ -249,20 +250,10 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   IdentificationOptions fit = options.baseline;
   fit.folds = options.folds;
   fit.seed = options.seed;
-  const Case c{start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits};
-  double with_more = std::numeric_limits<double>::infinity();
-  for (const auto& explanation : diagnosis.closest) with_more = std::min(with_more, explanation.criterion);
-  std::vector<EffectWarning> warnings;
-  const double misfit = chanceOfMisfit(c);
-  for (int e = 0; e < static_cast<int>(start.arm.effects.size()); ++e) {
-    const auto better = findBetter(c, e, options, with_more);
-    const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
-    if (unneeded && !(better && isItself(*better))) warnings.push_back(*unneeded);
-    if (better) warnings.push_back(*better);
-    findBeyondPlausible(c, e, warnings);
-    if (misfit < limits.misfit) warnings.push_back(remaining(c, e, misfit));
-  }
-  return warnings;
+  std::vector<int> all(start.arm.effects.size());
+  std::iota(all.begin(), all.end(), 0);
+  return warningsOf({start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits}, all, options,
+                    leastCriterion(diagnosis.closest));
 }
 
 }  // namespace tubeplan::calibration

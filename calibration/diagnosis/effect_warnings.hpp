@@ -33,15 +33,14 @@ struct EffectWarningOptions {
   double misfit = 0.003;  ///< p of the misfit, over all readings or smooth in the joints, below which more is missing
 };
 
-/// Of the effects that an identification fitted, cheaply: not needed, beyond plausible, misfit remains. `options` and
-/// `start` are those it was made with. Empty unless it was done.
+/// Of the effects that an identification fitted. `options` and `start` are those it was made with. Empty unless it was
+/// done.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const IdentificationOptions& options,
                                                        const Identification& fitted,
                                                        const EffectWarningOptions& limits = {});
 
-/// Of all effects that a diagnosed model carries, also where another one would explain the readings better. Empty
-/// unless it was run.
+/// Of all effects that a diagnosed model carries. Empty unless it was run.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const DiagnosisOptions& options, const Diagnosis& diagnosis,
                                                        const EffectWarningOptions& limits = {});

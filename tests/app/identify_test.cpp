@@ -261,5 +261,23 @@ TEST_F(Identify, WarnsOfCoordinatesInTheWrongUnit) {
   expectWarns(json::parse(outcome.out), "millimetres under a column in inches");
 }
 
+TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
+  PlacedArm truth{deflection::cobraArm(),
+                  {{"in", calibration::poseOf({0.05, -0.03, 0.02}, {0.01, -0.02, 0.05}), false},
+                   {"over there/2", calibration::poseOf({-0.04, 0.06, 0.01}, {-0.02, 0.01, -0.08}), false}}};
+  ReadingMaker two(truth, 7, ReadingMaker::Noise::kStated);
+  for (const char* setup : {"in", "over there/2"}) two.add(MeasurementKind::kPosition, 25, setup);
+  write("two.csv", readingsCsv(two.readings));
+  (void)identified(shipped("bowl.yaml") + " two.csv --out found.yaml" + kFree);
+  const Cell first = readCell((folder / "found-setup-in.yaml").string());
+  const Cell second = readCell((folder / "found-setup-2-of-2.yaml").string());
+  EXPECT_LT((first.X_WB.translation() - truth.placings[0].X_WB.translation()).norm(), 1e-3);
+  EXPECT_LT((second.X_WB.translation() - truth.placings[1].X_WB.translation()).norm(), 1e-3);
+  ASSERT_TRUE(first.base_covariance && second.base_covariance);
+  EXPECT_GT(first.base_covariance->trace(), 0);
+  EXPECT_EQ(first.arm_path, second.arm_path);
+  EXPECT_EQ(readCell((folder / "found.yaml").string()).X_WB.translation(), Eigen::Vector3d::Zero());
+}
+
 }  // namespace
 }  // namespace tubeplan::app
