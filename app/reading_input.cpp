@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/input_error.hpp"
 #include "app/touch_input.hpp"
@@ -58,6 +59,27 @@ std::string heavyLoad(const std::vector<Measurement>& readings, const deflection
                      weight / units.factor(dimension::kForce), units.force().name);
 }
 
+/// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
+/// Touches of points that nobody measured fit either way, so no error tells.
+std::string smallAngles(const std::vector<Measurement>& readings, const deflection::Arm& arm) {
+  constexpr double kDegree = std::numbers::pi / 180, kTurn = 2 * std::numbers::pi;
+  constexpr std::size_t kFew = 4;
+  if (readings.size() < kFew) return "";
+  const auto active = deflection::activeRows(arm);
+  double largest = 0;
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = arm.rows[static_cast<std::size_t>(active[j])].joint;
+    if (joint.type != deflection::JointType::kRevolute) continue;
+    for (const auto& reading : readings) {
+      const double file_number = reading.q[static_cast<Eigen::Index>(j)] / kDegree;
+      if (std::abs(file_number) > kTurn || file_number < joint.lower || file_number > joint.upper) return "";
+      largest = std::max(largest, std::abs(file_number));
+    }
+  }
+  if (largest == 0) return "";
+  return fmt::format("no joint reading is larger than {:.3g} deg: are they radians?", largest);
+}
+
 }  // namespace
 
 void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
@@ -104,6 +126,7 @@ std::vector<std::string> readingWarnings(const Identification& result, const std
                                          const Cell& cell) {
   std::vector<std::string> warnings;
   if (const auto heavy = heavyLoad(readings, cell.arm, cell.units); !heavy.empty()) warnings.push_back(heavy);
+  if (const auto small = smallAngles(readings, cell.arm); !small.empty()) warnings.push_back(small);
   if (isFarOff(result))
     for (const auto& slip : calibration::findUnitSlips(result.start, readingsAt(result.start, readings)))
       warnings.push_back(fmt::format("{}: so read, the error falls from {:.4g} to {:.4g} {}", slip.what,

@@ -279,5 +279,17 @@ TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
   EXPECT_EQ(readCell((folder / "found.yaml").string()).X_WB.translation(), Eigen::Vector3d::Zero());
 }
 
+TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
+  maker.addTouches(10, {0, 30 * calibration::kPound}, false);
+  auto readings = maker.readings;
+  for (auto& reading : readings) reading.q *= calibration::kDegree;  // radians, written as degrees
+  write("radians.csv", readingsCsv(readings));
+  const Outcome outcome = run("identify " + shipped("bench.yaml") + " radians.csv --json -" + kFree);
+  expectWarns(json::parse(outcome.out), "are they radians?");
+  writeReadings("degrees.csv");
+  for (const auto& warning : identified(shipped("bench.yaml") + " degrees.csv" + kFree)["warnings"])
+    EXPECT_EQ(warning.get<std::string>().find("radians"), std::string::npos) << warning;
+}
+
 }  // namespace
 }  // namespace tubeplan::app
