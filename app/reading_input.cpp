@@ -7,6 +7,7 @@
 
 #include "app/input_error.hpp"
 #include "app/readers/measurements_reader.hpp"
+#include "app/readers/text_file.hpp"
 #include "app/touch_input.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
@@ -102,8 +103,15 @@ std::vector<Measurement> readReadings(const std::string& file, const Cell& cell,
   return asFitsWant(readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
 }
 
+CellReadings readCellReadings(const std::string& cell, const std::string& measurements, double sigma) {
+  CellReadings read{readCell(cell), measurements, {}};
+  read.readings = readReadings(measurements, read.cell, sigma);
+  return read;
+}
+
 std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell,
                                        double sigma) {
+  checkText(file, text);
   return asFitsWant(parseMeasurements(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
 }
 

@@ -24,7 +24,17 @@ void requireDefinedFormulas(const std::vector<calibration::Measurement>& reading
 [[nodiscard]] std::vector<calibration::Measurement> readReadings(const std::string& file, const Cell& cell,
                                                                  double sigma = 0);
 
-/// The same from text.
+/// A cell and the readings that its model is fitted to or judged by.
+struct CellReadings {
+  Cell cell;
+  std::string file;  ///< of the readings, for messages
+  std::vector<calibration::Measurement> readings;
+};
+
+/// Both from their files, the readings as by readReadings. Throws InputError.
+[[nodiscard]] CellReadings readCellReadings(const std::string& cell, const std::string& measurements, double sigma = 0);
+
+/// Readings from text.
 [[nodiscard]] std::vector<calibration::Measurement> parseReadings(const std::string& text, const std::string& file,
                                                                   const Cell& cell, double sigma = 0);
 

@@ -1,5 +1,7 @@
 // tubeplan serve: the workbench, a web page on loopback.
 #include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -38,9 +40,11 @@ void requireToken(const DoorRules& door) {
                      fmt::format("{} or more letters, digits, - and _", kShortestToken));
 }
 
-void openBrowser(const std::string& address) {
-  // The address is made of a checked host, port and token: nothing in it means anything to a shell.
-  if (std::system(("xdg-open '" + address + "' >/dev/null 2>&1 &").c_str()) != 0)
+void openBrowser(std::string address) {
+  std::string program = "xdg-open";
+  char* const words[] = {program.data(), address.data(), nullptr};
+  pid_t process = 0;
+  if (::posix_spawnp(&process, program.c_str(), nullptr, nullptr, words, environ) != 0)
     fmt::print(stderr, "no browser could be opened\n");
 }
 
