@@ -24,7 +24,8 @@ Answer readings(Workbench& workbench, const Request&) {
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
   workbench.change([&](Situation& situation) {
     situation.readings = std::move(set);
-    forgetResults(situation);
+    forgetResultsOfReadings(situation);
+    return true;
   });
 }
 
@@ -50,6 +51,7 @@ Answer openCellFile(Workbench& workbench, const Request& request) {
   workbench.change([&](Situation& situation) {
     opened.revision = situation.revision;
     situation = std::move(opened);
+    return true;
   });
   return answerOf(stateJson(workbench));
 }

@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostWaiting = 4;
 constexpr std::size_t kJobsKept = 12;
+constexpr std::size_t kLongestLabel = 200;
 constexpr auto kBetweenNews = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -79,7 +80,7 @@ Jobs::Begun Jobs::begin(const std::string& kind, const std::string& label, JobWo
   auto job = std::make_shared<Job>();
   job->id = next_id_++;
   job->kind = kind;
-  job->label = label;
+  job->label = label.substr(0, kLongestLabel);
   job->work = std::move(work);
   jobs_.push_back(job);
   waiting_.push_back(job);

@@ -19,6 +19,10 @@ struct Route {
 [[nodiscard]] std::span<const Route> geometryRoutes();
 [[nodiscard]] std::span<const Route> stateRoutes();
 [[nodiscard]] std::span<const Route> fileRoutes();
+[[nodiscard]] std::span<const Route> loopRoutes();
+[[nodiscard]] std::span<const Route> calibrateRoutes();
+[[nodiscard]] std::span<const Route> planRoutes();
+[[nodiscard]] std::span<const Route> exportRoutes();
 
 /// Finds the row and answers; every exception becomes an answer, and nothing is thrown.
 [[nodiscard]] Answer answer(Workbench& workbench, const Request& request);

@@ -34,6 +34,9 @@ void putResult(Situation& situation, const std::string& name, int model, nlohman
   situation.results[name][model] = std::move(result);
 }
 
-void forgetResults(Situation& situation) { situation.results.clear(); }
+void forgetResultsOfReadings(Situation& situation) {
+  for (const char* name : {"compare", "diagnose", "identify", "ladder", "improve", "touches", "simulate"})
+    situation.results.erase(name);
+}
 
 }  // namespace tubeplan::app

@@ -22,6 +22,13 @@ struct ReadingSet {
   std::vector<calibration::Measurement> readings;  ///< each with its sigma
 };
 
+/// A hole touched, by the arm itself or by a simulated one.
+struct TouchMade {
+  calibration::Touch touch;
+  int tube = -1;  ///< index in the sheet
+  bool is_simulated = false;
+};
+
 /// A document that a command has given for one model.
 struct ResultDocument {
   int model = 0;
@@ -38,7 +45,8 @@ struct Situation {
   std::shared_ptr<const ReadingSet> readings;                   ///< none: null
   std::map<std::string, std::map<int, ResultPointer>> results;  ///< by name and model
   std::string truth;                                            ///< a cell's file; empty: none
-  std::vector<calibration::Touch> touches;                      ///< made one by one
+  std::vector<TouchMade> touches;                               ///< made one by one
+  int next_touch = 1;
   std::shared_ptr<const PlanOutcome> plan;
   PlanRequest plan_request;
 };
@@ -56,6 +64,6 @@ int pushModel(Situation& situation, std::string label, std::string origin, Cell 
 void putResult(Situation& situation, const std::string& name, int model, nlohmann::json document);
 
 /// Everything that was found out from the readings is gone.
-void forgetResults(Situation& situation);
+void forgetResultsOfReadings(Situation& situation);
 
 }  // namespace tubeplan::app

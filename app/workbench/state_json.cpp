@@ -19,8 +19,8 @@ namespace {
 using nlohmann::json;
 
 /// What a document can be of; each is null in the state until there is one.
-constexpr const char* kResults[] = {"compare",   "diagnose", "identify", "ladder", "plan",
-                                    "calibrate", "touches",  "reach",    "field",  "improve"};
+constexpr const char* kResults[] = {"compare", "diagnose", "identify", "ladder",  "plan",    "calibrate",
+                                    "touches", "reach",    "field",    "improve", "simulate"};
 
 json jointRangesJson(const Cell& cell) {
   json joints = json::array();

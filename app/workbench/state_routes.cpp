@@ -20,12 +20,11 @@ Answer result(Workbench& workbench, const Request& request) {
   return answerOf(document);
 }
 
-/// 1 back, +1 forth.
 Answer step(Workbench& workbench, bool back) {
-  bool done = false;
-  workbench.change([&](Situation& situation) {
-    done = back ? situation.current > 0 : situation.current + 1 < situation.models.size();
-    if (done) situation.current += back ? std::size_t(-1) : 1;
+  const bool done = workbench.change([&](Situation& situation) {
+    if (back ? situation.current == 0 : situation.current + 1 >= situation.models.size()) return false;
+    situation.current += back ? std::size_t(-1) : 1;
+    return true;
   });
   if (!done) return refusal(409, InputError("models", back ? "nothing to undo" : "nothing to redo", "a step"));
   return answerOf(stateJson(workbench));

@@ -36,15 +36,16 @@ Situation Workbench::situation() const {
   return situation_;
 }
 
-void Workbench::change(const std::function<void(Situation&)>& step) {
+bool Workbench::change(const std::function<bool(Situation&)>& step) {
   {
     const std::lock_guard lock(mutex_);
     Situation changed = situation_;
-    step(changed);
+    if (!step(changed)) return false;
     ++changed.revision;
     situation_ = std::move(changed);
   }
   events_.stateChanged();
+  return true;
 }
 
 Situation openCell(const std::string& file, const std::string& truth) {

@@ -28,8 +28,9 @@ class Workbench {
 
   [[nodiscard]] Situation situation() const;
 
-  /// Changes the situation, as one step for all who look at it, and tells everybody.
-  void change(const std::function<void(Situation&)>& step);
+  /// Changes the situation, as one step for all who look at it, and tells everybody. A step that returns false changes
+  /// nothing; whether it did is returned.
+  bool change(const std::function<bool(Situation&)>& step);
 
   [[nodiscard]] const OpenedFolder& folder() const { return folder_; }
   [[nodiscard]] Events& events() { return events_; }
