@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 
 namespace tubeplan::app {
@@ -69,7 +70,8 @@ bool Connection::is_readable() const { return begin_ < end_ || waitFor(POLLIN, C
 
 bool Connection::is_writable() const {
   char byte = 0;
-  const bool is_gone = ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  const ssize_t seen = ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+  const bool is_gone = seen == 0 || (seen < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
   return !is_gone && waitFor(POLLOUT, Clock::now() + limits_.idle_time);
 }
 

@@ -1,4 +1,6 @@
 // Files of the opened folder: cells and readings in, everything that was made out.
+#include <fmt/format.h>
+
 #include "app/input_error.hpp"
 #include "app/reading_input.hpp"
 #include "app/workbench/request_body.hpp"
@@ -8,6 +10,8 @@
 namespace tubeplan::app {
 
 namespace {
+
+constexpr std::size_t kMostReadings = 20000;  // every look at them solves the arm's shape as often
 
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();
@@ -22,6 +26,9 @@ Answer readings(Workbench& workbench, const Request&) {
 }
 
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
+  if (set->readings.size() > kMostReadings)
+    throw InputError(set->name, fmt::format("{} readings", set->readings.size()),
+                     fmt::format("at most {} in the workbench", kMostReadings), "the commands take more");
   workbench.change([&](Situation& situation) {
     situation.readings = std::move(set);
     forgetResultsOfReadings(situation);

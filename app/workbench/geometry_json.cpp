@@ -70,6 +70,18 @@ json namedShape(const YamlNode& node, const std::string& otherwise) {
   return shape;
 }
 
+/// The stepped tool, thinnest step first.
+json toolJson(const std::optional<tubesheets::SteppedTool>& tool, const Units& units) {
+  if (!tool) return nullptr;
+  json diameters = json::array(), tolerances = json::array(), lengths = json::array();
+  for (const auto& step : tool->steps) {
+    diameters.push_back(lengthOf(step.diameter, units));
+    tolerances.push_back(lengthOf(step.tolerance, units));
+  }
+  for (const double length : tool->lengths) lengths.push_back(lengthOf(length, units));
+  return {{"diameters", diameters}, {"tolerances", tolerances}, {"lengths", lengths}};
+}
+
 }  // namespace
 
 json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
@@ -84,6 +96,7 @@ json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
           {"viewing_side", tubesheets::viewedFromName(sheet.viewed_from)},
           {"X_WS", poseJson(Eigen::Isometry3d::Identity(), units)},
           {"fingerprint", sheet.fingerprint()},
+          {"tool", toolJson(cell.tool, units)},
           {"holes", holesJson(sheet, units)}};
 }
 

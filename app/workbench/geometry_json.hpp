@@ -7,8 +7,8 @@
 
 namespace tubeplan::app {
 
-/// {name, units, pitch, hole_diameter, rows, columns, leg, viewing_side, X_WS, fingerprint, holes}: holes by column of
-/// the table, in the order of the sheet. u, v: the place in a picture drawn from the viewing side.
+/// {name, units, pitch, hole_diameter, rows, columns, leg, viewing_side, X_WS, fingerprint, tool, holes}: holes by
+/// column of the table, in the order of the sheet. u, v: the place in a picture drawn from the viewing side.
 [[nodiscard]] nlohmann::json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet);
 
 /// {units, clearance, shapes: [{name, kind, allow, and the fields of its kind as a cell file has them}], arm: [{row,

@@ -229,7 +229,7 @@ class HttpServer::Implementation : public httplib::Server {
   /// What is new since the last time, or now and then a heartbeat.
   bool tell(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
     const auto news = workbench_.events().wait(seen, kGlance);
-    if (news.closed) return false;
+    if (news.closed || !sink.is_writable()) return false;
     std::string text;
     if (news.state_changed)
       text += eventText("state", stateJson(workbench_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -111,54 +111,59 @@ class RandomCalls {
     return text;
   }
 
-  std::string path() {
-    static constexpr const char* kPaths[] = {"/api/state",
-                                             "/api/sheet",
-                                             "/api/scene",
-                                             "/api/pose",
-                                             "/api/pose",
-                                             "/api/inverse",
-                                             "/api/select",
-                                             "/api/catalogue",
-                                             "/api/files",
-                                             "/api/measurements",
-                                             "/api/measurements?name=%2e%2e%2fx",
-                                             "/api/measurements/open",
-                                             "/api/cell/open",
-                                             "/api/cell/save",
-                                             "/api/undo",
-                                             "/api/redo",
-                                             "/api/results/compare",
-                                             "/api/results/%00",
-                                             "/api/compare",
-                                             "/api/identify",
-                                             "/api/ladder",
-                                             "/api/add",
-                                             "/api/simulate",
-                                             "/api/touches",
-                                             "/api/touch",
-                                             "/api/touch/0",
-                                             "/api/calibrate",
-                                             "/api/reach",
-                                             "/api/field",
-                                             "/api/plan",
-                                             "/api/plan/path",
-                                             "/api/jobs/1/cancel",
-                                             "/api/jobs/2/cancel",
-                                             "/api/export/cell.yaml",
-                                             "/api/export/plan.json",
-                                             "/api/export/measurements.csv",
-                                             "/api/export/compare.html",
-                                             "/api/export/../cell.yaml",
-                                             "/",
-                                             "/index.html",
-                                             "/../../../etc/passwd",
-                                             "/%2e%2e/%2e%2e/etc/hosts",
-                                             "/api",
-                                             "/api/",
-                                             "//",
-                                             "/api//state"};
-    return one(kPaths);
+  static constexpr const char* kGets[] = {"/api/state",
+                                          "/api/sheet",
+                                          "/api/scene",
+                                          "/api/catalogue",
+                                          "/api/files",
+                                          "/api/measurements",
+                                          "/api/touches",
+                                          "/api/results/compare",
+                                          "/api/plan/path",
+                                          "/api/export/cell.yaml",
+                                          "/api/export/plan.json",
+                                          "/api/export/measurements.csv",
+                                          "/api/export/compare.html",
+                                          "/",
+                                          "/index.html"};
+  static constexpr const char* kPosts[] = {"/api/pose",
+                                           "/api/pose",
+                                           "/api/inverse",
+                                           "/api/select",
+                                           "/api/measurements",
+                                           "/api/measurements?name=%2e%2e%2fx",
+                                           "/api/measurements/open",
+                                           "/api/cell/open",
+                                           "/api/cell/save",
+                                           "/api/undo",
+                                           "/api/redo",
+                                           "/api/compare",
+                                           "/api/identify",
+                                           "/api/ladder",
+                                           "/api/add",
+                                           "/api/simulate",
+                                           "/api/touches",
+                                           "/api/touch",
+                                           "/api/calibrate",
+                                           "/api/reach",
+                                           "/api/field",
+                                           "/api/plan",
+                                           "/api/jobs/1/cancel",
+                                           "/api/jobs/2/cancel"};
+  static constexpr const char* kOthers[] = {"/api/results/%00",
+                                            "/api/touch/0",
+                                            "/api/export/../cell.yaml",
+                                            "/../../../etc/passwd",
+                                            "/%2e%2e/%2e%2e/etc/hosts",
+                                            "/api",
+                                            "/api/",
+                                            "//",
+                                            "/api//state",
+                                            "*"};
+
+  std::string path(const std::string& method) {
+    if (draw() % 8 == 0) return draw() % 2 ? one(kOthers) : draw() % 2 ? one(kGets) : one(kPosts);
+    return method == "POST" ? one(kPosts) : one(kGets);
   }
 
   std::string call() {
@@ -167,15 +172,20 @@ class RandomCalls {
     static constexpr const char* kTypes[] = {"application/json",
                                              "application/json",
                                              "application/json",
+                                             "application/json",
+                                             "application/json",
+                                             "application/json",
+                                             "application/json",
+                                             "application/json",
                                              "text/csv",
                                              "multipart/form-data; boundary=x",
                                              "application/x-www-form-urlencoded",
                                              ""};
-    const std::string where = path(),
-                      type = where.find("measurements?") != std::string::npos ? "text/csv" : one(kTypes);
-    std::string body = type == "text/csv" ? readings() : object(0);
+    const std::string method = draw() % 10 == 0 ? one(kMethods) : draw() % 4 == 0 ? "GET" : "POST";
+    const std::string where = path(method);
+    const std::string type = where.find("measurements?") != std::string::npos ? "text/csv" : one(kTypes);
+    std::string body = method == "GET" ? "" : type == "text/csv" ? readings() : object(0);
     if (draw() % 5 == 0) body = damaged(body);
-    const std::string method = draw() % 3 ? "POST" : one(kMethods);
     const std::size_t length = draw() % 20 ? body.size() : draw() % 200;
     std::string text = method + " " + where + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) + "\r\n";
     if (!type.empty()) text += "Content-Type: " + type + "\r\n";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <httplib.h>
+#undef _res  // the resolver's macro, a name in Eigen
 
 #include <chrono>
 #include <memory>
