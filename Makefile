@@ -40,10 +40,11 @@ packages: $(BUILD)/.packages
 $(BUILD)/.packages: packages.txt
 $(BENCH)/.packages: packages.txt packages-bench.txt
 
-# The stamp stands for "all of its lists is installed"; only what is missing is fetched.
+# The stamp stands for "all of its lists is installed"; only what is missing is fetched. A package whose command is there
+# from elsewhere counts as installed: Node.js's own packages bring npm and do not go with Debian's.
 $(BUILD)/.packages $(BENCH)/.packages:
 	@missing=; for package in $$(grep -hv '^#' $^); do \
-	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$package"; \
+	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || command -v $$package >/dev/null || missing="$$missing $$package"; \
 	done; \
 	if [ -n "$$missing" ]; then \
 	  echo "installing:$$missing"; \

@@ -1,7 +1,6 @@
 #include "app/cell_knowledge.hpp"
 
 #include "app/input_error.hpp"
-#include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
 #include "app/suggestion.hpp"
 
@@ -9,10 +8,7 @@ namespace tubeplan::app {
 
 std::vector<calibration::Measurement> readingsMade(const std::string& file, const Cell& cell, double sigma) {
   if (file.empty()) return {};
-  auto readings = readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
-  stateSigma(readings, cell, file, sigma / cell.units.factor(dimension::kLength));
-  requireDefinedFormulas(readings, cell, file);
-  return readings;
+  return readReadings(file, cell, sigma / cell.units.factor(dimension::kLength));
 }
 
 calibration::Knowledge knowledgeOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,

@@ -45,6 +45,7 @@ Run configurePose(CLI::App& cli);
 Run configureScore(CLI::App& cli);
 Run configureSimulate(CLI::App& cli);
 Run configureSensitivity(CLI::App& cli);
+Run configureServe(CLI::App& cli);
 Run configureTouches(CLI::App& cli);
 Run configureVerify(CLI::App& cli);
 

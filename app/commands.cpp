@@ -48,6 +48,9 @@ constexpr Command kCommands[] = {
      configureTouches},
     {"sensitivity", "which member to stiffen or lighten, and which number must be known how well",
      "tubeplan sensitivity app/cells/mockup.yaml --tubes spread:60", configureSensitivity},
+    {"serve", "the workbench: all of this in a browser, on this machine",
+     "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
+     configureServe},
 };
 
 }  // namespace

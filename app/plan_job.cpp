@@ -10,6 +10,7 @@
 #include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
 #include "app/workcell.hpp"
+#include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
@@ -71,9 +72,7 @@ void predict(PlanOutcome& outcome) {
 
 void score(PlanOutcome& outcome) {
   if (!outcome.truth) return;
-  ScoringModels models{outcome.model, outcome.model, *outcome.truth};
-  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
-  if (outcome.calibration) models.rigid.X_WB = outcome.calibration->rigid.X_WB;
+  const ScoringModels models = scoringModels(outcome.nominal, outcome.calibration, *outcome.truth);
   outcome.scores.resize(outcome.plan.visits.size());
   oneapi::tbb::parallel_for(std::size_t{0}, outcome.scores.size(), [&](std::size_t k) {
     const auto& visit = outcome.plan.visits[k];
@@ -96,37 +95,68 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, planner::Compe
   return options;
 }
 
-}  // namespace
-
-PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper) {
+/// The cell as the planner has it.
+PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   PlanOutcome outcome;
-  outcome.cell = readCell(request.cell);
+  outcome.cell = cell;
   outcome.compensation = compensationOf(request.compensation);
   outcome.nominal = workcellOf(outcome.cell, "plan tube visits");
   outcome.nominal.load = parseLoad(request.load, outcome.cell.units);
-  if (!request.truth.empty()) {
-    outcome.truth = workcellOf(readCell(request.truth), "score against it");
-    outcome.truth->load = outcome.nominal.load;
-    requireSameSheet(outcome.nominal, *outcome.truth, request.truth);
-  }
-  const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
   outcome.model = outcome.nominal;
-  if (!request.touches.empty()) {
-    outcome.touches = touchesFor(request, outcome);
-    outcome.calibration = calibrateBoth(outcome.nominal, outcome.touches);
-    if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return outcome;
-    outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
+  return outcome;
+}
+
+void addTruth(const Cell& truth, const std::string& file, PlanOutcome& outcome) {
+  outcome.truth = workcellOf(truth, "score against it");
+  outcome.truth->load = outcome.nominal.load;
+  requireSameSheet(outcome.nominal, *outcome.truth, file);
+}
+
+/// Whether the base could be placed by the touches.
+bool placeBase(PlanOutcome& outcome, std::vector<calibration::Touch> touches) {
+  outcome.touches = std::move(touches);
+  outcome.calibration = calibrateBoth(outcome.nominal, outcome.touches);
+  if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return false;
+  outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
+  return true;
+}
+
+void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks, PlanKeeper* keeper,
+          PlanOutcome& outcome) {
+  planner::PlanMemory forgotten;
+  planner::PlanMemory& memory = keeper ? keeper->memory() : forgotten;
+  if (keeper) {
+    keeper->begin(questionOf(
+        {outcome.cell, outcome.model, request.compensation, request.seed, keeper->fromFingerprint()}, tubes));
+    hooks.keep = [keeper](const planner::PlanMemory&) { keeper->saveNowAndThen(); };
   }
-  keeper.begin(questionOf({outcome.cell, outcome.model, request.compensation, request.seed, keeper.fromFingerprint()},
-                          selection.tube_indices));
-  hooks.keep = [&](const planner::PlanMemory&) { keeper.saveNowAndThen(); };
-  const std::vector<int> order_before = keeper.memory().visiting_order;
-  outcome.plan = planner::planVisits(outcome.model, selection.tube_indices, planOptions(request, outcome.compensation),
-                                     hooks, keeper.memory());
-  if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return outcome;
+  const std::vector<int> order_before = memory.visiting_order;
+  outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome.compensation), hooks, memory);
+  if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
   countChanges(order_before, outcome);
   predict(outcome);
   score(outcome);
+}
+
+}  // namespace
+
+PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper) {
+  const Cell cell = readCell(request.cell);
+  PlanOutcome outcome = begun(cell, request);
+  if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
+  const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
+  if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
+  plan(request, selection.tube_indices, std::move(hooks), &keeper, outcome);
+  return outcome;
+}
+
+PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks) {
+  PlanOutcome outcome = begun(cell, request);
+  if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
+  const auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
+  if (selection.status != tubesheets::SelectionStatus::kSelected)
+    throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
+  plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;
 }
 

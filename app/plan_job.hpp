@@ -43,4 +43,8 @@ struct PlanOutcome {
 /// with the plan not run. The keeper gives what is known already and keeps what is found out.
 [[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper);
 
+/// Plans the visits of a cell at hand, its base where it is, and scores against the request's truth; of the request's
+/// other files none is read, and nothing is kept. Its tubes are a selection, no file.
+[[nodiscard]] PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks);
+
 }  // namespace tubeplan::app

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "app/input_error.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/readers/text_file.hpp"
 #include "app/touch_input.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
@@ -106,6 +108,33 @@ void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell
       throw InputError(fmt::format("{}:{} (reading {})", file, reading.line, reading.id), undefined,
                        "a formula with a finite value at every reading", "change the formula in " + cell.path);
   }
+}
+
+namespace {
+
+std::vector<Measurement> asFitsWant(std::vector<Measurement> readings, const std::string& file, const Cell& cell,
+                                    double sigma) {
+  stateSigma(readings, cell, file, sigma);
+  requireDefinedFormulas(readings, cell, file);
+  return readings;
+}
+
+}  // namespace
+
+std::vector<Measurement> readReadings(const std::string& file, const Cell& cell, double sigma) {
+  return asFitsWant(readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
+}
+
+CellReadings readCellReadings(const std::string& cell, const std::string& measurements, double sigma) {
+  CellReadings read{readCell(cell), measurements, {}};
+  read.readings = readReadings(measurements, read.cell, sigma);
+  return read;
+}
+
+std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell,
+                                       double sigma) {
+  checkText(file, text);
+  return asFitsWant(parseMeasurements(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
 }
 
 namespace {

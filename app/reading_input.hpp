@@ -19,6 +19,25 @@ void stateSigma(std::vector<calibration::Measurement>& readings, const Cell& cel
 void requireDefinedFormulas(const std::vector<calibration::Measurement>& readings, const Cell& cell,
                             const std::string& file);
 
+/// The readings of a measurement file as fits want them: each with a sigma (stateSigma), all formulas of the cell
+/// defined (requireDefinedFormulas). Throws InputError.
+[[nodiscard]] std::vector<calibration::Measurement> readReadings(const std::string& file, const Cell& cell,
+                                                                 double sigma = 0);
+
+/// A cell and the readings that its model is fitted to or judged by.
+struct CellReadings {
+  Cell cell;
+  std::string file;  ///< of the readings, for messages
+  std::vector<calibration::Measurement> readings;
+};
+
+/// Both from their files, the readings as by readReadings. Throws InputError.
+[[nodiscard]] CellReadings readCellReadings(const std::string& cell, const std::string& measurements, double sigma = 0);
+
+/// Readings from text.
+[[nodiscard]] std::vector<calibration::Measurement> parseReadings(const std::string& text, const std::string& file,
+                                                                  const Cell& cell, double sigma = 0);
+
 /// Plain sentences about readings that look wrong: slips of units, touches of a neighbouring hole, loads beyond the
 /// arm's own weight. Nothing is changed by them.
 [[nodiscard]] std::vector<std::string> readingWarnings(const calibration::Identification& result,

@@ -153,8 +153,7 @@ std::string runOnce(const planner::Workcell& model, const planner::Workcell& tru
   const BothCalibrations base = calibrateBoth(model, touches);
   if (base.flexible.status != CalibrationStatus::kDone) return base.flexible.reason;
   if (base.rigid.status != CalibrationStatus::kDone) return "by the rigid model: " + base.rigid.reason;
-  ScoringModels models{withBase(model, base.flexible), withBase(model, base.rigid), drawn};
-  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  const ScoringModels models = scoringModels(model, base, drawn);
   std::vector<ModeScores> scores;
   for (const auto& hole : holes)
     scores.push_back(scoreModes(models, {hole.tube, hole.plan.q_start, hole.tip_error}, false));

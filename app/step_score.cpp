@@ -2,6 +2,14 @@
 
 namespace tubeplan::app {
 
+ScoringModels scoringModels(const planner::Workcell& model, const std::optional<BothCalibrations>& bases,
+                            const planner::Workcell& truth) {
+  ScoringModels models{bases ? withBase(model, bases->flexible) : model, bases ? withBase(model, bases->rigid) : model,
+                       truth};
+  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  return models;
+}
+
 ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach) {
   ModeScores scores;
   const auto hole = planner::holeCentre(models.truth.sheet.tubes.at(static_cast<std::size_t>(tube.tube)));

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "calibration/base_calibration.hpp"
+#include "app/touch_rehearsal.hpp"
 #include "planner/scoring.hpp"
 
 namespace tubeplan::app {
@@ -19,6 +19,10 @@ struct ScoringModels {
   planner::Workcell rigid;     ///< the arm taken as rigid, base as calibrated so
   planner::Workcell truth;
 };
+
+/// The model placed as each arm's own calibration has it, where there was one; else both where the model stands.
+[[nodiscard]] ScoringModels scoringModels(const planner::Workcell& model, const std::optional<BothCalibrations>& bases,
+                                          const planner::Workcell& truth);
 
 /// A tube and the posture whose branch is to be scored.
 struct TubeToScore {

@@ -261,12 +261,17 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
 }  // namespace
 
 TouchOutcome proposeTouches(const TouchRequest& asked) {
+  const Cell cell = readCell(asked.cell);
+  const TouchRequest request = completed(asked, cell);
+  return proposeTouches(asked, cell,
+                        readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength)));
+}
+
+TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const std::vector<Measurement>& readings) {
   TouchOutcome outcome;
-  outcome.cell = readCell(asked.cell);
+  outcome.cell = cell;
   const TouchRequest request = completed(asked, outcome.cell);
-  Job job{request, outcome, {}, {}, {}, {}, {}};
-  job.readings =
-      readingsMade(request.readings, outcome.cell, outcome.cell.units.toInternal(request.sigma, dimension::kLength));
+  Job job{request, outcome, readings, {}, {}, {}, {}};
   outcome.noise = noiseOf(job, request.kind == "touch");
   outcome.base_noise = noiseOf(job, true);
   settleLoads(job);

@@ -56,4 +56,8 @@ struct TouchOutcome {
 /// Throws InputError for bad input.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request);
 
+/// The same for a cell and readings at hand, in the place of the request's files.
+[[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request, const Cell& cell,
+                                          const std::vector<calibration::Measurement>& readings);
+
 }  // namespace tubeplan::app

@@ -6,11 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/atomic_file.hpp"
+#include "app/calibration_job.hpp"
 #include "app/calibration_json.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
@@ -32,14 +31,10 @@ int run(const CalibrateOptions& options) {
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
-  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
-    throw InputError(options.measurements, problem, "three or more different holes, well spread", "touch another hole");
-  const auto result = calibration::calibrateBase(cell.arm, touches, cell.X_WB);
+  const auto [result, figures] = calibrateCell(cell, touches, options.measurements);
   if (result.status == CalibrationStatus::kDone && !options.out.empty())
-    writeFileAtomically(
-        options.out, cellTextWithBase(cell, {result.X_WB, calibration::widenedCovariance(result), true}, options.out),
-        "--out");
-  writeJson(options.json, calibrationJson(result, cell.units));
+    writeFileAtomically(options.out, calibratedCellText(cell, result, options.out), "--out");
+  writeJson(options.json, figures);
   if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell.units));
   return result.status == CalibrationStatus::kDone ? kDone : kNegativeAnswer;
 }

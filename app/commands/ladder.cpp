@@ -2,19 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/ladder_steps.hpp"
-#include "app/readers/measurements_reader.hpp"
-#include "app/reading_input.hpp"
-#include "app/report/diagnosis_report.hpp"
-#include "app/version.hpp"
+#include "app/ladder_job.hpp"
 
 namespace tubeplan::app {
 
@@ -28,64 +22,28 @@ struct LadderOptions {
   bool with_rigid = false;
 };
 
-/// What the page wants of the figures.
-nlohmann::json ladderPage(const nlohmann::json& figures, const LadderOptions& options) {
-  nlohmann::json page = {{"title", "Ladder of models"}, {"measurements", options.measurements},
-                         {"seed", options.steps.seed},  {"version", kVersion},
-                         {"units", figures["units"]},   {"models", nlohmann::json::array()}};
-  for (const auto& rung : figures["rungs"]) {
-    page["noise_floor"] = rung["rms"]["noise_floor"];
-    page["models"].push_back({{"name", rung["name"]},
-                              {"rms", rung["rms"]["fitted"]},
-                              {"heldout_rms", rung["rms"]["heldout"]},
-                              {"chi2_per_dof", rung["chi2_per_dof"]},
-                              {"numbers", rung["fitted_numbers"]}});
-    if (rung.contains("steps") && rung["steps"].is_object()) page["models"].back()["steps"] = rung["steps"]["counts"];
-  }
-  page["step_table"] = figures["step_table"];
-  return page;
-}
-
-/// The first cell's arm taken as rigid: only its base is fitted.
-Cell rigidOf(Cell cell) {
-  cell.arm = deflection::rigidCopy(cell.arm);
-  cell.identify.clear();
-  return cell;
-}
-
-std::vector<Cell> cellsOf(const LadderOptions& options, std::vector<std::string>& names) {
-  std::vector<Cell> cells;
-  for (const auto& path : options.cells) {
-    cells.push_back(readCell(path));
-    names.push_back(path);
-  }
-  if (!options.with_rigid) return cells;
-  cells.insert(cells.begin(), rigidOf(cells.front()));
-  names.insert(names.begin(), names.front() + ", rigid");
-  return cells;
+std::vector<LadderModel> modelsOf(const LadderOptions& options) {
+  std::vector<LadderModel> models;
+  for (const auto& path : options.cells) models.push_back({path, {readCell(path), options.measurements, {}}});
+  if (options.with_rigid)
+    models.insert(models.begin(),
+                  {models.front().name + ", rigid", {rigidOf(models.front().input.cell), options.measurements, {}}});
+  for (auto& model : models) model.input.readings = readReadings(options.measurements, model.input.cell, options.sigma);
+  return models;
 }
 
 int run(const LadderOptions& options) {
-  std::vector<Rung> rungs;
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
-  std::vector<std::string> names;
-  const std::vector<Cell> cells = cellsOf(options, names);
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const Cell& cell = cells[k];
-    auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
-    stateSigma(readings, cell, options.measurements, options.sigma);
-    requireDefinedFormulas(readings, cell, options.measurements);
-    rungs.push_back(rungOf(names[k], cell, readings, options.steps.seed));
-  }
-  const Units& units = cells.front().units;
-  const LadderSteps steps = addSteps(options.steps, cells, rungs);
-  auto json = ladderJson(rungs, units);
-  json["step_table"] = ladderStepsJson(steps, options.steps, units);
-  writeJson(options.json, json);
+  const auto models = modelsOf(options);
+  const auto outcome = climbLadder(models, options.steps);
+  writeJson(options.json, outcome.figures);
   if (!options.report.empty())
-    writeFileAtomically(options.report, renderLadderReport(ladderPage(json, options)), "--report");
-  if (printsText(options.json)) fmt::print("{}{}", ladderText(rungs, units), ladderStepsText(steps, units));
+    writeFileAtomically(options.report, ladderPage(outcome.figures, options.measurements, options.steps.seed),
+                        "--report");
+  const Units& units = models.front().input.cell.units;
+  if (printsText(options.json))
+    fmt::print("{}{}", ladderText(outcome.rungs, units), ladderStepsText(outcome.steps, units));
   return kDone;
 }
 

@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
+#include "app/pose_json.hpp"
 #include "app/workcell.hpp"
 #include "deflection/elements/element.hpp"
 #include "deflection/flexible_kinematics.hpp"
@@ -24,17 +23,6 @@ struct PoseOptions {
   bool all = false;
 };
 
-struct PoseFigures {
-  Eigen::Vector3d position, angles;  ///< m, rad
-};
-
-PoseFigures figuresOf(const deflection::PoseOf<double>& X) { return {X.p, deflection::fixedAnglesOf(X.R)}; }
-
-nlohmann::json figuresJson(const PoseFigures& figures, const Units& units) {
-  return {{"position", vectorJson(figures.position, units, dimension::kLength)},
-          {"fixed_angles", vectorJson(figures.angles, units, dimension::kAngle)}};
-}
-
 /// What Appendix A keeps of every link: frames, loads and each component's deflection.
 nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
                                  const Units& units) {
@@ -43,8 +31,8 @@ nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::F
   for (std::size_t k = 0; k < shape.rows.size(); ++k) {
     const auto& row = shape.rows[k];
     rows.push_back({{"row", arm.rows[k].name},
-                    {"rigid", figuresJson(figuresOf(row.X_BL_rigid), units)},
-                    {"flexible", figuresJson(figuresOf(row.X_BL), units)},
+                    {"rigid", figuresJson(poseFiguresOf(row.X_BL_rigid), units)},
+                    {"flexible", figuresJson(poseFiguresOf(row.X_BL), units)},
                     {"force_base", vectorJson(row.force_B, units, dimension::kForce)},
                     {"moment_base", vectorJson(row.moment_B, units, moment)},
                     {"force_link", vectorJson(row.force_L, units, dimension::kForce)},
@@ -79,21 +67,16 @@ int run(const PoseOptions& options) {
     fmt::print(stderr, "{}\n", shape.reason);
     return kNegativeAnswer;
   }
-  const PoseFigures rigid = figuresOf(shape.X_BT), flexible = figuresOf(shape.X_BD);
-  PoseFigures change{flexible.position - rigid.position, flexible.angles - rigid.angles};
-  for (int k = 0; k < 3; ++k) change.angles[k] = std::remainder(change.angles[k], 2 * std::numbers::pi);
-  nlohmann::json json = {{"rigid", figuresJson(rigid, cell.units)},
-                         {"flexible", figuresJson(flexible, cell.units)},
-                         {"change", figuresJson(change, cell.units)},
-                         {"iterations", shape.iterations},
-                         {"load", cell.units.toFile(posture.load, dimension::kForce)},
-                         {"units", unitsJson(cell.units)}};
+  nlohmann::json json = poseFiguresJson(shape, cell.units);
+  json["load"] = cell.units.toFile(posture.load, dimension::kForce);
+  json["units"] = unitsJson(cell.units);
   if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
   writeJson(options.json, json);
   if (!printsText(options.json)) return kDone;
   fmt::print("tip in the arm's base frame: position, fixed angles (gamma, beta, alpha)\n");
-  print("rigid", rigid, cell.units);
-  print("flexible", flexible, cell.units);
+  const PoseFigures change = poseChange(shape);
+  print("rigid", poseFiguresOf(shape.X_BT), cell.units);
+  print("flexible", poseFiguresOf(shape.X_BD), cell.units);
   print("change", change, cell.units);
   fmt::print("sag {:.4f} {}, settled in {} passes\n", change.position.norm() / cell.units.factor(dimension::kLength),
              cell.units.length().name, shape.iterations);

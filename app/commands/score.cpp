@@ -63,9 +63,7 @@ Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth
   Scored result;
   result.calibration = calibrateBoth(nominal, touchBy(truth, nominal, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
-  ScoringModels models{withBase(nominal, result.calibration.flexible), nominal, truth};
-  models.rigid.X_WB = result.calibration.rigid.X_WB;
-  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  const ScoringModels models = scoringModels(nominal, result.calibration, truth);
   const planner::ArmClearance clearance(models.flexible);
   result.tubes.resize(tubes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {

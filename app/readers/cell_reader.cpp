@@ -58,12 +58,16 @@ void readIdentify(const YamlNode& node, Cell& cell) {
   }
 }
 
-// Reads the arm, from its own file or inline.
-ArmSource readCellArm(const YamlNode& node, Cell& cell) {
+// Reads the arm: inline, from text at hand or from its own file.
+ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& text, Cell& cell) {
   cell.arm_path = cell.path;
   if (node.kind == YamlNode::Kind::kMap) return readArm(node);
   const auto folder = std::filesystem::path(cell.path).parent_path();
   cell.arm_path = (folder / node.text()).lexically_normal().string();
+  if (text) {
+    cell.arm_source = {cell.arm_path, *text, parseYaml(*text, cell.arm_path)};
+    return readArm(cell.arm_source.root);
+  }
   if (std::error_code error; !std::filesystem::exists(cell.arm_path, error))
     node.fail("no file '" + cell.arm_path + "'", "an arm file, relative to this cell's folder", "check the name");
   cell.arm_source = readYamlFile(cell.arm_path);
@@ -86,17 +90,15 @@ std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
   return std::nullopt;
 }
 
-}  // namespace
-
-Cell readCell(const std::string& path) {
+Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   Cell cell;
-  cell.path = path;
-  cell.source = readYamlFile(path);
+  const std::string path = cell.path = file.path;
+  cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
                                     "link_shapes", "clearance"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
-  const ArmSource source = readCellArm(root.at("arm"), cell);
+  const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;
   cell.units = source.units;
   readBase(root.at("base"), cell);
@@ -113,6 +115,14 @@ Cell readCell(const std::string& path) {
   if (!source.names_tool_axis) cell.arm.tool_axis_L = told_by_scene.value_or(cell.arm.tool_axis_L);
   cell.tool_axis_told = source.names_tool_axis || told_by_scene.has_value();
   return cell;
+}
+
+}  // namespace
+
+Cell readCell(const std::string& path) { return cellOf(readYamlFile(path), std::nullopt); }
+
+Cell parseCell(const std::string& text, const std::string& path, const std::optional<std::string>& arm_text) {
+  return cellOf({path, text, parseYaml(text, path)}, arm_text);
 }
 
 const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose) {

@@ -42,6 +42,11 @@ struct Cell {
 /// Throws InputError for anything that is not as documented, naming file, line and key.
 [[nodiscard]] Cell readCell(const std::string& path);
 
+/// The same from text at hand, as if it stood at `path`: the files it names are relative to there, but for the arm's
+/// where its text is given too.
+[[nodiscard]] Cell parseCell(const std::string& text, const std::string& path,
+                             const std::optional<std::string>& arm_text = std::nullopt);
+
 /// The sheet, or InputError that the cell has none; `purpose` continues "needed to ...".
 [[nodiscard]] const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose);
 [[nodiscard]] const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose);

@@ -55,6 +55,8 @@ std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   return text;
 }
 
+}  // namespace
+
 void checkText(const std::string& path, std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InputError(path, "an empty file", "a text with content", "check that the file was written");
@@ -65,8 +67,6 @@ void checkText(const std::string& path, std::string_view text) {
                      "save the file as text");
   }
 }
-
-}  // namespace
 
 std::string readTextFile(const std::string& path) {
   std::error_code error;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace tubeplan::app {
 
 /// The file's text without a byte order mark. Throws InputError for a file that is missing, a folder, unreadable,
 /// larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
 [[nodiscard]] std::string readTextFile(const std::string& path);
+
+/// What readTextFile asks of a file's text, of text that comes another way. `path` is its name for messages.
+void checkText(const std::string& path, std::string_view text);
 
 }  // namespace tubeplan::app

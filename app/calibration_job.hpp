@@ -1,0 +1,27 @@
+// Where the base stands, from touched holes: from a cell and its touches to the base and the figures.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/readers/cell_reader.hpp"
+#include "calibration/base_calibration.hpp"
+
+namespace tubeplan::app {
+
+struct CalibrationOutcome {
+  calibration::BaseCalibration calibration;
+  nlohmann::json figures;  ///< as `tubeplan calibrate --json` writes them
+};
+
+/// `file` is where the touches come from, for messages. Throws InputError for too few touches, or holes that do not
+/// place a base.
+[[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Touch>& touches,
+                                               const std::string& file);
+
+/// The cell's text with the base that was found, to be written at `out`.
+[[nodiscard]] std::string calibratedCellText(const Cell& cell, const calibration::BaseCalibration& calibration,
+                                             const std::string& out);
+
+}  // namespace tubeplan::app

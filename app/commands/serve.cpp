@@ -1,0 +1,87 @@
+// tubeplan serve: the workbench, a web page on loopback.
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "app/command.hpp"
+#include "app/input_error.hpp"
+#include "app/stop_signal.hpp"
+#include "app/workbench/http_server.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct ServeOptions {
+  WorkbenchOptions workbench;
+  DoorRules door;
+  std::string page;
+  bool open = false;
+};
+
+constexpr std::size_t kShortestToken = 12;
+
+void requireToken(const DoorRules& door) {
+  if (door.token.empty() && isLoopback(door.host)) return;
+  if (door.token.empty())
+    throw InputError("--host", inQuotes(door.host) + " without a token", "--token TEXT with it",
+                     "others on the network must show it");
+  const bool is_plain = std::all_of(door.token.begin(), door.token.end(),
+                                    [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+  if (!is_plain || door.token.size() < kShortestToken)
+    throw InputError("--token", "one that is too short or has other signs",
+                     fmt::format("{} or more letters, digits, - and _", kShortestToken));
+}
+
+void openBrowser(std::string address) {
+  std::string program = "xdg-open";
+  char* const words[] = {program.data(), address.data(), nullptr};
+  pid_t process = 0;
+  if (::posix_spawnp(&process, program.c_str(), nullptr, nullptr, words, environ) != 0)
+    fmt::print(stderr, "no browser could be opened\n");
+}
+
+int run(const ServeOptions& options) {
+  requireToken(options.door);
+  Workbench workbench(options.workbench);
+  HttpServer server(workbench, options.door, options.page);
+  noteStopSignals();
+  fmt::print("{}\n", server.address());
+  std::fflush(stdout);
+  if (options.open) openBrowser(server.address());
+  std::thread serving([&server] { server.run(); });
+  while (!stopRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  server.stop();
+  serving.join();
+  return kDone;
+}
+
+}  // namespace
+
+Run configureServe(CLI::App& cli) {
+  const auto options = std::make_shared<ServeOptions>();
+  options->door.port = 8642;
+  cli.add_option("CELL", options->workbench.cell, "the cell file")->required();
+  cli.add_option("MEASUREMENTS", options->workbench.measurements, "readings of any kind (CSV), taken together");
+  cli.add_option("--port", options->door.port, "where to listen; 0 takes any free one")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  cli.add_option("--host", options->door.host, "the address to listen at; any but loopback demands --token")
+      ->capture_default_str();
+  cli.add_option("--token", options->door.token, "what a browser must show, 12 or more letters, digits, - and _");
+  cli.add_option("--folder", options->workbench.folder,
+                 "the folder whose files the page may open and write (the cell's)");
+  cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, to touch holes with");
+  cli.add_option("--page", options->page, "serve the page from this folder instead of the program's own");
+  cli.add_flag("--open", options->open, "open the page in a browser");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

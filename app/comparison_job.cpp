@@ -1,0 +1,69 @@
+#include "app/comparison_job.hpp"
+
+#include "app/comparison_json.hpp"
+#include "app/diagnosis_views_json.hpp"
+#include "app/input_error.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// A refusal is bad input: a list `identify` that names no parameters, readings that tell nothing.
+void requireCompared(const calibration::Comparison& result, const CellReadings& input) {
+  if (result.status == calibration::ComparisonStatus::kDone) return;
+  if (result.verdict != calibration::Adequacy::kNotRun) return;
+  if (!result.problems.empty())
+    throw InputError(input.cell.path + " (identify)", result.problems.front().found, result.problems.front().expected);
+  throw InputError(input.file, result.reason, "readings that tell the free parameters", "");
+}
+
+/// Errors as the page's pictures take them: measured less predicted, at the tip's place after the refit.
+void addPictures(const Cell& cell, nlohmann::json& json) {
+  const auto reversed = [](const nlohmann::json& error) {
+    nlohmann::json turned = nlohmann::json::array();
+    for (const auto& part : error) turned.push_back(part.is_number() ? nlohmann::json(-part.get<double>()) : part);
+    return turned;
+  };
+  json["joints"] = jointsJson(cell.arm, cell.units);
+  for (auto& reading : json["readings"]) {
+    reading["position"] = reading["position_after"];
+    reading["before"] = reversed(reading["error_before"]);
+    reading["after"] = reversed(reading["error_after"]);
+  }
+}
+
+}  // namespace
+
+ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const StepHook& step) {
+  const auto& [cell, file, readings] = input;
+  beginStep(step, "refit and patterns");
+  calibration::ComparisonOptions comparison;
+  comparison.refit.free = {cell.identify, !cell.base_known};
+  comparison.refit.folds = request.folds;
+  comparison.refit.seed = request.seed;
+  comparison.refit.intervals_by_profile = false;
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  ComparisonOutcome outcome;
+  outcome.comparison = calibration::compare(start, readings, comparison);
+  requireCompared(outcome.comparison, input);
+  outcome.figures = comparisonJson(outcome.comparison, readings, cell.units);
+  outcome.figures["warnings"] = nlohmann::json::array();
+  if (outcome.comparison.refit.status != calibration::IdentificationStatus::kNotRun)
+    outcome.figures["warnings"] = readingWarnings(outcome.comparison.refit, readings, cell);
+  return outcome;
+}
+
+std::string comparisonPage(const CellReadings& input, const ComparisonRequest& request, const nlohmann::json& figures) {
+  nlohmann::json page = figures;
+  page.update({{"title", "Comparison of " + input.cell.name},
+               {"cell", input.cell.name},
+               {"measurements", input.file},
+               {"seed", request.seed},
+               {"version", kVersion}});
+  addPictures(input.cell, page);
+  return renderComparisonReport(page);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,121 @@
+#include "app/identification_job.hpp"
+
+#include <fmt/format.h>
+
+#include "app/effect_warnings_json.hpp"
+#include "app/identification_json.hpp"
+#include "app/input_error.hpp"
+#include "app/overlap_report.hpp"
+#include "app/suggestion.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Identification, calibration::IdentificationOptions, calibration::IdentificationStatus;
+
+calibration::RobustLoss lossOf(const std::string& name) {
+  if (name == "huber") return calibration::RobustLoss::kHuber;
+  return name == "cauchy" ? calibration::RobustLoss::kCauchy : calibration::RobustLoss::kNone;
+}
+
+IdentificationOptions identificationOptions(const IdentificationRequest& request, const Cell& cell) {
+  IdentificationOptions result;
+  result.free.names = request.free.empty() ? cell.identify : request.free;
+  result.free.base = !cell.base_known;
+  result.loss = lossOf(request.robust);
+  result.starts = request.starts;
+  result.folds = request.folds;
+  result.seed = request.seed;
+  result.drop_level = request.drop;
+  for (const auto& method : calibration::leastSquaresMethods())
+    if (method.name == request.method) result.solver.method = method.method;
+  if (result.free.names.empty() && request.stages.empty() && cell.base_known)
+    throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
+                     "`tubeplan identify --help` says what may be freed");
+  return result;
+}
+
+/// Where a reading problem is: the file, with the line where one reading is to blame.
+std::string placeOf(const calibration::ReadingProblem& problem, const std::vector<calibration::Measurement>& readings,
+                    const std::string& file) {
+  if (problem.reading < 0) return file;
+  return fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
+}
+
+/// A refusal is bad input: names that are no parameters, readings that tell nothing.
+void requireAccepted(const Identification& result, const std::vector<calibration::Measurement>& readings,
+                     const IdentificationRequest& request, const Cell& cell, const std::string& file) {
+  if (result.status != IdentificationStatus::kRefused) return;
+  if (const auto& problem = result.reading_problem)
+    throw InputError(placeOf(*problem, readings, file), problem->found, problem->expected, problem->advice);
+  if (result.problems.empty())
+    throw InputError(cell.path, result.reason, "something to find",
+                     "`tubeplan identify --help` says what may be freed");
+  const auto& problem = result.problems.front();
+  std::vector<std::string> known{"geometry", "tool.tip"};
+  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  throw InputError(request.free.empty() ? cell.path + " (identify)" : "--free", problem.found, problem.expected,
+                   suggestion(problem.name, known));
+}
+
+/// "a,b" or "a,b:SETUP".
+calibration::IdentificationStage stageOf(const std::string& text) {
+  calibration::IdentificationStage stage;
+  const std::size_t colon = text.find(':');
+  if (colon != std::string::npos) stage.setup = text.substr(colon + 1);
+  const std::string names = text.substr(0, colon);
+  for (std::size_t from = 0; from <= names.size();) {
+    const std::size_t to = std::min(names.find(',', from), names.size());
+    stage.names.push_back(names.substr(from, to - from));
+    from = to + 1;
+  }
+  return stage;
+}
+
+Identification identifyAsAsked(const IdentificationRequest& request, const Cell& cell,
+                               const std::vector<calibration::Measurement>& readings) {
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  IdentificationOptions asked = identificationOptions(request, cell);
+  if (request.stages.empty()) return calibration::identify(start, readings, asked);
+  std::vector<calibration::IdentificationStage> stages;
+  for (const auto& text : request.stages) stages.push_back(stageOf(text));
+  auto results = calibration::identifyInStages(start, readings, stages, asked);
+  if (request.stage_done)
+    for (std::size_t k = 0; k + 1 < results.size(); ++k) request.stage_done(static_cast<int>(k), results[k]);
+  return std::move(results.back());
+}
+
+/// Of the cell's effects as they were fitted; stages hold some of them, so theirs are not judged.
+std::vector<calibration::EffectWarning> effectWarnings(const IdentificationRequest& request, const Cell& cell,
+                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const Identification& result) {
+  if (!request.stages.empty() || cell.arm.effects.empty()) return {};
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  return calibration::warnOfEffects(start, readings, identificationOptions(request, cell), result);
+}
+
+}  // namespace
+
+IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
+                                    const StepHook& step) {
+  const auto& [cell, file, readings] = input;
+  beginStep(step, "fit");
+  IdentificationOutcome outcome;
+  outcome.fit = identifyAsAsked(request, cell, readings);
+  requireAccepted(outcome.fit, readings, request, cell, file);
+  beginStep(step, "what the fit tells");
+  outcome.warnings = readingWarnings(outcome.fit, readings, cell);
+  outcome.figures = identificationJson(outcome.fit, readings, cell.units);
+  outcome.figures["warnings"] = outcome.warnings;
+  outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, readings);
+  if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);
+  outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1);
+  outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, cell.units);
+  outcome.of_effects = effectWarnings(request, cell, readings, outcome.fit);
+  for (const auto& warning : effectWarningsJson(outcome.of_effects, cell.units))
+    outcome.figures["warnings"].push_back(warning);
+  return outcome;
+}
+
+}  // namespace tubeplan::app

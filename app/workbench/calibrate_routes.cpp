@@ -1,0 +1,176 @@
+// Touched holes: which to touch, the list of those made, and the base that follows.
+#include <fmt/format.h>
+
+#include "app/calibration_job.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/touch_input.hpp"
+#include "app/touch_proposals.hpp"
+#include "app/workbench/job_routes.hpp"
+#include "app/workbench/request_body.hpp"
+#include "app/workbench/request_numbers.hpp"
+#include "app/workbench/routes.hpp"
+#include "app/workbench/state_json.hpp"
+#include "app/workcell.hpp"
+#include "calibration/simulated_touch.hpp"
+#include "planner/compensation.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr std::size_t kMostTouches = 200;
+
+nlohmann::json jointsJson(const Eigen::VectorXd& q, const Cell& cell) {
+  const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
+  return std::vector<double>(values.begin(), values.end());
+}
+
+Answer propose(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  TouchRequest asked;
+  asked.goal = textOf(body, "goal", "base");
+  if (asked.goal != "base" && asked.goal != "parameters" && asked.goal != "both")
+    throw InputError("request (goal)", inQuotes(asked.goal), "base, parameters or both");
+  asked.count = integerOf(body, "count", 0, 0, 50);
+  const Situation now = workbench.situation();
+  const Cell& cell = currentModel(now).cell;
+  if (cell.sheet && body.contains("tubes")) asked.tubes = tubesText(body, *cell.sheet, "spread:60");
+  if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
+  asked.seed = seedOf(body);
+  return beginJob(workbench, "touches", "what to touch or read next", [&workbench, asked](JobContext& context) {
+    const Situation began = workbench.situation();
+    beginStage(context, "proposals");
+    const auto outcome =
+        proposeTouches(asked, currentModel(began).cell,
+                       began.readings ? began.readings->readings : std::vector<calibration::Measurement>());
+    nlohmann::json figures = proposalsJson(outcome);
+    figures["seed"] = asked.seed;
+    figures["optimality"] = "D";
+    finishJob(workbench, began,
+              [&](Situation& situation) { putResult(situation, "touches", currentModel(began).id, figures); });
+    return "touches";
+  });
+}
+
+/// A posture under the hole, by the model.
+Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
+  planner::CompensationOptions options;
+  options.with_approach = false;
+  const auto work = workcellOf(cell, "touch a hole");
+  for (const auto& branch :
+       planner::compensate(work, planner::holeCentre(work.sheet.tubes[static_cast<std::size_t>(hole)]), options))
+    if (branch.status == deflection::BranchStatus::kConverged) return branch.q;
+  throw InputError("request (hole)", "one that the arm cannot reach", "another hole");
+}
+
+/// What the true arm, or for want of it the cell's own, would read there.
+calibration::Touch simulatedTouch(const Situation& now, const calibration::TouchPlan& plan) {
+  const Cell& model = currentModel(now).cell;
+  const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
+  calibration::TouchSimulationOptions options;
+  options.sigma = touchSigmaOf(requireTool(model, "touch a hole"));
+  options.seed = static_cast<std::uint64_t>(now.next_touch);
+  const auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, {plan}, options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone)
+    throw InputError("request (hole)", simulation.reason, "a hole that the true arm can touch");
+  return simulation.touches.front();
+}
+
+Answer addTouch(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const Situation now = workbench.situation();
+  const Cell& cell = currentModel(now).cell;
+  if (now.touches.size() >= kMostTouches)
+    return refusal(409, InputError("touches", fmt::format("{} already", now.touches.size()), "fewer"));
+  TouchMade made;
+  made.tube = requiredHoleOf(body, cell);
+  made.is_simulated = booleanOf(body, "simulate", !body.contains("joints"));
+  const auto& tube = cell.sheet->tubes[static_cast<std::size_t>(made.tube)];
+  calibration::TouchPlan plan{fmt::format("T{}", now.next_touch), tubesheets::tubeName(tube.row, tube.column),
+                              planner::holeCentre(tube),
+                              body.contains("joints") ? jointsOf(body, cell) : postureUnder(cell, made.tube)};
+  if (made.is_simulated)
+    made.touch = simulatedTouch(now, plan);
+  else
+    made.touch = {plan.id,
+                  plan.hole,
+                  plan.p_WH,
+                  plan.q_start,
+                  loadOf(body, cell),
+                  touchSigmaOf(requireTool(cell, "touch a hole")),
+                  {}};
+  workbench.change([&](Situation& situation) {
+    situation.touches.push_back(made);
+    ++situation.next_touch;
+    return true;
+  });
+  return answerOf(stateJson(workbench));
+}
+
+Answer removeTouch(Workbench& workbench, const Request& request) {
+  const auto index = tubesheets::parseNumber(request.words[1]);
+  const bool done = workbench.change([&](Situation& situation) {
+    const bool is_one = index && *index >= 0 && *index < static_cast<double>(situation.touches.size());
+    if (is_one) situation.touches.erase(situation.touches.begin() + static_cast<std::ptrdiff_t>(*index));
+    return is_one;
+  });
+  if (!done) return refusal(404, InputError("touch", inQuotes(request.words[1]), "the place of one in the list"));
+  return answerOf(stateJson(workbench));
+}
+
+Answer touches(Workbench& workbench, const Request&) {
+  const Situation now = workbench.situation();
+  const Cell& cell = currentModel(now).cell;
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& made : now.touches)
+    list.push_back({{"id", made.touch.id},
+                    {"hole", made.tube},
+                    {"name", made.touch.hole},
+                    {"joints", jointsJson(made.touch.q, cell)},
+                    {"load", cell.units.toFile(made.touch.load, dimension::kForce)},
+                    {"sigma", lengthOf(made.touch.sigma, cell.units)},
+                    {"simulated", made.is_simulated}});
+  return answerOf({{"units", unitsJson(cell.units)}, {"touches", list}});
+}
+
+/// Those of the list; where it is empty, those among the readings. Through the text of a measurement file, as the
+/// command takes them.
+std::vector<calibration::Touch> touchesToUse(const Situation& situation, const Cell& cell) {
+  if (situation.touches.empty() && situation.readings)
+    return touchesOf(situation.readings->readings, cell, situation.readings->name);
+  std::vector<calibration::Touch> made;
+  for (const auto& touch : situation.touches) made.push_back(touch.touch);
+  if (made.empty()) throw InputError("touches", "none", "three or more touched holes", "touch some first");
+  return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
+}
+
+Answer calibrate(Workbench& workbench, const Request& request) {
+  (void)objectOf(request);
+  return beginJob(workbench, "calibrate", "where the base stands", [&workbench](JobContext& context) {
+    const Situation began = workbench.situation();
+    const Cell& cell = currentModel(began).cell;
+    beginStage(context, "calibration");
+    const auto [result, figures] = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
+    if (result.status != calibration::CalibrationStatus::kDone)
+      throw InputError("touches", result.reason, "touches that place the base");
+    const Cell calibrated = rereadCell(cell, calibratedCellText(cell, result, cell.path));
+    finishJob(workbench, began, [&, &document = figures](Situation& situation) {
+      const int id = pushModel(situation, "base calibrated", "calibration", calibrated);
+      putResult(situation, "calibrate", id, document);
+    });
+    return "calibrate";
+  });
+}
+
+constexpr Route kRoutes[] = {
+    {"POST", "touches", propose},       {"GET", "touches", touches},      {"POST", "touch", addTouch},
+    {"DELETE", "touch/*", removeTouch}, {"POST", "calibrate", calibrate},
+};
+
+}  // namespace
+
+std::span<const Route> calibrateRoutes() { return kRoutes; }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,57 @@
+// What all browsers are told: that the state has changed, and how far the jobs are. Each listener asks for what is
+// newer than what it has seen, so that a slow one holds up nobody and nothing is kept for it.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tubeplan::app {
+
+class Events {
+ public:
+  /// How much a listener has seen.
+  struct Seen {
+    std::uint64_t state = 0, jobs = 0;
+  };
+
+  struct News {
+    bool state_changed = false;
+    std::vector<std::string> jobs;  ///< the newest of each job that has moved, as JSON
+    bool closed = false;
+  };
+
+  /// At most that many listeners at a time.
+  explicit Events(int most_listeners) : most_listeners_(most_listeners) {}
+
+  void stateChanged();
+  void jobMoved(int id, std::string json);
+
+  /// Wakes every listener for good.
+  void close();
+
+  /// Waits until there is news, at most that long; nothing after it is a heartbeat's moment.
+  [[nodiscard]] News wait(Seen& seen, std::chrono::milliseconds most);
+
+  [[nodiscard]] bool tryEnter();
+  void leave();
+
+ private:
+  struct JobNews {
+    std::uint64_t number = 0;
+    std::string json;
+  };
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::uint64_t state_ = 1, job_number_ = 0;
+  std::map<int, JobNews> jobs_;
+  bool closed_ = false;
+  int listeners_ = 0, most_listeners_;
+};
+
+}  // namespace tubeplan::app

@@ -1,0 +1,32 @@
+#include "app/workbench/exchange.hpp"
+
+#include "app/input_error.hpp"
+
+namespace tubeplan::app {
+
+Answer answerOf(const nlohmann::json& json, int status) {
+  Answer answer;
+  answer.status = status;
+  answer.body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return answer;
+}
+
+nlohmann::json errorJson(const InputError& error) {
+  return {{"where", error.where()},
+          {"found", error.found()},
+          {"expected", error.expected()},
+          {"advice", error.advice()},
+          {"message", error.what()}};
+}
+
+Answer refusal(int status, const InputError& error) { return answerOf({{"error", errorJson(error)}}, status); }
+
+Answer downloadOf(const std::string& name, const std::string& content_type, std::string content) {
+  Answer answer;
+  answer.content_type = content_type;
+  answer.body = std::move(content);
+  answer.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
+  return answer;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,39 @@
+// One request to the workbench and its answer, free of any network library.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tubeplan::app {
+
+class InputError;
+
+/// As received, its size and depth already bounded.
+struct Request {
+  std::string method;                        ///< GET, POST, DELETE
+  std::vector<std::string> words;            ///< of the path, after "api": {"jobs", "3", "cancel"}
+  std::map<std::string, std::string> query;  ///< decoded
+  std::string content_type, body;
+};
+
+struct Answer {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::string body;
+  std::vector<std::pair<std::string, std::string>> headers;
+};
+
+/// The document; numbers that are not finite become null, bytes that are not UTF-8 become U+FFFD.
+[[nodiscard]] Answer answerOf(const nlohmann::json& json, int status = 200);
+
+/// {"error": {where, found, expected, advice, message}}
+[[nodiscard]] Answer refusal(int status, const InputError& error);
+[[nodiscard]] nlohmann::json errorJson(const InputError& error);
+
+/// A file to be kept by the browser.
+[[nodiscard]] Answer downloadOf(const std::string& name, const std::string& content_type, std::string content);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,144 @@
+// Everything that was made, as the commands write it: downloads, and the model into the opened folder.
+#include <algorithm>
+
+#include "app/atomic_file.hpp"
+#include "app/comparison_job.hpp"
+#include "app/diagnosis_job.hpp"
+#include "app/input_error.hpp"
+#include "app/ladder_job.hpp"
+#include "app/plan_files.hpp"
+#include "app/readers/cell_writer.hpp"
+#include "app/readers/measurements_writer.hpp"
+#include "app/readers/yaml_edit.hpp"
+#include "app/report/plan_report.hpp"
+#include "app/touch_input.hpp"
+#include "app/trajectory_yaml.hpp"
+#include "app/work_list_export.hpp"
+#include "app/workbench/job_routes.hpp"
+#include "app/workbench/request_body.hpp"
+#include "app/workbench/routes.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// The model as files at that place: its arm beside it, where that stands in a file of its own.
+std::vector<TextFile> cellFiles(const Cell& cell, const std::filesystem::path& out) {
+  std::vector<TextFile> files;
+  std::string text = cellTextAt(cell, out);
+  if (!cell.arm_source.text.empty()) {
+    const std::string name = out.stem().string() + "-arm.yaml";
+    files.push_back({std::filesystem::path(out).replace_filename(name), cell.arm_source.text});
+    text = withYamlValue(text, "arm", '"' + name + '"');
+  }
+  files.push_back({out, text});
+  return files;
+}
+
+const PlanOutcome& planOf(const Situation& situation) {
+  if (!situation.plan) throw InputError("export", "no plan", "one that was made");
+  return *situation.plan;
+}
+
+nlohmann::json figuresOf(const Situation& situation, const std::string& name) {
+  const auto result = findResult(situation, name);
+  if (!result) throw InputError("export", "no result '" + name + "'", "one that was asked for");
+  return result->document;
+}
+
+/// The model that a result is of, with the readings.
+CellReadings inputOfResult(const Situation& situation, const std::string& name) {
+  CellReadings input = inputOf(situation);
+  const int id = findResult(situation, name)->model;
+  for (const auto& model : situation.models)
+    if (model->id == id) input.cell = model->cell;
+  return input;
+}
+
+std::string cellText(const Situation& s) {
+  const Cell& cell = currentModel(s).cell;
+  return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml")).back().text;
+}
+std::string armText(const Situation& s) {
+  const Cell& cell = currentModel(s).cell;
+  if (cell.arm_source.text.empty()) throw InputError("export", "an arm that stands in the cell", "cell.yaml");
+  return cell.arm_source.text;
+}
+std::string readingsText(const Situation& s) {
+  const CellReadings input = inputOf(s);
+  return measurementsCsv(input.readings, input.cell.arm, input.cell.units);
+}
+std::string touchesText(const Situation& s) {
+  std::vector<calibration::Touch> touches;
+  for (const auto& made : s.touches) touches.push_back(made.touch);
+  return touchesCsv(touches, currentModel(s).cell);
+}
+std::string planText(const Situation& s) { return planJson(s.plan_request, planOf(s)).dump(1) + "\n"; }
+std::string pathText(const Situation& s) { return pathCsv(planOf(s)); }
+std::string workListText(const Situation& s) { return workListCsv(planOf(s)); }
+std::string trajectoryText(const Situation& s) { return trajectoryYaml(planOf(s)); }
+std::string planReport(const Situation& s) { return renderPlanReport(reportJson(s.plan_request, planOf(s))); }
+std::string comparisonReport(const Situation& s) {
+  const auto figures = figuresOf(s, "compare");
+  return comparisonPage(inputOfResult(s, "compare"), {}, figures);
+}
+std::string diagnosisReport(const Situation& s) {
+  const auto figures = figuresOf(s, "diagnose");
+  return diagnosisPage(inputOfResult(s, "diagnose"), {}, figures);
+}
+std::string ladderReport(const Situation& s) { return ladderPage(figuresOf(s, "ladder"), inputOf(s).file, 1); }
+
+struct Export {
+  std::string_view name, content_type;
+  std::string (*text)(const Situation&);
+};
+constexpr Export kExports[] = {
+    {"cell.yaml", "application/yaml", cellText},     {"cell-arm.yaml", "application/yaml", armText},
+    {"measurements.csv", "text/csv", readingsText},  {"touches.csv", "text/csv", touchesText},
+    {"plan.json", "application/json", planText},     {"path.csv", "text/csv", pathText},
+    {"worklist.csv", "text/csv", workListText},      {"trajectory.yaml", "application/yaml", trajectoryText},
+    {"report.html", "text/html", planReport},        {"compare.html", "text/html", comparisonReport},
+    {"diagnose.html", "text/html", diagnosisReport}, {"ladder.html", "text/html", ladderReport},
+};
+
+Answer download(Workbench& workbench, const Request& request) {
+  const auto found = std::find_if(std::begin(kExports), std::end(kExports),
+                                  [&](const Export& e) { return e.name == request.words[1]; });
+  if (found == std::end(kExports))
+    return refusal(404, InputError(inQuotes(request.words[1]), "no such export", "another"));
+  try {
+    return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.situation()));
+  } catch (const InputError& error) {
+    return refusal(404, error);
+  }
+}
+
+/// {"file", "overwrite"?}: the current model, and its arm beside it, into the opened folder.
+Answer saveCell(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const std::string name = textOf(body, "file");
+  const auto place = workbench.folder().fileToWrite(name);
+  if (place.extension() != ".yaml") throw InputError("request (file)", inQuotes(name), "a name that ends in .yaml");
+  const auto files = cellFiles(currentModel(workbench.situation()).cell, place);
+  nlohmann::json written = nlohmann::json::array();
+  for (const auto& file : files) {
+    const auto checked = workbench.folder().fileToWrite(file.path.filename().string());
+    if (std::filesystem::exists(checked) && !booleanOf(body, "overwrite", false))
+      return refusal(409, InputError(checked.filename().string(), "a file that is there already", "another name",
+                                     "or say overwrite"));
+    written.push_back(checked.filename().string());
+  }
+  for (const auto& file : files) writeFileAtomically(file.path, file.text, "file");
+  return answerOf({{"written", written}});
+}
+
+constexpr Route kRoutes[] = {
+    {"GET", "export/*", download},
+    {"POST", "cell/save", saveCell},
+};
+
+}  // namespace
+
+std::span<const Route> exportRoutes() { return kRoutes; }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,126 @@
+#include "app/workbench/geometry_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+#include "app/workcell.hpp"
+#include "planner/scene_shapes.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr tubesheets::TubeState kStates[] = {tubesheets::TubeState::kOpen,      tubesheets::TubeState::kPlugged,
+                                             tubesheets::TubeState::kSleeved,   tubesheets::TubeState::kStabilised,
+                                             tubesheets::TubeState::kToPlug,    tubesheets::TubeState::kInaccessible,
+                                             tubesheets::TubeState::kUnresolved};
+
+json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
+  json row = json::array(), column = json::array(), x = json::array(), y = json::array(), z = json::array(),
+       u = json::array(), state = json::array(), states = json::array();
+  const double sign = sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
+  for (const auto& tube : sheet.tubes) {
+    row.push_back(tube.row);
+    column.push_back(tube.column);
+    x.push_back(lengthOf(tube.x, units));
+    y.push_back(lengthOf(tube.y, units));
+    z.push_back(0);
+    u.push_back(sign * lengthOf(tube.x, units));
+    state.push_back(static_cast<int>(std::find(std::begin(kStates), std::end(kStates), tube.state) - kStates));
+  }
+  for (const auto known : kStates) states.push_back(tubesheets::tubeStateName(known));
+  return {{"row", row}, {"column", column}, {"x", x},         {"y", y},          {"z", z},
+          {"u", u},     {"v", y},           {"state", state}, {"states", states}};
+}
+
+/// The value under a key of the table, whose dots part the keys of maps in one another; null where there is none.
+const YamlNode* findKeys(const YamlNode& node, std::string_view keys) {
+  const std::size_t dot = keys.find('.');
+  const YamlNode* found = node.find(keys.substr(0, dot));
+  return found && dot != std::string_view::npos ? findKeys(*found, keys.substr(dot + 1)) : found;
+}
+
+/// The shape of an entry of the file, by the planner's table: {kind, fields}; the numbers stand there in the cell's
+/// units already.
+json shapeJson(const YamlNode& node) {
+  for (const auto& row : planner::sceneShapes()) {
+    const YamlNode* fields = findKeys(node, row.key);
+    if (!fields) continue;
+    json shape = {{"kind", row.key}};
+    for (const auto& field : row.fields) {
+      const YamlNode* value = fields->find(field.name);
+      json numbers = json::array();
+      for (int k = 0; k < field.count; ++k)
+        numbers.push_back(!value ? 0 : field.count == 1 ? value->number() : value->items.at(k).number());
+      shape[std::string(field.name)] = field.count == 1 ? numbers.front() : numbers;
+    }
+    return shape;
+  }
+  return json::object();
+}
+
+json namedShape(const YamlNode& node, const std::string& otherwise) {
+  json shape = shapeJson(node);
+  const YamlNode* name = node.find("name");
+  shape["name"] = name ? name->text() : otherwise;
+  shape["allow"] = json::array();
+  if (const YamlNode* allow = node.find("allow")) shape["allow"] = allow->texts();
+  return shape;
+}
+
+/// The stepped tool, thinnest step first.
+json toolJson(const std::optional<tubesheets::SteppedTool>& tool, const Units& units) {
+  if (!tool) return nullptr;
+  json diameters = json::array(), tolerances = json::array(), lengths = json::array();
+  for (const auto& step : tool->steps) {
+    diameters.push_back(lengthOf(step.diameter, units));
+    tolerances.push_back(lengthOf(step.tolerance, units));
+  }
+  for (const double length : tool->lengths) lengths.push_back(lengthOf(length, units));
+  return {{"diameters", diameters}, {"tolerances", tolerances}, {"lengths", lengths}};
+}
+
+}  // namespace
+
+json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
+  const Units& units = cell.units;
+  return {{"name", sheet.name},
+          {"units", unitsJson(units)},
+          {"pitch", lengthOf(sheet.pitch, units)},
+          {"hole_diameter", lengthOf(sheet.hole_diameter, units)},
+          {"rows", sheet.rows},
+          {"columns", sheet.columns},
+          {"leg", tubesheets::legName(sheet.leg)},
+          {"viewing_side", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"X_WS", poseJson(Eigen::Isometry3d::Identity(), units)},
+          {"fingerprint", sheet.fingerprint()},
+          {"tool", toolJson(cell.tool, units)},
+          {"holes", holesJson(sheet, units)}};
+}
+
+json sceneDrawing(const Cell& cell) {
+  json shapes = json::array(), arm = json::array();
+  if (const YamlNode* scene = cell.source.root.find("scene"))
+    for (const YamlNode& node : scene->items) shapes.push_back(namedShape(node, ""));
+  const YamlNode* link_shapes = cell.source.root.find("link_shapes");
+  for (std::size_t row = 0; row < cell.arm.rows.size(); ++row) {
+    const auto& link = cell.arm.rows[row];
+    json bodies = json::array();
+    if (const YamlNode* of_link = link_shapes ? link_shapes->find(link.name) : nullptr)
+      for (const YamlNode& node : of_link->items) bodies.push_back(namedShape(node, link.name));
+    arm.push_back({{"row", row},
+                   {"name", link.name},
+                   {"moves", link.joint.type != deflection::JointType::kPassive},
+                   {"bodies", bodies}});
+  }
+  return {{"units", unitsJson(cell.units)},
+          {"clearance", lengthOf(cell.scene.clearance, cell.units)},
+          {"shapes", shapes},
+          {"arm", arm},
+          {"tip", vectorJson(cell.arm.p_LT, cell.units, dimension::kLength)},
+          {"tool_axis", {cell.arm.tool_axis_L.x(), cell.arm.tool_axis_L.y(), cell.arm.tool_axis_L.z()}}};
+}
+
+}  // namespace tubeplan::app

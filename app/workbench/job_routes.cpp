@@ -1,0 +1,62 @@
+#include "app/workbench/job_routes.hpp"
+
+#include "app/input_error.hpp"
+#include "app/readers/cell_writer.hpp"
+
+namespace tubeplan::app {
+
+Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work) {
+  const auto begun = workbench.jobs().begin(kind, label, std::move(work));
+  if (!begun.refused.empty())
+    return refusal(409, InputError("jobs", begun.refused, "room for one", "wait, or cancel it"));
+  workbench.events().stateChanged();
+  return answerOf(begun.job, 202);
+}
+
+StepHook stepsOf(JobContext& context) {
+  return [&context](std::string_view step) { beginStage(context, step); };
+}
+
+planner::PlanHooks planHooksOf(JobContext& context) {
+  planner::PlanHooks hooks;
+  hooks.progress = [&context](std::string_view stage, std::size_t done, std::size_t total) {
+    context.progress(stage, done, total);
+  };
+  hooks.stop = [&context] { return context.stopRequested(); };
+  return hooks;
+}
+
+CellReadings inputOf(const Situation& situation) {
+  const Cell& cell = currentModel(situation).cell;
+  if (!situation.readings)
+    throw InputError("measurements", "none loaded", "readings of this arm", "load a CSV file, or simulate some");
+  CellReadings input{cell, situation.readings->name, situation.readings->readings};
+  requireDefinedFormulas(input.readings, input.cell, input.file);
+  return input;
+}
+
+void finishJob(Workbench& workbench, const Situation& began, const std::function<void(Situation&)>& step) {
+  const bool is_same = workbench.change([&](Situation& situation) {
+    if (situation.readings != began.readings || currentModel(situation).id != currentModel(began).id ||
+        situation.models.front() != began.models.front())
+      return false;
+    step(situation);
+    return true;
+  });
+  if (!is_same)
+    throw InputError("models and readings", "others than those that the job began with", "the same until it is done",
+                     "ask again");
+}
+
+Cell rereadCell(const Cell& cell, const std::string& text) {
+  const std::string& arm = cell.arm_source.text;
+  return parseCell(text, cell.path, arm.empty() ? std::nullopt : std::optional(arm));
+}
+
+Cell fittedCell(const Cell& cell, const calibration::Identification& fit) {
+  const auto files = identifiedCell(cell, fit, cell.path);
+  return parseCell(files.back().text, cell.path,
+                   files.size() > 1 ? std::optional(files.front().text) : std::optional<std::string>());
+}
+
+}  // namespace tubeplan::app

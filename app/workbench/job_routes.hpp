@@ -1,0 +1,36 @@
+// What the routes that begin a job have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/job_steps.hpp"
+#include "app/planning_hooks.hpp"
+#include "app/reading_input.hpp"
+#include "app/workbench/exchange.hpp"
+#include "app/workbench/workbench.hpp"
+
+namespace tubeplan::app {
+
+/// 202 with the job, or 409.
+[[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
+
+/// Steps of a job become its stages; a job asked to stop ends at the next one.
+[[nodiscard]] StepHook stepsOf(JobContext& context);
+
+/// The same of the planner, which stops wherever it is.
+[[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
+
+/// The current model with the readings, checked against its formulas. Throws InputError where there are no readings.
+[[nodiscard]] CellReadings inputOf(const Situation& situation);
+
+/// Changes the situation at the end of a job, unless the readings or the current model are others than those that the
+/// job began with: InputError then.
+void finishJob(Workbench& workbench, const Situation& began, const std::function<void(Situation&)>& step);
+
+/// The cell as an export would leave it after a fit, or with other effects: written and read again, so that what
+/// follows is what the commands would give on the files.
+[[nodiscard]] Cell fittedCell(const Cell& cell, const calibration::Identification& fit);
+[[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,251 @@
+// The loop: compare, diagnose, identify, add, ladder, improve, and readings to practise on. Each is a job.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/comparison_job.hpp"
+#include "app/diagnosis_job.hpp"
+#include "app/effect_addition.hpp"
+#include "app/identification_job.hpp"
+#include "app/improvement_job.hpp"
+#include "app/input_error.hpp"
+#include "app/ladder_job.hpp"
+#include "app/readers/cell_writer.hpp"
+#include "app/readers/measurements_writer.hpp"
+#include "app/simulation_job.hpp"
+#include "app/suggestion.hpp"
+#include "app/workbench/job_routes.hpp"
+#include "app/workbench/request_body.hpp"
+#include "app/workbench/routes.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kMostSimulated = 5000;
+
+Answer compare(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const ComparisonRequest asked{integerOf(body, "folds", 5, 0, 100), seedOf(body)};
+  return beginJob(workbench, "compare", "where the model fails", [&workbench, asked](JobContext& context) {
+    const Situation began = workbench.situation();
+    const auto outcome = compareModel(inputOf(began), asked, stepsOf(context));
+    finishJob(workbench, began,
+              [&](Situation& situation) { putResult(situation, "compare", currentModel(began).id, outcome.figures); });
+    return "compare";
+  });
+}
+
+Answer diagnose(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const DiagnosisRequest asked{integerOf(body, "effects", 2, 1, 2), integerOf(body, "next", 6, 1, 50), seedOf(body)};
+  return beginJob(workbench, "diagnose", "what the model lacks", [&workbench, asked](JobContext& context) {
+    const Situation began = workbench.situation();
+    const auto outcome = diagnoseModel(inputOf(began), asked, stepsOf(context));
+    finishJob(workbench, began,
+              [&](Situation& situation) { putResult(situation, "diagnose", currentModel(began).id, outcome.figures); });
+    return "diagnose";
+  });
+}
+
+bool givesWay(const deflection::Arm& arm) {
+  return std::any_of(arm.rows.begin(), arm.rows.end(),
+                     [](const auto& row) { return row.beam || !row.joint_stiffness.array().isInf().all(); });
+}
+
+/// The stack from the first model to the current one, the first taken as rigid before it where it gives.
+LadderOutcome ladderOf(const Situation& situation, const LadderStepOptions& options, const StepHook& step) {
+  std::vector<LadderModel> models;
+  const auto add = [&](const std::string& name, const Cell& cell) {
+    CellReadings input{cell, situation.readings->name, situation.readings->readings};
+    requireDefinedFormulas(input.readings, input.cell, input.file);
+    models.push_back({name, std::move(input)});
+  };
+  const Cell& first = situation.models.front()->cell;
+  if (givesWay(first.arm)) add(situation.models.front()->label + ", rigid", rigidOf(first));
+  for (std::size_t k = 0; k <= situation.current; ++k) add(situation.models[k]->label, situation.models[k]->cell);
+  return climbLadder(models, options, step);
+}
+
+LadderStepOptions ladderOptions(const Situation& situation, std::uint64_t seed) {
+  LadderStepOptions options;
+  options.truth = situation.truth;
+  options.holes = 300;
+  options.seed = seed;
+  return options;
+}
+
+Answer ladder(Workbench& workbench, const Request& request) {
+  const std::uint64_t seed = seedOf(objectOf(request));
+  return beginJob(workbench, "ladder", "one model after another", [&workbench, seed](JobContext& context) {
+    const Situation began = workbench.situation();
+    (void)inputOf(began);
+    const auto outcome = ladderOf(began, ladderOptions(began, seed), stepsOf(context));
+    finishJob(workbench, began,
+              [&](Situation& situation) { putResult(situation, "ladder", currentModel(began).id, outcome.figures); });
+    return "ladder";
+  });
+}
+
+/// Puts a fitted model on the stack with its figures, and the ladder over the stack with it.
+void finishFit(Workbench& workbench, const Situation& began, const std::string& label, const std::string& origin,
+               const Cell& fitted, const nlohmann::json& figures, std::uint64_t seed, JobContext& context) {
+  Situation grown = began;
+  const int id = pushModel(grown, label, origin, fitted);
+  const auto climbed = ladderOf(grown, ladderOptions(grown, seed), stepsOf(context));
+  finishJob(workbench, began, [&](Situation& situation) {
+    pushModel(situation, label, origin, fitted);
+    putResult(situation, "identify", id, figures);
+    putResult(situation, "ladder", id, climbed.figures);
+  });
+}
+
+void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
+  if (outcome.fit.status != calibration::IdentificationStatus::kDone)
+    throw InputError(input.file, "a fit that did not end: " + outcome.fit.reason, "readings that settle the numbers");
+}
+
+Answer identify(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  IdentificationRequest asked;
+  asked.free = textsOf(body, "free");
+  asked.seed = seedOf(body);
+  return beginJob(workbench, "identify", "the numbers of the model", [&workbench, asked](JobContext& context) {
+    const Situation began = workbench.situation();
+    const CellReadings input = inputOf(began);
+    const auto outcome = identifyModel(input, asked, stepsOf(context));
+    requireFitted(outcome, input);
+    finishFit(workbench, began, "fitted", "fit", fittedCell(input.cell, outcome.fit), outcome.figures, asked.seed,
+              context);
+    return "identify";
+  });
+}
+
+/// {"effects": [{effect, at}]} or {"formula"}, with "at" where the formula has a target of its own to be named.
+std::vector<EffectRequest> effectsAsked(const nlohmann::json& body) {
+  constexpr std::size_t kMostAtOnce = 8;
+  std::vector<EffectRequest> asked;
+  if (const std::string formula = textOf(body, "formula"); !formula.empty()) asked.push_back({"", formula});
+  if (body.contains("effects"))
+    for (const auto& effect : body.at("effects"))
+      asked.push_back({textOf(effect, "effect") + "@" + textOf(effect, "at"), ""});
+  if (asked.empty() || asked.size() > kMostAtOnce)
+    throw InputError("request (effects)", fmt::format("{} effects", asked.size()),
+                     fmt::format("1 to {} effects, or a formula", kMostAtOnce));
+  return asked;
+}
+
+/// The cell with the effects, as the command `add` would write it.
+Cell cellWithEffects(Cell cell, const std::vector<EffectRequest>& asked, std::string& label) {
+  for (const auto& request : asked) {
+    const EffectAddition added = addEffect(cell, effectOf(request, cell));
+    label += (label.empty() ? "+ " : " + ") + (request.formula.empty() ? added.name : request.formula);
+    cell = rereadCell(cell, cellTextWithEffects(cell, added.cell.arm, added.freed, cell.path));
+  }
+  return cell;
+}
+
+Answer add(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const auto asked = effectsAsked(body);
+  const bool is_formula = !asked.front().formula.empty();
+  const std::uint64_t seed = seedOf(body);
+  std::string label;
+  (void)cellWithEffects(currentModel(workbench.situation()).cell, asked, label);  // refused at once, if at all
+  return beginJob(workbench, "add", label, [=, &workbench](JobContext& context) {
+    const Situation began = workbench.situation();
+    CellReadings input = inputOf(began);
+    std::string name;
+    input.cell = cellWithEffects(input.cell, asked, name);
+    requireDefinedFormulas(input.readings, input.cell, input.file);
+    IdentificationRequest fit;
+    fit.seed = seed;
+    const auto outcome = identifyModel(input, fit, stepsOf(context));
+    requireFitted(outcome, input);
+    finishFit(workbench, began, name, is_formula ? "formula" : "effect", fittedCell(input.cell, outcome.fit),
+              outcome.figures, seed, context);
+    return "identify";
+  });
+}
+
+Answer improve(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body)};
+  return beginJob(workbench, "improve", "diagnose and add until nothing more is shown",
+                  [&workbench, asked](JobContext& context) {
+                    const Situation began = workbench.situation();
+                    const CellReadings input = inputOf(began);
+                    const auto outcome = improveModel(input, asked, stepsOf(context));
+                    const auto files = improvedCell(input.cell, outcome.cell, outcome.last, input.cell.path);
+                    const Cell improved =
+                        parseCell(files.back().text, input.cell.path,
+                                  files.size() > 1 ? std::optional(files.front().text) : std::optional<std::string>());
+                    finishJob(workbench, began, [&](Situation& situation) {
+                      const int id = pushModel(situation, "improved", "effect", improved);
+                      putResult(situation, "improve", id, improvementJson(outcome));
+                    });
+                    return "improve";
+                  });
+}
+
+SimulationRequest simulationAsked(const nlohmann::json& body) {
+  SimulationRequest asked;
+  asked.design = textOf(body, "design", "bench");
+  if (!calibration::findCampaignDesign(asked.design)) {  // a name only: no file is opened
+    std::vector<std::string> names;
+    for (const auto& design : calibration::campaignDesigns()) names.emplace_back(design.name);
+    throw InputError("design", inQuotes(asked.design), alternatives(names), suggestion(asked.design, names));
+  }
+  asked.readings = integerOf(body, "readings", 60, 1, kMostSimulated);
+  asked.hide = textsOf(body, "hide");
+  if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
+  asked.spread = numberOf(body, "spread", 0);
+  asked.seed = seedOf(body);
+  return asked;
+}
+
+/// As they would be read from the file that the command writes.
+std::shared_ptr<const ReadingSet> readingsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
+                                             const std::string& name) {
+  auto set = std::make_shared<ReadingSet>();
+  set->name = name;
+  set->readings = parseReadings(measurementsCsv(campaign.readings, cell.arm, cell.units), name, cell);
+  return set;
+}
+
+Answer simulate(Workbench& workbench, const Request& request) {
+  const SimulationRequest asked = simulationAsked(objectOf(request));
+  const Situation now = workbench.situation();
+  (void)prepareSimulation(now.models.front()->cell, asked);  // refused at once, if at all
+  return beginJob(workbench, "simulate", "readings to practise on", [&workbench, asked](JobContext& context) {
+    const Situation began = workbench.situation();
+    const Cell& cell = began.models.front()->cell;
+    const SimulationTask task = prepareSimulation(cell, asked);
+    const auto campaign =
+        simulateReadings(cell, task, asked.seed,
+                         {[&](std::size_t done, std::size_t total) { context.progress("readings", done, total); },
+                          [&] { return context.stopRequested(); }});
+    if (campaign.status == calibration::CampaignStatus::kStopped) throw JobStopped{};
+    if (campaign.status != calibration::CampaignStatus::kDone)
+      throw InputError("design", campaign.reason, "readings that the arm can make");
+    const auto set = readingsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
+    finishJob(workbench, began, [&](Situation& situation) {
+      situation.readings = set;
+      forgetResultsOfReadings(situation);
+      putResult(
+          situation, "simulate", currentModel(situation).id,
+          {{"design", asked.design}, {"readings", set->readings.size()}, {"hidden", asked.hide}, {"seed", asked.seed}});
+    });
+    return "simulate";
+  });
+}
+
+constexpr Route kRoutes[] = {
+    {"POST", "compare", compare}, {"POST", "diagnose", diagnose}, {"POST", "identify", identify}, {"POST", "add", add},
+    {"POST", "ladder", ladder},   {"POST", "improve", improve},   {"POST", "simulate", simulate},
+};
+
+}  // namespace
+
+std::span<const Route> loopRoutes() { return kRoutes; }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,65 @@
+#include "app/workbench/opened_folder.hpp"
+
+#include <algorithm>
+
+#include "app/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kMostNames = 1000;
+
+void requirePlainName(const std::string& name) {
+  const bool is_plain = !name.empty() && name.size() <= kLongestName && name.front() != '.' &&
+                        std::all_of(name.begin(), name.end(), [](char c) {
+                          return static_cast<unsigned char>(c) >= 0x20 && c != 0x7F && c != '/' && c != '\\';
+                        });
+  if (!is_plain) throw InputError("file", inQuotes(name), "the plain name of a file in the opened folder");
+}
+
+}  // namespace
+
+OpenedFolder::OpenedFolder(const fs::path& folder) {
+  std::error_code error;
+  path_ = fs::canonical(folder, error);
+  if (error || !fs::is_directory(path_, error)) throw InputError("--folder", inQuotes(folder.string()), "a folder");
+}
+
+fs::path OpenedFolder::fileToRead(const std::string& name) const {
+  requirePlainName(name);
+  std::error_code error;
+  const fs::path place = fs::canonical(path_ / name, error);
+  if (error) throw InputError(name, "no such file", "a file of the opened folder", "GET /api/files lists them");
+  if (place.parent_path() != path_ || !fs::is_regular_file(place, error))
+    throw InputError(name, "what is no file of the opened folder", "a plain file in it");
+  return place;
+}
+
+fs::path OpenedFolder::fileToWrite(const std::string& name) const {
+  requirePlainName(name);
+  const fs::path place = path_ / name;
+  std::error_code error;
+  const auto status = fs::symlink_status(place, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw InputError(name, "something that is no plain file", "a name for a file in the opened folder");
+  return place;
+}
+
+std::vector<std::string> OpenedFolder::names(const std::string& extension) const {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path_, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.front() == '.' || entry.path().extension() != extension || !entry.is_regular_file(error)) continue;
+    names.push_back(name);
+    if (names.size() == kMostNames) break;
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace tubeplan::app

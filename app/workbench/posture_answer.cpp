@@ -1,0 +1,127 @@
+#include "app/workbench/posture_answer.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/pose_json.hpp"
+#include "app/workcell.hpp"
+#include "planner/arm_clearance.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using Eigen::Isometry3d, Eigen::Vector3d;
+using nlohmann::json;
+
+json quaternionJson(const Eigen::Matrix3d& R) {
+  const Eigen::Quaterniond turn(R);
+  return {turn.w(), turn.x(), turn.y(), turn.z()};
+}
+
+json framesJson(const Cell& cell, const std::vector<Isometry3d>& X_WL) {
+  json frames = json::array();
+  for (std::size_t row = 0; row < X_WL.size(); ++row)
+    frames.push_back({{"row", row},
+                      {"position", vectorJson(X_WL[row].translation(), cell.units, dimension::kLength)},
+                      {"quaternion", quaternionJson(X_WL[row].linear())}});
+  return frames;
+}
+
+std::vector<Isometry3d> rigidFrames(const deflection::FlexibleKinematics& shape, const Isometry3d& X_WB) {
+  std::vector<Isometry3d> frames;
+  for (const auto& row : shape.rows) frames.push_back(X_WB * deflection::toIsometry(row.X_BL_rigid));
+  return frames;
+}
+
+/// The point of a shape nearest to one outside it: down the slope of the distance, by as much as it is.
+Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
+  constexpr double kStep = 1e-5;  // m
+  Vector3d slope;
+  for (int k = 0; k < 3; ++k)
+    slope[k] =
+        (shape.pointDistance(p + kStep * Vector3d::Unit(k)) - shape.pointDistance(p - kStep * Vector3d::Unit(k))) /
+        (2 * kStep);
+  return slope.norm() > 0.1 ? Vector3d(p - shape.pointDistance(p) * slope.normalized()) : p;
+}
+
+/// Where the other of the pair is nearest: an obstacle, or a body in its row's frame.
+std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::Clearance& clearance,
+                                   const std::vector<Isometry3d>& X_WL) {
+  for (const auto& obstacle : scene.obstacles)
+    if (obstacle.name == clearance.other) return nearestOn(*obstacle.shape, clearance.point_W);
+  std::optional<Vector3d> nearest;
+  for (const auto& body : scene.bodies) {  // several may share a label
+    if (planner::bodyLabel(body) != clearance.other) continue;
+    const Isometry3d& X = X_WL.at(static_cast<std::size_t>(body.frame_index));
+    const Vector3d point = X * nearestOn(*body.shape, X.inverse() * clearance.point_W);
+    if (!nearest || (point - clearance.point_W).norm() < (*nearest - clearance.point_W).norm()) nearest = point;
+  }
+  return nearest;
+}
+
+json clearanceJson(const Model& model, const std::vector<Isometry3d>& X_WL, double bow) {
+  if (!model.world || X_WL.empty()) return nullptr;
+  const Units& units = model.cell.units;
+  const planner::Clearance clearance = model.world->closest(X_WL);
+  if (!std::isfinite(clearance.distance)) return nullptr;
+  const auto other = otherPoint(model.posed.scene, clearance, X_WL);
+  return {{"distance", lengthOf(clearance.distance - bow, units)},
+          {"margin", lengthOf(clearance.margin - bow, units)},
+          {"pair", {clearance.body, clearance.other}},
+          {"from", vectorJson(clearance.point_W, units, dimension::kLength)},
+          {"to", other ? vectorJson(*other, units, dimension::kLength) : json()}};
+}
+
+json centringJson(const Cell& cell, const Isometry3d& X_WD, int hole) {
+  const auto& sheet = *cell.sheet;
+  const Vector3d off = X_WD.translation() - planner::holeCentre(sheet.tubes.at(static_cast<std::size_t>(hole)));
+  const double distance = off.head<2>().norm();
+  const double cosine = (X_WD.linear() * cell.arm.tool_axis_L).normalized().dot(planner::kHoleAxis_W);
+  const double sign = sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
+  return {{"offset", {lengthOf(sign * off.x(), cell.units), lengthOf(off.y(), cell.units)}},
+          {"distance", lengthOf(distance, cell.units)},
+          {"height", lengthOf(off.z(), cell.units)},
+          {"steps", cell.tool ? json(tubesheets::stepsInserted(*cell.tool, distance)) : json()},
+          {"tilt", angleOf(std::acos(std::clamp(cosine, -1.0, 1.0)), cell.units)}};
+}
+
+}  // namespace
+
+json answerPosture(const Model& model, const PostureQuestion& question) {
+  const Cell& cell = model.cell;
+  const deflection::Posture posture{question.q, question.load, deflection::gravityInBase(cell.arm, cell.X_WB)};
+  const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
+  if (shape.status != deflection::KinematicsStatus::kConverged)
+    throw InputError("joints", shape.reason, "a posture at which the deflected arm comes to rest");
+  planner::Workcell posed = model.posed;
+  posed.load = question.load;
+  double bow = 0;
+  const auto bent = planner::bodyFrames(posed, question.q, &bow);
+  const Isometry3d X_WT = cell.X_WB * deflection::toIsometry(shape.X_BT),
+                   X_WD = cell.X_WB * deflection::toIsometry(shape.X_BD);
+  json answer = poseFiguresJson(shape, cell.units);
+  answer["load"] = cell.units.toFile(question.load, dimension::kForce);
+  answer["units"] = unitsJson(cell.units);
+  answer["frames"] = {{"rigid", framesJson(cell, rigidFrames(shape, cell.X_WB))}, {"flexible", framesJson(cell, bent)}};
+  answer["tip"] = {{"rigid", vectorJson(X_WT.translation(), cell.units, dimension::kLength)},
+                   {"flexible", vectorJson(X_WD.translation(), cell.units, dimension::kLength)}};
+  answer["clearance"] = clearanceJson(model, bent, bow);
+  answer["centring"] = question.hole && cell.sheet ? centringJson(cell, X_WD, *question.hole) : json();
+  return answer;
+}
+
+json clearanceOf(const Model& model, const Eigen::VectorXd& q, double load) {
+  planner::Workcell posed = model.posed;
+  posed.load = load;
+  double bow = 0;
+  const auto bent = planner::bodyFrames(posed, q, &bow);
+  return clearanceJson(model, bent, bow);
+}
+
+}  // namespace tubeplan::app

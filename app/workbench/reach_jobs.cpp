@@ -1,0 +1,137 @@
+#include "app/workbench/reach_jobs.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/touch_input.hpp"
+#include "app/workcell.hpp"
+#include "calibration/reading_prediction.hpp"
+#include "planner/scoring.hpp"
+#include "planner/tube_reach.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// Runs the work for every hole; a stop is seen at the next hole of each thread.
+void forAllHoles(std::size_t count, const char* stage, JobContext& context,
+                 const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> done = 0;
+  beginStage(context, stage, 0, count);
+  oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+    if (context.stopRequested()) return;
+    work(k);
+    context.progress(stage, ++done, count);
+  });
+  if (context.stopRequested()) throw JobStopped{};
+}
+
+/// The first posture that brings the tip under a hole.
+std::optional<Eigen::VectorXd> postureUnder(const planner::Workcell& work, std::size_t hole,
+                                            planner::Compensation mode) {
+  planner::CompensationOptions options;
+  options.mode = mode;
+  options.with_approach = false;
+  for (const auto& branch : planner::compensate(work, planner::holeCentre(work.sheet.tubes[hole]), options))
+    if (branch.status == deflection::BranchStatus::kConverged) return branch.q;
+  return std::nullopt;
+}
+
+double sagOf(const planner::Workcell& work, std::size_t hole) {
+  const auto q = postureUnder(work, hole, planner::Compensation::kGoalPoint);
+  if (!q) return std::numeric_limits<double>::quiet_NaN();
+  const auto shape =
+      deflection::solveFlexibleKinematics(work.arm, {*q, work.load, deflection::gravityInBase(work.arm, work.X_WB)});
+  return (shape.X_BD.p - shape.X_BT.p).norm();
+}
+
+/// Sideways, at the height of the face.
+double centringOf(const planner::Workcell& model, const std::optional<planner::Workcell>& truth, std::size_t hole) {
+  const auto mode = truth ? planner::Compensation::kGoalPoint : planner::Compensation::kNone;
+  const auto q = postureUnder(model, hole, mode);
+  if (!q) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d off =
+      planner::predictTip(truth ? *truth : model, *q).p_WT - planner::holeCentre(model.sheet.tubes[hole]);
+  return off.head<2>().norm();
+}
+
+std::vector<double> residuals(const Situation& situation, const tubesheets::Sheet& sheet) {
+  std::vector<double> values(sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
+  const Cell& cell = currentModel(situation).cell;
+  if (!situation.readings) throw InputError("measurements", "none loaded", "touches of holes");
+  for (const auto& reading : situation.readings->readings) {
+    const auto name = parseHoleName(reading.point);
+    const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
+    if (!hole || !reading.p_W || reading.kind != calibration::MeasurementKind::kTouch) continue;
+    const auto tip = calibration::predictReading(cell.arm, cell.X_WB, reading);
+    if (tip.ok) values[static_cast<std::size_t>(*hole)] = (tip.value - *reading.p_W).norm();
+  }
+  return values;
+}
+
+std::string meaningOf(const std::string& of, bool with_truth) {
+  if (of == "sag") return "how far the tip hangs from where a rigid arm would have it";
+  if (of == "residual") return "how far the tip is from the hole that it touched, by the model";
+  return with_truth ? "how far the true arm comes from the centre when this model sends it"
+                    : "how far the tip comes from the centre when rigid kinematics sends it";
+}
+
+}  // namespace
+
+void requireField(const std::string& of) {
+  if (of != "centring" && of != "residual" && of != "sag")
+    throw InputError("request (of)", inQuotes(of), "centring, residual or sag");
+}
+
+json reachOfAll(const Cell& cell, JobContext& context) {
+  const auto work = workcellOf(cell, "reach its holes");
+  const planner::ArmClearance clearance(work);
+  const std::size_t count = work.sheet.tubes.size();
+  std::vector<planner::TubeReach> reaches(count);
+  forAllHoles(count, "reach", context,
+              [&](std::size_t k) { reaches[k] = planner::reachTube(clearance, static_cast<int>(k)); });
+  json reachable = json::array(), reason = json::array(), branches = json::array();
+  for (const auto& reach : reaches) {
+    reachable.push_back(reach.status == planner::ReachStatus::kReachable ? 1 : 0);
+    reason.push_back(reach.reason);
+    branches.push_back(reach.branches.size());
+  }
+  return {{"reachable", reachable}, {"reason", reason}, {"branches", branches}};
+}
+
+json fieldOf(const Situation& situation, const std::string& of, JobContext& context) {
+  requireField(of);
+  const Cell& cell = currentModel(situation).cell;
+  const auto work = workcellOf(cell, "look at its holes");
+  std::optional<planner::Workcell> truth;
+  if (!situation.truth.empty()) truth = workcellOf(readCell(situation.truth), "set the model beside it");
+  std::vector<double> values(work.sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
+  if (of == "residual")
+    values = residuals(situation, work.sheet);
+  else
+    forAllHoles(values.size(), "field", context,
+                [&](std::size_t k) { values[k] = of == "sag" ? sagOf(work, k) : centringOf(work, truth, k); });
+  json figures = json::array(), steps = json::array();
+  for (const double value : values) {
+    figures.push_back(std::isfinite(value) ? json(lengthOf(value, cell.units)) : json());
+    steps.push_back(std::isfinite(value) ? tubesheets::stepsInserted(work.tool, value) : -1);
+  }
+  json field = {{"of", of},
+                {"meaning", meaningOf(of, truth.has_value())},
+                {"unit", cell.units.length().name},
+                {"units", unitsJson(cell.units)},
+                {"values", figures}};
+  if (of == "centring") field["steps"] = steps;
+  return field;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,65 @@
+#include "app/workbench/routes.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using RouteTable = std::span<const Route> (*)();
+constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,  loopRoutes,
+                                  calibrateRoutes, planRoutes,     exportRoutes};
+
+bool fits(std::string_view path, const std::vector<std::string>& words) {
+  std::size_t k = 0;
+  for (std::size_t from = 0; from <= path.size(); ++k) {
+    const std::size_t to = std::min(path.find('/', from), path.size());
+    const std::string_view word = path.substr(from, to - from);
+    if (k >= words.size() || (word != "*" && word != words[k])) return false;
+    from = to + 1;
+  }
+  return k == words.size();
+}
+
+/// A row of another method tells 405 from 404.
+const Route* findRoute(const Request& request, bool& known_path) {
+  known_path = false;
+  for (const RouteTable table : kTables)
+    for (const Route& route : table()) {
+      if (!fits(route.path, request.words)) continue;
+      known_path = true;
+      if (route.method == request.method) return &route;
+    }
+  return nullptr;
+}
+
+std::string pathOf(const Request& request) {
+  std::string path = "/api";
+  for (const auto& word : request.words) path += "/" + word;
+  return path;
+}
+
+}  // namespace
+
+Answer answer(Workbench& workbench, const Request& request) {
+  try {
+    bool known_path = false;
+    const Route* route = findRoute(request, known_path);
+    if (route) return route->answer(workbench, request);
+    if (known_path) return refusal(405, InputError(pathOf(request), request.method, "another method"));
+    return refusal(404, InputError(pathOf(request), "no such address", "one of the workbench"));
+  } catch (const InputError& error) {
+    return refusal(422, error);
+  } catch (const nlohmann::json::exception& error) {
+    return refusal(400, InputError("request body", error.what(), "the JSON that this address takes"));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "tubeplan: {} {}: internal error: {}\n", request.method, pathOf(request), error.what());
+    return refusal(500, InputError(pathOf(request), "an internal error", "an answer", "see the program's own output"));
+  }
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,191 @@
+#include "app/workbench/state_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/command_inputs.hpp"
+#include "app/diagnosis_views_json.hpp"
+#include "app/readers/measurements_writer.hpp"
+#include "app/version.hpp"
+#include "app/workcell.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// What a document can be of; each is null in the state until there is one.
+constexpr const char* kResults[] = {"compare", "diagnose", "identify", "ladder",  "plan",    "calibrate",
+                                    "touches", "reach",    "field",    "improve", "simulate"};
+
+json jointRangesJson(const Cell& cell) {
+  json joints = json::array();
+  for (const int row : deflection::activeRows(cell.arm)) {
+    const auto& joint = cell.arm.rows[static_cast<std::size_t>(row)].joint;
+    const Dimension unit = jointDimension(joint);
+    const double home = std::clamp(0.0, joint.lower, joint.upper);
+    joints.push_back({{"name", joint.name},
+                      {"unit", cell.units.nameOf(unit)},
+                      {"row", row},
+                      {"lower", std::isfinite(joint.lower) ? json(cell.units.toFile(joint.lower, unit)) : json()},
+                      {"upper", std::isfinite(joint.upper) ? json(cell.units.toFile(joint.upper, unit)) : json()},
+                      {"home", cell.units.toFile(home, unit)}});
+  }
+  return joints;
+}
+
+json loadsJson(const Situation& situation, const Units& units) {
+  std::set<double> loads;
+  if (situation.readings)
+    for (const auto& reading : situation.readings->readings)
+      loads.insert(units.toFile(reading.load, dimension::kForce));
+  return loads;
+}
+
+json cellJson(const Situation& situation) {
+  const Cell& cell = situation.models.front()->cell;
+  return {{"name", cell.name},
+          {"file", std::filesystem::path(cell.path).filename().string()},
+          {"units", unitsJson(cell.units)},
+          {"base_known", cell.base_known},
+          {"has_sheet", cell.sheet.has_value()},
+          {"has_scene", !cell.scene.obstacles.empty() || !cell.scene.bodies.empty()},
+          {"has_tool", cell.tool.has_value()},
+          {"has_truth", !situation.truth.empty()},
+          {"joints", jointRangesJson(cell)},
+          {"identify", cell.identify},
+          {"loads", loadsJson(situation, cell.units)}};
+}
+
+json effectJson(const deflection::Arm& arm, const deflection::Effect& effect, const Units& units) {
+  json parameters = json::object();
+  const auto& numbers = deflection::numbersOf(effect);
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    const auto quantity = deflection::numberOf(arm, effect, static_cast<int>(v)).quantity;
+    parameters[numbers[v].name] = {{"value", units.toFile(effect.values[v], dimensionOf(quantity))},
+                                   {"unit", units.nameOf(dimensionOf(quantity))}};
+  }
+  json entry = {{"effect", deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).name},
+                {"at", deflection::placeText(arm, effect)},
+                {"parameters", parameters}};
+  return entry;
+}
+
+json modelsJson(const Situation& situation) {
+  json models = json::array();
+  for (const auto& model : situation.models) {
+    json effects = json::array();
+    for (const auto& effect : model->cell.arm.effects)
+      effects.push_back(effectJson(model->cell.arm, effect, model->cell.units));
+    models.push_back({{"id", model->id},
+                      {"label", model->label},
+                      {"origin", model->origin},
+                      {"effects", effects},
+                      {"free", model->cell.identify}});
+  }
+  return models;
+}
+
+json measurementsJson(const Situation& situation) {
+  if (!situation.readings) return nullptr;
+  std::map<std::string, int> kinds;
+  std::set<std::string> setups;
+  double sigma = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& reading : situation.readings->readings) {
+    ++kinds[measurementKindName(reading.kind)];
+    setups.insert(reading.setup);
+    if (!(sigma >= reading.sigma)) sigma = reading.sigma;
+  }
+  return {{"name", situation.readings->name},
+          {"readings", situation.readings->readings.size()},
+          {"kinds", kinds},
+          {"setups", setups.size()},
+          {"sigma", lengthOf(sigma, currentModel(situation).cell.units)}};
+}
+
+json resultsJson(const Situation& situation) {
+  json results = json::object();
+  for (const char* name : kResults) {
+    const auto result = findResult(situation, name);
+    results[name] = result ? json{{"model", result->model}, {"revision", result->revision}} : json();
+  }
+  return results;
+}
+
+}  // namespace
+
+json stateJson(const Workbench& workbench) {
+  const Situation situation = workbench.situation();
+  return {{"revision", situation.revision},
+          {"version", kVersion},
+          {"folder", workbench.folder().path().string()},
+          {"cell", cellJson(situation)},
+          {"models", modelsJson(situation)},
+          {"model", currentModel(situation).id},
+          {"can_undo", situation.current > 0},
+          {"can_redo", situation.current + 1 < situation.models.size()},
+          {"measurements", measurementsJson(situation)},
+          {"results", resultsJson(situation)},
+          {"touches", situation.touches.size()},
+          {"jobs", workbench.jobs().list()}};
+}
+
+json readingsJson(const Model& model, const ReadingSet& set) {
+  const Cell& cell = model.cell;
+  json rows = json::array();
+  for (const auto& reading : set.readings) {
+    json row = readingJson(reading, cell.arm, cell.units);
+    row["line"] = reading.line;
+    row["sigma"] = lengthOf(reading.sigma, cell.units);
+    row["held_out"] = reading.is_held_out;
+    row["position"] = reading.p_W ? vectorJson(*reading.p_W, cell.units, dimension::kLength) : json();
+    if (reading.kind == calibration::MeasurementKind::kDistance)
+      row["distance"] = lengthOf(reading.distance, cell.units);
+    const auto shape =
+        deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));
+    row["tip"] = shape.status == deflection::KinematicsStatus::kConverged
+                     ? vectorJson(cell.X_WB * shape.X_BD.p, cell.units, dimension::kLength)
+                     : json();
+    rows.push_back(std::move(row));
+  }
+  return {{"name", set.name},
+          {"units", unitsJson(cell.units)},
+          {"joints", jointsJson(cell.arm, cell.units)},
+          {"rows", rows}};
+}
+
+json catalogueJson(const Cell& cell) {
+  json effects = json::array();
+  for (const auto& kind : deflection::effectKinds())
+    for (const auto& at : deflection::placeTexts(cell.arm, kind)) {
+      const auto made = deflection::makeEffect(cell.arm, kind.name, at);
+      if (made.status != deflection::EffectStatus::kMade) continue;
+      json parameters = json::array();
+      for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
+        const auto number = deflection::numberOf(cell.arm, made.effect, static_cast<int>(v));
+        const Dimension unit = dimensionOf(number.quantity);
+        const auto bound = [&](double value) {
+          return std::isfinite(value) ? json(cell.units.toFile(value, unit)) : json();
+        };
+        parameters.push_back({{"name", kind.parameters[v].name},
+                              {"unit", cell.units.nameOf(unit)},
+                              {"neutral", bound(kind.parameters[v].neutral)},
+                              {"low", bound(number.lower)},
+                              {"high", bound(number.upper)},
+                              {"plausible", bound(kind.parameters[v].plausible)}});
+      }
+      effects.push_back({{"effect", kind.name},
+                         {"at", at},
+                         {"law", kind.law},
+                         {"validity", kind.validity},
+                         {"source", kind.source},
+                         {"parameters", parameters}});
+    }
+  return {{"units", unitsJson(cell.units)}, {"effects", effects}};
+}
+
+}  // namespace tubeplan::app

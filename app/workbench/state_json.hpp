@@ -1,0 +1,19 @@
+// The situation as browsers see it: small, and told whole at every change.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/workbench/workbench.hpp"
+
+namespace tubeplan::app {
+
+[[nodiscard]] nlohmann::json stateJson(const Workbench& workbench);
+
+/// {units, sigma_unit, rows: [...]}: each reading with the line of its file, its place where it has one and the tip
+/// that the model predicts, in the world.
+[[nodiscard]] nlohmann::json readingsJson(const Model& model, const ReadingSet& set);
+
+/// Every effect at every place of the arm, with its law and numbers.
+[[nodiscard]] nlohmann::json catalogueJson(const Cell& cell);
+
+}  // namespace tubeplan::app

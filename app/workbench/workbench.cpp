@@ -1,0 +1,74 @@
+#include "app/workbench/workbench.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "app/input_error.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/reading_input.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folderOf(const WorkbenchOptions& options) {
+  if (!options.folder.empty()) return options.folder;
+  const fs::path parent = fs::path(options.cell).parent_path();
+  return parent.empty() ? fs::path(".") : parent;
+}
+
+Situation openAsAsked(const WorkbenchOptions& options) {
+  Situation situation = openCell(options.cell, options.truth);
+  if (!options.measurements.empty())
+    situation.readings = openReadings(options.measurements, currentModel(situation).cell);
+  return situation;
+}
+
+}  // namespace
+
+Workbench::Workbench(const WorkbenchOptions& options)
+    : situation_(openAsAsked(options)), folder_(folderOf(options)), events_(options.most_listeners), jobs_(events_) {}
+
+Situation Workbench::situation() const {
+  const std::lock_guard lock(mutex_);
+  return situation_;
+}
+
+bool Workbench::change(const std::function<bool(Situation&)>& step) {
+  {
+    const std::lock_guard lock(mutex_);
+    Situation changed = situation_;
+    if (!step(changed)) return false;
+    ++changed.revision;
+    situation_ = std::move(changed);
+  }
+  events_.stateChanged();
+  return true;
+}
+
+Situation openCell(const std::string& file, const std::string& truth) {
+  Situation situation;
+  if (!truth.empty()) (void)readCell(truth);
+  situation.truth = truth;
+  situation.models.push_back(makeModel(0, "as given", "given", readCell(file)));
+  return situation;
+}
+
+std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell) {
+  auto set = std::make_shared<ReadingSet>();
+  std::set<std::string> ids;
+  for (const auto& file : files) {
+    const auto readings = readReadings(file, cell);
+    for (const auto& reading : readings)
+      if (!ids.insert(reading.id).second)
+        throw InputError(file + ":" + std::to_string(reading.line) + " (id)", inQuotes(reading.id) + " again",
+                         "an id of its own in all files");
+    set->readings.insert(set->readings.end(), readings.begin(), readings.end());
+    set->name += (set->name.empty() ? "" : " + ") + fs::path(file).filename().string();
+  }
+  return set;
+}
+
+}  // namespace tubeplan::app

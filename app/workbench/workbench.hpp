@@ -1,0 +1,54 @@
+// The workbench: the situation that all browsers share, the jobs that change it and the folder that is open.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/workbench/events.hpp"
+#include "app/workbench/jobs.hpp"
+#include "app/workbench/opened_folder.hpp"
+#include "app/workbench/situation.hpp"
+
+namespace tubeplan::app {
+
+struct WorkbenchOptions {
+  std::string cell;                       ///< file
+  std::vector<std::string> measurements;  ///< files, taken together
+  std::string truth;                      ///< a cell's file, to touch with; empty: none
+  std::string folder;                     ///< empty: the cell's
+  int most_listeners = 16;
+};
+
+class Workbench {
+ public:
+  /// Reads what is named. Throws InputError.
+  explicit Workbench(const WorkbenchOptions& options);
+
+  [[nodiscard]] Situation situation() const;
+
+  /// Changes the situation, as one step for all who look at it, and tells everybody. A step that returns false changes
+  /// nothing; whether it did is returned.
+  bool change(const std::function<bool(Situation&)>& step);
+
+  [[nodiscard]] const OpenedFolder& folder() const { return folder_; }
+  [[nodiscard]] Events& events() { return events_; }
+  [[nodiscard]] Jobs& jobs() { return jobs_; }
+  [[nodiscard]] const Jobs& jobs() const { return jobs_; }
+
+ private:
+  mutable std::mutex mutex_;
+  Situation situation_;
+  OpenedFolder folder_;
+  Events events_;
+  Jobs jobs_;  ///< last: its thread ends before what it works on
+};
+
+/// The situation of a cell just opened. Throws InputError.
+[[nodiscard]] Situation openCell(const std::string& file, const std::string& truth);
+
+/// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.
+[[nodiscard]] std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,362 @@
+// What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
+#include "app/comparison_job.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/workbench/running_server.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class WorkbenchRoutes : public WorkbenchTest {
+ protected:
+  /// Readings of the bench with a backlash that its model does not have.
+  void simulate(int readings = 30) {
+    done("/api/simulate", {{"design", "bench"}, {"readings", readings}, {"hide", {"joint-offset@theta3:0.3deg"}}});
+  }
+};
+
+TEST_F(WorkbenchRoutes, theStateTellsWhatIsThere) {
+  serve("mockup.yaml", "mockup-true.yaml");
+  const json state = get("/api/state").body;
+  EXPECT_EQ(state["cell"]["file"], "mockup.yaml");
+  EXPECT_EQ(state["cell"]["has_sheet"], true);
+  EXPECT_EQ(state["cell"]["has_truth"], true);
+  EXPECT_EQ(state["cell"]["joints"].size(), 4u);
+  EXPECT_EQ(state["cell"]["joints"][0]["name"], "theta1");
+  EXPECT_EQ(state["models"].size(), 1u);
+  EXPECT_EQ(state["measurements"], nullptr);
+  EXPECT_EQ(state["can_undo"], false);
+  EXPECT_EQ(get("/api/results/compare").status, 404);
+  EXPECT_EQ(get("/api/measurements").status, 404);
+  EXPECT_EQ(get("/api/plan/path").status, 404);
+  EXPECT_EQ(post("/api/undo").status, 409);
+  EXPECT_EQ(post("/api/redo").status, 409);
+  EXPECT_EQ(post("/api/jobs/7/cancel").status, 404);
+  EXPECT_EQ(post("/api/jobs/x/cancel").status, 404);
+  EXPECT_EQ(post("/api/state").status, 405);
+  for (const char* path : {"/api/compare", "/api/diagnose", "/api/identify", "/api/ladder", "/api/calibrate"})
+    EXPECT_EQ(work(path)["status"], "failed") << path;
+}
+
+TEST_F(WorkbenchRoutes, sheetAndScene) {
+  serve("mockup.yaml");
+  const json sheet = get("/api/sheet").body;
+  const std::size_t holes = 8 * 12;
+  for (const char* column : {"row", "column", "x", "y", "z", "u", "v", "state"})
+    EXPECT_EQ(sheet["holes"][column].size(), holes) << column;
+  EXPECT_EQ(sheet["viewing_side"], "below");
+  EXPECT_NEAR(sheet["holes"]["x"][5].get<double>(), -sheet["holes"]["u"][5].get<double>(), 1e-12);
+  EXPECT_NEAR(sheet["holes"]["x"][6].get<double>() - sheet["holes"]["x"][5].get<double>(), 1.0625, 1e-9);
+  const json scene = get("/api/scene").body;
+  ASSERT_EQ(scene["shapes"].size(), 5u);
+  EXPECT_EQ(scene["shapes"][0]["kind"], "inside_of.sphere");
+  EXPECT_EQ(scene["shapes"][3]["size"], json({10.0, 15.0, 3.0}));
+  EXPECT_EQ(scene["arm"].size(), 6u);
+  EXPECT_EQ(scene["arm"][2]["bodies"][0]["radius"], 4.0);
+  serve("bench.yaml");
+  EXPECT_EQ(get("/api/sheet").status, 404);
+}
+
+TEST_F(WorkbenchRoutes, thePoseIsThatOfTheCommand) {
+  serve("bench.yaml");
+  const json pose = post("/api/pose", {{"joints", {-36.688, 46.138, -35.856, -11.127}}, {"load", 30}}).body;
+  const std::string command = "'" TUBEPLAN_PROGRAM "' pose '" + (opened() / "bench.yaml").string() +
+                              "' --joints=-36.688,46.138,-35.856,-11.127 --load 30 --json '" +
+                              (folder / "pose.json").string() + "' >/dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const json printed = json::parse(contentOf(folder / "pose.json"));
+  for (const auto& [key, value] : printed.items()) EXPECT_EQ(pose[key], value) << key;
+  EXPECT_EQ(pose["tip"]["flexible"], pose["flexible"]["position"]);  // the bench's base is the world's origin
+  EXPECT_EQ(pose["frames"]["rigid"].size(), 6u);
+  EXPECT_EQ(pose["clearance"], nullptr);
+}
+
+TEST_F(WorkbenchRoutes, theNearestPointsAreAsFarApartAsTheClearance) {
+  serve("mockup.yaml");
+  int seen = 0;
+  for (const int hole : {2, 30, 44, 65, 90}) {
+    const json found = post("/api/inverse", {{"hole", hole}}).body;
+    for (const auto& branch : found["branches"]) {
+      if (branch["status"] != "found") continue;
+      const json pose = post("/api/pose", {{"joints", branch["joints"]}, {"hole", hole}}).body;
+      const json& clearance = pose["clearance"];
+      ASSERT_TRUE(clearance.is_object());
+      EXPECT_EQ(clearance, branch["clearance"]);
+      if (!clearance["to"].is_array() || clearance["distance"] < 0.01) continue;
+      double squared = 0;
+      for (int k = 0; k < 3; ++k)
+        squared += std::pow(clearance["from"][k].get<double>() - clearance["to"][k].get<double>(), 2);
+      EXPECT_NEAR(std::sqrt(squared), clearance["distance"].get<double>(), 0.02) << clearance.dump();
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 2);
+}
+
+TEST_F(WorkbenchRoutes, inverseFindsPosturesThatCentreTheTip) {
+  serve("mockup.yaml");
+  const json found = post("/api/inverse", {{"hole", 40}}).body;
+  ASSERT_EQ(found["status"], "found");
+  const json pose = post("/api/pose", {{"joints", found["joints"]}, {"hole", 40}}).body;
+  EXPECT_LT(pose["centring"]["distance"].get<double>(), 1e-4);
+  EXPECT_EQ(pose["centring"]["steps"], 3);
+  EXPECT_EQ(post("/api/inverse", {{"hole", 96}}).status, 422);
+  EXPECT_EQ(post("/api/inverse", {{"hole", -1}}).status, 422);
+  EXPECT_EQ(post("/api/inverse", {{"hole", 1.5}}).status, 422);
+  EXPECT_EQ(post("/api/inverse").status, 422);
+}
+
+TEST_F(WorkbenchRoutes, selectionsAndTheCatalogue) {
+  serve("mockup.yaml");
+  EXPECT_EQ(post("/api/select", {{"text", "R1C1,R1C3"}}).body["holes"], json({0, 2}));
+  EXPECT_EQ(post("/api/select", {{"text", "all"}}).body["holes"].size(), 96u);
+  EXPECT_EQ(post("/api/select", {{"text", "R99C1"}}).status, 422);
+  EXPECT_EQ(post("/api/select", {{"text", "/etc/passwd.csv"}}).status, 422);
+  const json catalogue = get("/api/catalogue").body["effects"];
+  const auto is_backlash = [](const json& e) { return e["effect"] == "backlash" && e["at"] == "tool.z"; };
+  EXPECT_EQ(std::count_if(catalogue.begin(), catalogue.end(), is_backlash), 1);
+}
+
+TEST_F(WorkbenchRoutes, readingsAreLoadedOrRefusedWithTheReadersOwnWords) {
+  serve("bench.yaml");
+  simulate(12);
+  const std::string csv = get("/api/export/measurements.csv").text;
+  write("opened/readings.csv", csv);
+  const auto upload = [&](const std::string& text) {
+    return replyOf(client->Post("/api/measurements?name=mine.csv", text, "text/csv"));
+  };
+  EXPECT_EQ(upload(csv).body["measurements"]["name"], "mine.csv");
+  EXPECT_EQ(get("/api/measurements").body["rows"].size(), 12u);
+  EXPECT_EQ(post("/api/measurements/open", {{"file", "readings.csv"}}).body["measurements"]["name"], "readings.csv");
+  const Reply bad = upload(changed(csv, "position", "positron"));
+  EXPECT_EQ(bad.status, 422);
+  EXPECT_TRUE(bad.body["error"]["where"].get<std::string>().starts_with("mine.csv:2"));
+  EXPECT_EQ(upload("").status, 422);
+  EXPECT_EQ(upload(std::string(1000, '\0')).status, 422);
+  EXPECT_EQ(get("/api/state").body["measurements"]["name"], "readings.csv");  // what was refused changes nothing
+  EXPECT_EQ(post("/api/measurements/open", {{"file", "../readings.csv"}}).status, 422);
+  EXPECT_EQ(post("/api/measurements/open", {{"file", "bench.yaml"}}).status, 422);
+  EXPECT_EQ(get("/api/files").body["measurements"], json({"readings.csv"}));
+}
+
+TEST_F(WorkbenchRoutes, anotherCellCanBeOpened) {
+  serve("bench.yaml");
+  EXPECT_EQ(post("/api/cell/open", {{"file", "mockup.yaml"}}).body["cell"]["name"], "cobra-mockup");
+  EXPECT_EQ(get("/api/sheet").status, 200);
+  EXPECT_EQ(post("/api/cell/open", {{"file", "cobra-arm.yaml"}}).status, 422);
+  EXPECT_EQ(post("/api/cell/open", {{"file", "/etc/passwd"}}).status, 422);
+  EXPECT_EQ(get("/api/state").body["cell"]["name"], "cobra-mockup");
+}
+
+TEST_F(WorkbenchRoutes, comparingGivesTheCommandsOwnDocument) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/compare");
+  json document = get("/api/results/compare").body;
+  EXPECT_EQ(document["model"], 0);
+  write("readings.csv", get("/api/export/measurements.csv").text);
+  const std::string command = "'" TUBEPLAN_PROGRAM "' compare '" + (opened() / "bench.yaml").string() + "' '" +
+                              (folder / "readings.csv").string() + "' --json '" + (folder / "c.json").string() +
+                              "' >/dev/null";
+  (void)std::system(command.c_str());
+  document.erase("model");
+  document.erase("revision");
+  EXPECT_EQ(document.dump(2) + "\n", contentOf(folder / "c.json"));
+  EXPECT_NE(get("/api/export/compare.html").text.find("<html"), std::string::npos);
+}
+
+TEST_F(WorkbenchRoutes, addingFitsAndClimbsAndCanBeUndone) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/identify");
+  done("/api/add", {{"effects", {{{"effect", "joint-offset"}, {"at", "theta3"}}}}});
+  json state = get("/api/state").body;
+  ASSERT_EQ(state["models"].size(), 3u);
+  EXPECT_EQ(state["models"][2]["origin"], "effect");
+  EXPECT_EQ(state["models"][2]["effects"][0]["effect"], "joint-offset");
+  const double offset = state["models"][2]["effects"][0]["parameters"]["offset"]["value"];
+  EXPECT_NEAR(offset, 0.3, 0.1);
+  const json ladder = get("/api/results/ladder").body["rungs"];
+  ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, fitted, with the offset
+  EXPECT_LT(ladder[3]["rms"]["heldout"], ladder[2]["rms"]["heldout"]);
+  EXPECT_EQ(get("/api/results/identify").body["model"], 2);
+
+  EXPECT_EQ(post("/api/undo").body["model"], 1);
+  EXPECT_EQ(get("/api/results/identify").body["model"], 1);
+  EXPECT_EQ(post("/api/undo").body["model"], 0);
+  EXPECT_EQ(post("/api/undo").status, 409);
+  EXPECT_EQ(post("/api/redo").body["model"], 1);
+  done("/api/add", {{"formula", "theta3 += c*sin(2*theta1)"}});
+  state = get("/api/state").body;
+  EXPECT_EQ(state["models"].size(), 3u);  // what could be done again is gone
+  EXPECT_EQ(state["models"][2]["origin"], "formula");
+  EXPECT_EQ(state["can_redo"], false);
+}
+
+TEST_F(WorkbenchRoutes, effectsThatCannotBeAreRefusedAtOnce) {
+  serve("bench.yaml");
+  simulate(12);
+  const auto status = [&](const json& body) { return post("/api/add", body).status; };
+  EXPECT_EQ(status(json::object()), 422);
+  EXPECT_EQ(status({{"effects", {{{"effect", "gremlin"}, {"at", "theta3"}}}}}), 422);
+  EXPECT_EQ(status({{"effects", {{{"effect", "backlash"}, {"at", "theta9"}}}}}), 422);
+  EXPECT_EQ(status({{"effects", "backlash"}}), 422);
+  EXPECT_EQ(status({{"formula", "theta3 += ((("}}), 422);
+  EXPECT_EQ(status({{"formula", "theta3 += system(\"ls\")"}}), 422);
+  EXPECT_EQ(post("/api/simulate", {{"design", "../bench.yaml"}}).status, 422);
+  EXPECT_EQ(post("/api/simulate", {{"hide", {"backlash@nowhere"}}}).status, 422);
+  EXPECT_EQ(post("/api/simulate", {{"readings", 1e9}}).status, 422);
+  EXPECT_EQ(post("/api/field", {{"of", "gold"}}).status, 422);
+}
+
+TEST_F(WorkbenchRoutes, anExportedModelIsTheModel) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/identify");
+  done("/api/compare");
+  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).body["written"], json({"mine-arm.yaml", "mine.yaml"}));
+  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).status, 409);
+  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}, {"overwrite", true}}).status, 200);
+  EXPECT_EQ(post("/api/cell/save", {{"file", "../mine.yaml"}}).status, 422);
+  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.txt"}}).status, 422);
+  write("readings.csv", get("/api/export/measurements.csv").text);
+  const std::string command = "'" TUBEPLAN_PROGRAM "' compare '" + (opened() / "mine.yaml").string() + "' '" +
+                              (folder / "readings.csv").string() + "' --json '" + (folder / "c.json").string() +
+                              "' >/dev/null";
+  (void)std::system(command.c_str());
+  json document = get("/api/results/compare").body;
+  document.erase("model");
+  document.erase("revision");
+  EXPECT_EQ(document.dump(2) + "\n", contentOf(folder / "c.json"));
+  EXPECT_EQ(get("/api/export/cell-arm.yaml").text, contentOf(opened() / "mine-arm.yaml"));
+  EXPECT_EQ(get("/api/export/nothing.zip").status, 404);
+  EXPECT_EQ(get("/api/export/plan.json").status, 404);
+}
+
+TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
+  serve("mockup.yaml", "mockup-true.yaml");
+  for (const int hole : {0, 11, 90}) EXPECT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
+  EXPECT_EQ(get("/api/state").body["touches"], 3);
+  EXPECT_EQ(replyOf(client->Delete("/api/touch/1")).status, 200);
+  EXPECT_EQ(replyOf(client->Delete("/api/touch/9")).status, 404);
+  EXPECT_EQ(work("/api/calibrate")["status"], "failed");  // two do not place a base
+  EXPECT_EQ(post("/api/touch", {{"hole", 6}}).status, 200);
+  const json touches = get("/api/touches").body["touches"];
+  ASSERT_EQ(touches.size(), 3u);
+  EXPECT_EQ(touches[2]["name"], "R1C7");
+  EXPECT_EQ(touches[2]["simulated"], true);
+  done("/api/calibrate");
+  EXPECT_EQ(get("/api/results/calibrate").body["residuals"].size(), 3u);
+  EXPECT_EQ(get("/api/state").body["models"][1]["origin"], "calibration");
+  EXPECT_EQ(post("/api/touch", {{"hole", 5000}}).status, 422);
+}
+
+TEST_F(WorkbenchRoutes, proposalsReachAndFields) {
+  serve("mockup.yaml", "mockup-true.yaml");
+  done("/api/touches", {{"tubes", "spread:6"}});
+  EXPECT_TRUE(get("/api/results/touches").body.contains("base"));
+  done("/api/reach");
+  const json reach = get("/api/results/reach").body;
+  EXPECT_EQ(reach["reachable"].size(), 96u);
+  for (std::size_t k = 0; k < 96; ++k)
+    EXPECT_EQ(reach["reachable"][k] == 1, reach["branches"][k] > 0) << reach["reason"][k];
+  for (const char* of : {"sag", "centring"}) {
+    done("/api/field", {{"of", of}});
+    const json field = get("/api/results/field").body;
+    EXPECT_EQ(field["of"], of);
+    EXPECT_EQ(field["values"].size(), 96u);
+    EXPECT_TRUE(std::any_of(field["values"].begin(), field["values"].end(), [](const json& v) { return v > 0.01; }));
+  }
+}
+
+TEST_F(WorkbenchRoutes, aPlanCanBePlayedAndExported) {
+  serve("mockup.yaml");
+  done("/api/plan", {{"tubes", json::array({3, 40, 41, 77})}, {"seed", 2}});
+  const json plan = get("/api/results/plan").body;
+  EXPECT_EQ(plan["tubes"].size() + plan["unreachable"].size(), 4u);
+  EXPECT_EQ(plan["seed"], 2);
+  const json path = get("/api/plan/path").body;
+  ASSERT_GT(path["time"].size(), 10u);
+  EXPECT_EQ(path["joints"].size(), path["time"].size());
+  EXPECT_EQ(path["tube"].size(), path["time"].size());
+  EXPECT_TRUE(std::is_sorted(path["time"].begin(), path["time"].end()));
+  for (const char* name : {"plan.json", "path.csv", "worklist.csv", "trajectory.yaml", "report.html"})
+    EXPECT_EQ(get(std::string("/api/export/") + name).status, 200) << name;
+  EXPECT_EQ(post("/api/plan", {{"tubes", "R99C99"}}).status, 422);
+  EXPECT_EQ(post("/api/plan", {{"tubes", json::array({96})}}).status, 422);
+  EXPECT_EQ(post("/api/plan", {{"compensation", "magic"}}).status, 422);
+}
+
+TEST_F(WorkbenchRoutes, aPlanStopsWhenItIsAskedTo) {
+  std::filesystem::copy_file(shippedCells() / "mockup.yaml", opened() / "large.yaml");
+  serve("large.yaml");
+  const int id = post("/api/plan", {{"tubes", "all"}}).body["id"];
+  EXPECT_EQ(post("/api/plan", {{"tubes", "all"}}).status, 409);
+  EXPECT_EQ(post("/api/cell/open", {{"file", "bench.yaml"}}).status, 409);
+  EXPECT_EQ(post("/api/jobs/" + std::to_string(id) + "/cancel").body["id"], id);
+  EXPECT_EQ(ended(id)["status"], "cancelled");
+  EXPECT_EQ(get("/api/results/plan").status, 404);
+}
+
+TEST_F(WorkbenchRoutes, allBrowsersSeeTheSame) {
+  serve("bench.yaml");
+  std::mutex mutex;
+  std::string heard;
+  std::atomic<bool> stop = false;
+  std::thread listener([&] {
+    auto own = server->client();
+    (void)own->Get("/api/events", [&](const char* data, std::size_t length) {
+      const std::lock_guard lock(mutex);
+      heard.append(data, length);
+      return !stop.load();
+    });
+  });
+  simulate(12);
+  done("/api/compare");
+  const json state = get("/api/state").body;
+  const std::string revision = "\"revision\":" + std::to_string(state["revision"].get<int>());
+  bool is_told = false;
+  for (int k = 0; k < 400 && !is_told; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const std::lock_guard lock(mutex);
+    const std::size_t last = heard.rfind("event: state");
+    is_told = last != std::string::npos && heard.find(revision, last) != std::string::npos;
+  }
+  EXPECT_TRUE(is_told) << revision;
+  {
+    const std::lock_guard lock(mutex);
+    EXPECT_NE(heard.find("event: job"), std::string::npos);
+    EXPECT_NE(heard.find("\"status\":\"done\""), std::string::npos);
+  }
+  EXPECT_EQ(replyOf(server->client()->Get("/api/state")).body, get("/api/state").body);
+  stop = true;
+  server->workbench().events().stateChanged();
+  listener.join();
+}
+
+class ServeCommand : public ProgramTest {};
+
+TEST_F(ServeCommand, refusesAnOpenDoorWithoutAToken) {
+  const auto outcome = run("serve " + shipped("bench.yaml") + " --host 0.0.0.0 --port 0");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expectSays(outcome.err, "--token");
+  EXPECT_EQ(run("serve " + shipped("bench.yaml") + " --host 0.0.0.0 --token short").exit_code, 2);
+  EXPECT_EQ(run("serve missing.yaml").exit_code, 2);
+  EXPECT_EQ(run("serve " + shipped("bench.yaml") + " missing.csv").exit_code, 2);
+}
+
+TEST_F(ServeCommand, printsItsAddressAndEndsWhenAsked) {
+  const std::string command = "cd '" + folder.string() + "' && { '" TUBEPLAN_PROGRAM "' serve " +
+                              shipped("bench.yaml") +
+                              " --port 0 >address.txt 2>&1 & } && program=$! && for k in $(seq 100); do "
+                              "test -s address.txt && break; sleep 0.1; done; kill -TERM $program; wait $program";
+  const int status = std::system(command.c_str());
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  expectSays(contentOf(folder / "address.txt"), "http://127.0.0.1:");
+}
+
+}  // namespace
+}  // namespace tubeplan::app
