@@ -1,0 +1,201 @@
+#include "deflection/tip_differentiation.hpp"
+
+#include <algorithm>
+
+#include "deflection/effects/effect.hpp"
+#include "deflection/row_numbers.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+/// Which row's links a variable of an arm without effects changes: of the tip, what the last row leads to.
+int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
+  if (variable.type == Variable::Type::kJoint) return active[static_cast<std::size_t>(variable.index)];
+  if (variable.type == Variable::Type::kParameter) return variable.parameter.row < 0 ? rows : variable.parameter.row;
+  return rows;
+}
+
+bool changesAny(Row<Dual>& row) {
+  bool any = false;
+  const auto look = [&](const Dual& x, const Dual&) { any = any || changes(x); };
+  visitPlacements(row, row, look);
+  visitOwnNumbers(row, row, look);
+  return any;
+}
+
+void setValue(Dual& x, double value) {
+  const Dual::Derivatives derivatives = x.derivatives();
+  x = Dual(value);
+  x.derivatives() = derivatives;
+}
+
+/// The row at its effective values, derivatives as they are.
+void setValues(Row<Dual>& row, const Row<double>& values) {
+  if (values.addition) {
+    if (!row.addition) row.addition.emplace();
+    row.addition->joint_gives = values.addition->joint_gives;
+    row.addition->member_gives = values.addition->member_gives;
+    row.addition->bends = values.addition->bends;
+    row.addition->has_gap = values.addition->has_gap;
+  }
+  visitPlacements(row, values, setValue);
+  visitOwnNumbers(row, values, setValue);
+}
+
+}  // namespace
+
+TipDifferentiation::TipDifferentiation(const Arm& arm)
+    : given_(arm), arm_(arm), direct_(arm_, sensitivity_), dual_arm_(castArm<Dual>(arm)) {
+  int joint = 0;
+  for (const auto& row : arm.rows) joints_.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);
+}
+
+Dual TipDifferentiation::readingOf(const Row<Dual>& row, std::size_t index,
+                                   const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const {
+  return joints_[index] < 0 ? Dual(0) : Dual(q[joints_[index]] + row.joint.offset);
+}
+
+void TipDifferentiation::seed(const Variable& variable, int slot, double size) {
+  switch (variable.type) {
+    case Variable::Type::kJoint:
+      dual_posture_.q[variable.index].derivatives()[slot] = size;
+      return;
+    case Variable::Type::kLoad:
+      dual_posture_.load.derivatives()[slot] = size;
+      return;
+    case Variable::Type::kGravityTurn:
+      gravity_turn_[variable.index].derivatives()[slot] = size;
+      return;
+    case Variable::Type::kParameter:
+      locate(dual_arm_, variable.parameter).derivatives()[slot] = size;
+      return;
+  }
+}
+
+void TipDifferentiation::store(const Block& block, int count, const TipColumns& tip) {
+  for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
+}
+
+/// What the seeded numbers of one row change: its own links, and what the row before leads to.
+void TipDifferentiation::differentiateRow(std::size_t index, TipColumns& tip) {
+  const auto& q = dual_posture_.q;
+  if (index < dual_arm_.rows.size()) {
+    const Row<Dual>& row = dual_arm_.rows[index];
+    const Dual reading = readingOf(row, index, q);
+    if (changesAny(dual_arm_.rows[index]) || row.joint.type == JointType::kPrismatic)
+      direct_.addRow(index, row, reading, offsetToNext<Dual>(dual_arm_, index), tip);
+    else if (changes(reading))
+      direct_.addTurn(index, reading, tip);
+  }
+  if (index == 0) return;
+  const Vector3<Dual> to_here = offsetToNext<Dual>(dual_arm_, index - 1);
+  if (!changes(to_here)) return;
+  const Row<Dual>& before = dual_arm_.rows[index - 1];
+  direct_.addRow(index - 1, before, readingOf(before, index - 1, q), to_here, tip);
+}
+
+void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>& variables) {
+  const std::vector<int> active = activeRows(given_);
+  const int rows = static_cast<int>(given_.rows.size());
+  order_.clear();
+  for (std::size_t k = 0; k < variables.size(); ++k) order_.emplace_back(rowOf(variables[k], active, rows), k);
+  std::sort(order_.begin(), order_.end());
+  Block block{};
+  for (std::size_t first = 0; first < order_.size();) {
+    const int row = order_[first].first;
+    int count = 0;
+    for (; count < kDualSize && first + count < order_.size() && order_[first + count].first == row; ++count) {
+      block[count] = order_[first + count].second;
+      seed(variables[block[count]], count, 1);
+    }
+    TipColumns tip = TipColumns::Zero();
+    differentiateRow(static_cast<std::size_t>(row), tip);
+    direct_.addTipLoad(dual_posture_.load, {}, tip);
+    direct_.addGravity(gravity_turn_.cross(dual_posture_.gravity_B), tip);
+    for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
+    store(block, count, tip);
+    first += static_cast<std::size_t>(count);
+  }
+}
+
+/// What the seeded numbers change by way of the effects. `only_effects`: those of the effects alone are seeded.
+void TipDifferentiation::differentiateSituation(bool only_effects, TipColumns& tip) {
+  const Arm& values = arm_.effective();
+  const Posture& posture = arm_.effectivePosture();
+  applyEffects(*situation_);
+  ArmOf<Dual>& arm = situation_->arm;
+  (void)only_effects;
+  for (std::size_t i = 0; i < arm.rows.size(); ++i) setValues(arm.rows[i], values.rows[i]);
+  for (int axis = 0; axis < 3; ++axis) setValue(arm.p_LT[axis], values.p_LT[axis]);
+  for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(situation_->posture.q[j], posture.q[j]);
+  bool next_changes = changes(arm.p_LT);
+  for (std::size_t i = arm.rows.size(); i-- > 0;) {
+    Row<Dual>& row = arm.rows[i];
+    const Dual reading = readingOf(row, i, situation_->posture.q);
+    const bool row_changes = changesAny(row);
+    if (row_changes || next_changes || (changes(reading) && row.joint.type == JointType::kPrismatic))
+      direct_.addRow(i, row, reading, offsetToNext<Dual>(arm, i), tip);
+    else if (changes(reading))
+      direct_.addTurn(i, reading, tip);
+    next_changes = row_changes;
+  }
+  direct_.addTipLoad(situation_->posture.load, arm.tip_load, tip);
+  direct_.addGravity(situation_->posture.gravity_B, tip);
+}
+
+void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& variables) {
+  if (!situation_) situation_.emplace(dual_arm_, dual_posture_);
+  Block block{};
+  for (std::size_t first = 0; first < variables.size(); first += kDualSize) {
+    const int count = static_cast<int>(std::min<std::size_t>(kDualSize, variables.size() - first));
+    for (int slot = 0; slot < count; ++slot) {
+      block[slot] = first + static_cast<std::size_t>(slot);
+      seed(variables[block[slot]], slot, 1);
+    }
+    const Eigen::Vector3d g = valuesOf(dual_posture_.gravity_B);
+    dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
+    TipColumns tip = TipColumns::Zero();
+    differentiateSituation(false, tip);
+    moveBase(tip);
+    dual_posture_.gravity_B = g.cast<Dual>();
+    for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
+    store(block, count, tip);
+  }
+}
+
+/// From the moved base to the base as named, which the variables may move too.
+void TipDifferentiation::moveBase(TipColumns& tip) const {
+  const PoseOf<double>& X_BM = arm_.situation_->X_BM;
+  const Eigen::Vector3d p_MD_B = X_BM.R * sensitivity_.frames().back().p;
+  tip.topRows<3>() = (X_BM.R * tip.topRows<3>()).eval();
+  tip.bottomRows<3>() = (X_BM.R * tip.bottomRows<3>()).eval();
+  addMotion(situation_->X_BM, p_MD_B, tip);
+}
+
+KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
+                                           const FlexibleKinematicsOptions& options) {
+  arm_.solve(posture, options);
+  const auto n = static_cast<Eigen::Index>(variables.size());
+  columns_.resize(6, n);
+  if (arm_.status() != KinematicsStatus::kConverged) {
+    columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return arm_.status();
+  }
+  if (n == 0) return arm_.status();
+  sensitivity_.linearize(arm_);
+  direct_.begin();
+  dual_posture_.q = posture.q.cast<Dual>();
+  dual_posture_.load = posture.load;
+  dual_posture_.gravity_B = posture.gravity_B.cast<Dual>();
+  dual_posture_.senses = posture.senses;
+  dual_posture_.temperature = posture.temperature;
+  dual_posture_.time = posture.time;
+  if (given_.effects.empty())
+    differentiateWithoutEffects(variables);
+  else
+    differentiateWithEffects(variables);
+  return arm_.status();
+}
+
+}  // namespace tubeplan::deflection
