@@ -69,7 +69,6 @@ void DirectChanges::begin() {
 
 void DirectChanges::addLink(std::size_t k, const ChainLink<Dual>& link, TipColumns& tip) const {
   const PoseOf<double>& near = sensitivity_.frames()[k];
-  const LinkSensitivity& answer = sensitivity_.link(k);
   const Vector3d& g = arm_.effectivePosture().gravity_B;
   const double weight = link.weight.value();
   const Vector3d middle = (near.p + sensitivity_.frames()[k + 1].p) / 2;
@@ -79,13 +78,15 @@ void DirectChanges::addLink(std::size_t k, const ChainLink<Dual>& link, TipColum
     addProduct(Eigen::Matrix<double, 6, 1>(sensitivity_.forceAt(k, place) * g), changesOf(link.weight), tip);
   }
   if (changes(link.p)) {
-    const TipRows shift = (answer.shift - answer.moment * crossMatrix<double>(g * (weight / 2))) * near.R;
+    const TipRows shift =
+        (sensitivity_.shiftAt(k) - sensitivity_.momentAt(k) * crossMatrix<double>(g * (weight / 2))) * near.R;
     addProduct(shift, changesOf(link.p), tip);
   }
   if (link.type == ChainLinkType::kTurn && changes(link.R))
     addProduct(TipRows(sensitivity_.turnAt(k, near.p) * near.R), spinOf(link.R), tip);
   if (link.type == ChainLinkType::kLump && changes(link.lever))
-    addProduct(TipRows(-answer.moment * crossMatrix<double>(g * weight) * near.R), changesOf(link.lever), tip);
+    addProduct(TipRows(-sensitivity_.momentAt(k) * crossMatrix<double>(g * weight) * near.R), changesOf(link.lever),
+               tip);
 }
 
 void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const Row<Dual>& row,
@@ -96,16 +97,20 @@ void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const
     addProduct(Eigen::Matrix<double, 6, 1>(answer.weight * arm_.effectivePosture().gravity_B), changesOf(link.weight),
                tip);
   if (changes(link.p)) addProduct(answer.displacement, changesOf(link.p), tip);
-  const Loading<double> load = arm_.equilibrium_.loadingOf(e);
-  const Deflection<Dual> gives = element.kind->deflectDual(
-      element.kind->flexibilityOfDual(row, link.p),
-      {load.force.cast<Dual>(), load.moment.cast<Dual>(), load.weight.cast<Dual>(), load.chord.cast<Dual>()});
-  if (changes(gives.displacement)) addProduct(answer.displacement, changesOf(gives.displacement), tip);
-  if (changes(gives.rotation)) addProduct(answer.rotation, changesOf(gives.rotation), tip);
+  const Flexibility<Dual> flexibility = element.kind->flexibilityOfDual(row, link.p);
   for (int axis = 0; axis < 3; ++axis)
     if (element.has_gap[axis])
       addProduct(Eigen::Matrix<double, 6, 1>(answer.rotation.col(axis) * answer.rests[axis].by_gap),
                  changesOf(row.addition->gap[axis]), tip);
+  if (!changes(flexibility.compliance) && !changes(flexibility.softness) && !changes(flexibility.knee) &&
+      !changes(flexibility.member))
+    return;
+  const Loading<double> load = arm_.equilibrium_.loadingOf(e);
+  const Deflection<Dual> gives = element.kind->deflectDual(
+      flexibility,
+      {load.force.cast<Dual>(), load.moment.cast<Dual>(), load.weight.cast<Dual>(), load.chord.cast<Dual>()});
+  if (changes(gives.displacement)) addProduct(answer.displacement, changesOf(gives.displacement), tip);
+  if (changes(gives.rotation)) addProduct(answer.rotation, changesOf(gives.rotation), tip);
 }
 
 void DirectChanges::addRow(std::size_t index, const Row<Dual>& row, const Dual& reading, const Vector3<Dual>& to_next,
@@ -124,6 +129,16 @@ void DirectChanges::addRow(std::size_t index, const Row<Dual>& row, const Dual& 
       addLink(k, link, tip);
     if (link.type == ChainLinkType::kEndWeight && row.addition && changes(row.addition->pull))
       addProduct(sensitivity_.forceAt(k, sensitivity_.frames()[k].p), changesOf(row.addition->pull), tip);
+  }
+}
+
+void DirectChanges::addElements(std::size_t index, const Row<Dual>& row, TipColumns& tip) {
+  std::size_t e = first_element_[index];
+  for (; e < arm_.equilibrium_.elements.size(); ++e) {
+    if (arm_.chain_.components[e].row != static_cast<int>(index)) return;
+    ChainLink<Dual> link{ChainLinkType::kMember, static_cast<int>(index)};
+    link.p = arm_.equilibrium_.elements[e].flexibility.member.cast<Dual>();
+    addElement(e, link, row, tip);
   }
 }
 
@@ -147,7 +162,7 @@ void DirectChanges::addTipLoad(const Dual& load, const std::optional<TipLoad<Dua
   if (!added) return;
   const Vector3<Dual> moment = added->payload_offset * load;
   if (changes(moment))
-    addProduct(TipRows(-sensitivity_.link(last).moment * crossMatrix<double>(g) * end.R), changesOf(moment), tip);
+    addProduct(TipRows(-sensitivity_.momentAt(last) * crossMatrix<double>(g) * end.R), changesOf(moment), tip);
 }
 
 }  // namespace tubeplan::deflection

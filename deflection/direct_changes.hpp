@@ -31,6 +31,9 @@ class DirectChanges {
   void addRow(std::size_t index, const Row<Dual>& row, const Dual& reading, const Vector3<Dual>& to_next,
               TipColumns& tip);
 
+  /// By changes of what gives in a row, and of nothing else.
+  void addElements(std::size_t index, const Row<Dual>& row, TipColumns& tip);
+
   /// By a change of the reading alone.
   void addTurn(std::size_t index, const Dual& reading, TipColumns& tip) const;
 

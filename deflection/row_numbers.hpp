@@ -30,6 +30,7 @@ void visitPlacements(Row<A>& a, const Row<B>& b, Visit&& visit) {
   visitVectors(origin.rpy, other.rpy, visit);
 }
 
+/// What effects add to what gives.
 template <class A, class B, class Visit>
 void visitAdditions(Addition<A>& a, const Addition<B>& b, Visit&& visit) {
   visitVectors(a.compliance, b.compliance, visit);
@@ -38,28 +39,34 @@ void visitAdditions(Addition<A>& a, const Addition<B>& b, Visit&& visit) {
   visitVectors(a.gap, b.gap, visit);
   visitVectors(a.bending_compliance, b.bending_compliance, visit);
   visit(a.torsion_compliance, b.torsion_compliance);
-  visitVectors(a.pull, b.pull, visit);
 }
 
-/// All but the placement. What one row has and the other has not, an addition, is passed over.
+/// What gives at a row's origin and along its member. An addition that one of the rows has not is passed over.
 template <class A, class B, class Visit>
-void visitOwnNumbers(Row<A>& a, const Row<B>& b, Visit&& visit) {
-  visit(a.joint.offset, b.joint.offset);
+void visitFlexibilities(Row<A>& a, const Row<B>& b, Visit&& visit) {
   visitVectors(a.joint_stiffness, b.joint_stiffness, visit);
-  assert(a.beam.has_value() == b.beam.has_value() && a.weight.lumps.size() == b.weight.lumps.size());
+  assert(a.beam.has_value() == b.beam.has_value());
   if (a.beam) {
     visit(a.beam->E, b.beam->E);
     visitVectors(a.beam->I, b.beam->I, visit);
     visit(a.beam->G, b.beam->G);
     visit(a.beam->J, b.beam->J);
   }
+  if (a.addition && b.addition) visitAdditions(*a.addition, *b.addition, visit);
+}
+
+/// The joint's offset, and what weighs or pulls.
+template <class A, class B, class Visit>
+void visitLoads(Row<A>& a, const Row<B>& b, Visit&& visit) {
+  visit(a.joint.offset, b.joint.offset);
   visit(a.weight.distributed, b.weight.distributed);
   visit(a.weight.end, b.weight.end);
+  assert(a.weight.lumps.size() == b.weight.lumps.size());
   for (std::size_t k = 0; k < a.weight.lumps.size(); ++k) {
     visit(a.weight.lumps[k].weight, b.weight.lumps[k].weight);
     visitVectors(a.weight.lumps[k].at, b.weight.lumps[k].at, visit);
   }
-  if (a.addition && b.addition) visitAdditions(*a.addition, *b.addition, visit);
+  if (a.addition && b.addition) visitVectors(a.addition->pull, b.addition->pull, visit);
 }
 
 }  // namespace tubeplan::deflection

@@ -16,12 +16,18 @@ int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   return rows;
 }
 
-bool changesAny(Row<Dual>& row) {
-  bool any = false;
-  const auto look = [&](const Dual& x, const Dual&) { any = any || changes(x); };
-  visitPlacements(row, row, look);
-  visitOwnNumbers(row, row, look);
-  return any;
+/// Which of a row's numbers change.
+struct RowChanges {
+  bool placement = false, flexibility = false, others = false;
+};
+
+RowChanges changesOf(Row<Dual>& row) {
+  RowChanges found;
+  const auto into = [](bool& any) { return [&any](const Dual& x, const Dual&) { any = any || changes(x); }; };
+  visitPlacements(row, row, into(found.placement));
+  visitFlexibilities(row, row, into(found.flexibility));
+  visitLoads(row, row, into(found.others));
+  return found;
 }
 
 void setValue(Dual& x, double value) {
@@ -40,7 +46,8 @@ void setValues(Row<Dual>& row, const Row<double>& values) {
     row.addition->has_gap = values.addition->has_gap;
   }
   visitPlacements(row, values, setValue);
-  visitOwnNumbers(row, values, setValue);
+  visitFlexibilities(row, values, setValue);
+  visitLoads(row, values, setValue);
 }
 
 }  // namespace
@@ -51,9 +58,8 @@ TipDifferentiation::TipDifferentiation(const Arm& arm)
   for (const auto& row : arm.rows) joints_.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);
 }
 
-Dual TipDifferentiation::readingOf(const Row<Dual>& row, std::size_t index,
-                                   const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const {
-  return joints_[index] < 0 ? Dual(0) : Dual(q[joints_[index]] + row.joint.offset);
+Dual TipDifferentiation::readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const {
+  return joints_[row] < 0 ? Dual(0) : q[joints_[row]];
 }
 
 void TipDifferentiation::seed(const Variable& variable, int slot, double size) {
@@ -77,22 +83,19 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
   for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
 }
 
-/// What the seeded numbers of one row change: its own links, and what the row before leads to.
-void TipDifferentiation::differentiateRow(std::size_t index, TipColumns& tip) {
-  const auto& q = dual_posture_.q;
-  if (index < dual_arm_.rows.size()) {
-    const Row<Dual>& row = dual_arm_.rows[index];
-    const Dual reading = readingOf(row, index, q);
-    if (changesAny(dual_arm_.rows[index]) || row.joint.type == JointType::kPrismatic)
-      direct_.addRow(index, row, reading, offsetToNext<Dual>(dual_arm_, index), tip);
-    else if (changes(reading))
-      direct_.addTurn(index, reading, tip);
+/// What changes of a row, of its reading and of what it leads to do; only what changes is built. Returns whether what
+/// the row before leads to may change too.
+bool TipDifferentiation::differentiateRow(std::size_t index, Row<Dual>& row, const Dual& q,
+                                          const Vector3<Dual>& to_next, TipColumns& tip) {
+  const RowChanges changed = changesOf(row);
+  const bool slides = row.joint.type == JointType::kPrismatic;
+  if (changed.placement || changed.others || changes(to_next) || (slides && changes(q)))
+    direct_.addRow(index, row, q + row.joint.offset, to_next, tip);
+  else {
+    if (changed.flexibility) direct_.addElements(index, row, tip);
+    if (changes(q)) direct_.addTurn(index, q, tip);
   }
-  if (index == 0) return;
-  const Vector3<Dual> to_here = offsetToNext<Dual>(dual_arm_, index - 1);
-  if (!changes(to_here)) return;
-  const Row<Dual>& before = dual_arm_.rows[index - 1];
-  direct_.addRow(index - 1, before, readingOf(before, index - 1, q), to_here, tip);
+  return changed.placement;
 }
 
 void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>& variables) {
@@ -110,7 +113,14 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
       seed(variables[block[count]], count, 1);
     }
     TipColumns tip = TipColumns::Zero();
-    differentiateRow(static_cast<std::size_t>(row), tip);
+    const auto index = static_cast<std::size_t>(row);
+    bool leads_elsewhere = row == rows;
+    if (row < rows)
+      leads_elsewhere = differentiateRow(index, dual_arm_.rows[index], readingOf(index, dual_posture_.q),
+                                         offsetToNext<Dual>(dual_arm_, index), tip);
+    if (leads_elsewhere && row > 0)
+      differentiateRow(index - 1, dual_arm_.rows[index - 1], readingOf(index - 1, dual_posture_.q),
+                       offsetToNext<Dual>(dual_arm_, index - 1), tip);
     direct_.addTipLoad(dual_posture_.load, {}, tip);
     direct_.addGravity(gravity_turn_.cross(dual_posture_.gravity_B), tip);
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
@@ -129,17 +139,8 @@ void TipDifferentiation::differentiateSituation(bool only_effects, TipColumns& t
   for (std::size_t i = 0; i < arm.rows.size(); ++i) setValues(arm.rows[i], values.rows[i]);
   for (int axis = 0; axis < 3; ++axis) setValue(arm.p_LT[axis], values.p_LT[axis]);
   for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(situation_->posture.q[j], posture.q[j]);
-  bool next_changes = changes(arm.p_LT);
-  for (std::size_t i = arm.rows.size(); i-- > 0;) {
-    Row<Dual>& row = arm.rows[i];
-    const Dual reading = readingOf(row, i, situation_->posture.q);
-    const bool row_changes = changesAny(row);
-    if (row_changes || next_changes || (changes(reading) && row.joint.type == JointType::kPrismatic))
-      direct_.addRow(i, row, reading, offsetToNext<Dual>(arm, i), tip);
-    else if (changes(reading))
-      direct_.addTurn(i, reading, tip);
-    next_changes = row_changes;
-  }
+  for (std::size_t i = 0; i < arm.rows.size(); ++i)
+    differentiateRow(i, arm.rows[i], readingOf(i, situation_->posture.q), offsetToNext<Dual>(arm, i), tip);
   direct_.addTipLoad(situation_->posture.load, arm.tip_load, tip);
   direct_.addGravity(situation_->posture.gravity_B, tip);
 }

@@ -34,13 +34,13 @@ class TipDifferentiation {
 
   void seed(const Variable& variable, int slot, double size);
   void differentiateWithoutEffects(const std::vector<Variable>& variables);
-  void differentiateRow(std::size_t row, TipColumns& tip);
+  bool differentiateRow(std::size_t index, Row<Dual>& row, const Dual& q, const Vector3<Dual>& to_next,
+                        TipColumns& tip);
   void differentiateWithEffects(const std::vector<Variable>& variables);
   void differentiateSituation(bool only_effects, TipColumns& tip);
   void moveBase(TipColumns& tip) const;
   void store(const Block& block, int count, const TipColumns& tip);
-  [[nodiscard]] Dual readingOf(const Row<Dual>& row, std::size_t index,
-                               const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const;
+  [[nodiscard]] Dual readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const;
 
   const Arm& given_;
   PreparedArm arm_;

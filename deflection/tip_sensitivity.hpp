@@ -17,14 +17,6 @@ namespace tubeplan::deflection {
 /// Motion of the tip (position [m], then rotation vector [rad], base axes) per unit of a vector.
 using TipRows = Eigen::Matrix<double, 6, 3>;
 
-/// Answers to what happens in a link, as vectors in base axes.
-struct LinkSensitivity {
-  TipRows turn;    ///< to a rotation vector by which all beyond turns about the base's origin
-  TipRows shift;   ///< to a shift of all beyond
-  TipRows force;   ///< to a dead force that acts at the base's origin as if it were fixed to the link
-  TipRows moment;  ///< to a dead moment on the link
-};
-
 /// Answers to an element that gives more under the same load, in its near axes, and to a weight along it, in base axes.
 struct ElementSensitivity {
   TipRows displacement, rotation, weight;
@@ -38,14 +30,16 @@ class TipSensitivity {
   void linearize(const PreparedArm& arm);
 
   [[nodiscard]] const std::vector<PoseOf<double>>& frames() const { return frames_; }  ///< near ones, the tip's last
-  [[nodiscard]] const LinkSensitivity& link(std::size_t k) const { return links_[k]; }
   [[nodiscard]] const ElementSensitivity& element(std::size_t e) const { return elements_[e]; }
   /// Answer to a change of gravity's direction.
   [[nodiscard]] const TipRows& gravity() const { return gravity_; }
 
-  /// Answer to a dead force at a place, as if fixed to the link there, and to a turn about a place.
-  [[nodiscard]] TipRows forceAt(std::size_t link, const Eigen::Vector3d& p) const;
+  /// Answers to what happens in a link, in base axes: to a turn of all beyond about a place, to a shift of all beyond,
+  /// to a dead force at a place that is fixed to the link, and to a dead moment on the link.
   [[nodiscard]] TipRows turnAt(std::size_t link, const Eigen::Vector3d& p) const;
+  [[nodiscard]] TipRows shiftAt(std::size_t link) const;
+  [[nodiscard]] TipRows forceAt(std::size_t link, const Eigen::Vector3d& p) const;
+  [[nodiscard]] const TipRows& momentAt(std::size_t link) const { return loads_[link].by_moment; }
 
  private:
   /// What is beyond a cut: the force, and how its moment about the base's origin changes with a turn of it.
@@ -53,8 +47,13 @@ class TipSensitivity {
     Eigen::Vector3d force;
     Eigen::Matrix3d by_turn;
   };
+  /// The tip's answer to a dead force at the base's origin and to a dead moment, on a link.
+  struct LoadAnswer {
+    TipRows by_force, by_moment;
+  };
   /// An element's answer, linearised. Near axes, but for the moments and turns in base axes that are named so.
   struct Answer {
+    bool is_member;             ///< else it only turns, and only moments turn it
     Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes, per change of the rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
@@ -67,14 +66,14 @@ class TipSensitivity {
   void answerOf(const PreparedArm& arm, std::size_t k, std::size_t e);
   void sweepInwards(const PreparedArm& arm);
   void sweepOutwards(const PreparedArm& arm);
-  void passElement(const PreparedArm& arm, std::size_t k, std::size_t e, TipRows& by_force, TipRows& by_moment);
+  void passElement(const PreparedArm& arm, std::size_t k, std::size_t e, LoadAnswer& load);
   void addGravity(const PreparedArm& arm);
 
   std::vector<PoseOf<double>> frames_;
   std::vector<Beyond> beyond_;   ///< of each link's far end
   std::vector<TipRows> motion_;  ///< answer to a turn about the base's origin under the same loads inboard, far ends
   std::vector<Answer> answers_;
-  std::vector<LinkSensitivity> links_;
+  std::vector<LoadAnswer> loads_;  ///< of each link
   std::vector<ElementSensitivity> elements_;
   TipRows gravity_;
 };
