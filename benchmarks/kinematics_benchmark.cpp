@@ -7,7 +7,7 @@
 #include <kdl/chainjnttojacsolver.hpp>
 #include <random>
 
-#include "deflection/tip_derivatives.hpp"
+#include "deflection/tip_differentiation.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::benchmarks {
@@ -83,12 +83,26 @@ void rigidJacobian(benchmark::State& state) {
 
 void flexiblePose(benchmark::State& state) {
   Postures postures;
+  PreparedArm arm(postures.arm);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(arm.solve(postures.next()));
+    benchmark::DoNotOptimize(arm.X_BD());
+  }
+}
+
+/// The same without anything kept between postures, and with all that is known of the shape.
+void singleShape(benchmark::State& state) {
+  Postures postures;
   for (auto _ : state) benchmark::DoNotOptimize(solveFlexibleKinematics(postures.arm, postures.next()));
 }
 
 void derive(benchmark::State& state, const std::vector<Variable>& variables) {
   Postures postures;
-  for (auto _ : state) benchmark::DoNotOptimize(differentiateTip(postures.arm, postures.next(), variables));
+  TipDifferentiation tip(postures.arm);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(tip.solve(postures.next(), variables));
+    benchmark::DoNotOptimize(tip.columns().data());
+  }
   state.counters["variables"] = static_cast<double>(variables.size());
 }
 
@@ -113,6 +127,7 @@ void stiffnessJacobian(benchmark::State& state) {
 BENCHMARK(rigidPose)->Name("rigid KDL/pose");
 BENCHMARK(rigidJacobian)->Name("rigid KDL/pose and Jacobian");
 BENCHMARK(flexiblePose)->Name("flexible/pose");
+BENCHMARK(singleShape)->Name("flexible/single shape");
 BENCHMARK(flexibleJacobian)->Name("flexible/pose and Jacobian by joints");
 BENCHMARK(stiffnessJacobian)->Name("flexible/pose and Jacobian by stiffnesses, base and joints");
 BENCHMARK(numbersJacobian)->Name("flexible/pose and Jacobian by all numbers");

@@ -105,10 +105,7 @@ void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const
   if (!changes(flexibility.compliance) && !changes(flexibility.softness) && !changes(flexibility.knee) &&
       !changes(flexibility.member))
     return;
-  const Loading<double> load = arm_.equilibrium_.loadingOf(e);
-  const Deflection<Dual> gives = element.kind->deflectDual(
-      flexibility,
-      {load.force.cast<Dual>(), load.moment.cast<Dual>(), load.weight.cast<Dual>(), load.chord.cast<Dual>()});
+  const Deflection<Dual> gives = element.kind->deflectDual(flexibility, arm_.equilibrium_.loadingOf(e));
   if (changes(gives.displacement)) addProduct(answer.displacement, changesOf(gives.displacement), tip);
   if (changes(gives.rotation)) addProduct(answer.rotation, changesOf(gives.rotation), tip);
 }

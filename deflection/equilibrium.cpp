@@ -7,6 +7,23 @@ namespace tubeplan::deflection {
 
 using Eigen::Vector3d;
 
+namespace {
+
+struct SineAndCosine {
+  double sine, cosine;
+};
+
+/// The series is exact to rounding below 0.1 rad, as in rotationFromVector().
+SineAndCosine sineAndCosine(double angle) {
+  const double t2 = angle * angle;
+  if (t2 >= 0.01) return {std::sin(angle), std::cos(angle)};
+  const double a = 1 - t2 * (1. / 6) * (1 - t2 * (1. / 20) * (1 - t2 * (1. / 42) * (1 - t2 * (1. / 72))));
+  const double b = 0.5 - t2 * (1. / 24) * (1 - t2 * (1. / 30) * (1 - t2 * (1. / 56) * (1 - t2 * (1. / 90))));
+  return {a * angle, 1 - b * t2};
+}
+
+}  // namespace
+
 void Equilibrium::straighten() {
   for (FlexibleElement& element : elements) {
     element.deflection = {};
@@ -44,9 +61,31 @@ clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) cons
                            {moment_per_angle, forces * reach, clearances});
 }
 
+/// What bend() does to an element that turns about one axis: a turn about it leaves the moment about it as it is.
+double Equilibrium::turnHinge(std::size_t e) {
+  FlexibleElement& element = elements[e];
+  const int k = element.hinge, i = (k + 1) % 3, j = (k + 2) % 3;
+  double moment = 0;
+  for (std::size_t d = 0; d < loads.size(); ++d) {
+    const Beyond& load = beyond(e, d);
+    const double x = element.turn(i, i) * load.moment[i] + element.turn(i, j) * load.moment[j];
+    const double y = element.turn(j, i) * load.moment[i] + element.turn(j, j) * load.moment[j];
+    moment += x * load.direction[j] - y * load.direction[i];
+  }
+  double& angle = element.deflection.rotation[k];
+  const double before = angle;
+  angle = element.flexibility.compliance(k, k) * moment;
+  const auto [sine, cosine] = sineAndCosine(angle);
+  element.turn(i, i) = element.turn(j, j) = cosine;
+  element.turn(i, j) = -sine;
+  element.turn(j, i) = sine;
+  return 2 * reach * std::abs(angle - before);
+}
+
 /// How far the tip moves at most by what the element gives more than before [m].
 double Equilibrium::bend(std::size_t e, bool with_gaps) {
   FlexibleElement& element = elements[e];
+  if (element.hinge >= 0) return turnHinge(e);
   const Loading<double> loading = loadingOf(e);
   const Deflection<double> before = element.deflection;
   element.deflection = element.kind->deflect(element.flexibility, loading);
@@ -106,7 +145,7 @@ KinematicsStatus Equilibrium::settle(double tolerance, int max_iterations) {
     const double change = turnOutwards();
     if (!std::isfinite(change)) return KinematicsStatus::kNotConverged;
     if (change <= tolerance) return KinematicsStatus::kConverged;
-    gatherInwards(false);
+    gatherInwards(true);
   }
   return KinematicsStatus::kNotConverged;
 }

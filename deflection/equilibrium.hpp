@@ -29,6 +29,7 @@ struct FlexibleElement {
   const ElementKind* kind = nullptr;
   Flexibility<double> flexibility;
   double weight = 0;  ///< along it [N]
+  int hinge = -1;  ///< the axis of a joint that turns by one axis only, by a linear law; else -1
   std::array<bool, 3> has_gap{};
   Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< rad
 
@@ -86,6 +87,7 @@ class Equilibrium {
   void gatherInwards(bool bend);
   [[nodiscard]] double turnOutwards();
   double bend(std::size_t element, bool with_gaps);
+  double turnHinge(std::size_t element);
   [[nodiscard]] Beyond& beyond(std::size_t element, std::size_t load) { return beyond_[element * loads.size() + load]; }
   [[nodiscard]] const Beyond& beyond(std::size_t element, std::size_t load) const {
     return beyond_[element * loads.size() + load];

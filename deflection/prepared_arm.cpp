@@ -32,6 +32,15 @@ void turnAboutZ(double angle, Eigen::Matrix3d& R) {
   R.col(1) = c * R.col(1) - s * x;
 }
 
+/// The only axis about which a joint turns, where its law is linear; else -1.
+int hingeOf(const FlexibleElement& element) {
+  if (element.kind->place != ElementPlace::kOrigin || element.flexibility.has_soft_zone || element.hasGap()) return -1;
+  const Vector3d compliance = element.flexibility.compliance.diagonal();
+  for (int axis = 0; axis < 3; ++axis)
+    if (compliance[(axis + 1) % 3] == 0 && compliance[(axis + 2) % 3] == 0) return axis;
+  return -1;
+}
+
 }  // namespace
 
 PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(arm.effects.empty() && !hasSlide(arm)) {
@@ -49,6 +58,7 @@ void PreparedArm::addElement(const Arm& arm, const ChainLink<double>& link) {
     element.has_gap = row.addition->has_gap;
     element.gap_width = row.addition->gap;
   }
+  element.hinge = hingeOf(element);
   equilibrium_.elements.push_back(element);
   part_ends_.push_back(parts_.size());
   parts_.emplace_back();

@@ -56,6 +56,7 @@ TipDifferentiation::TipDifferentiation(const Arm& arm)
     : given_(arm), arm_(arm), direct_(arm_, sensitivity_), dual_arm_(castArm<Dual>(arm)) {
   int joint = 0;
   for (const auto& row : arm.rows) joints_.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);
+  active_ = activeRows(arm);
 }
 
 Dual TipDifferentiation::readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const {
@@ -83,15 +84,16 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
   for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
 }
 
-/// What changes of a row, of its reading and of what it leads to do; only what changes is built. Returns whether what
-/// the row before leads to may change too.
-bool TipDifferentiation::differentiateRow(std::size_t index, Row<Dual>& row, const Dual& q,
-                                          const Vector3<Dual>& to_next, TipColumns& tip) {
+/// What changes of a row, of its reading `q` and, where it `leads_elsewhere`, of its way to the next row does; only what
+/// changes is built. Returns whether the row before leads elsewhere.
+bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
+                                          TipColumns& tip) {
+  Row<Dual>& row = arm.rows[index];
   const RowChanges changed = changesOf(row);
   const bool slides = row.joint.type == JointType::kPrismatic;
-  if (changed.placement || changed.others || changes(to_next) || (slides && changes(q)))
-    direct_.addRow(index, row, q + row.joint.offset, to_next, tip);
-  else {
+  if (changed.placement || changed.others || leads_elsewhere || (slides && changes(q))) {
+    direct_.addRow(index, row, q + row.joint.offset, offsetToNext<Dual>(arm, index), tip);
+  } else {
     if (changed.flexibility) direct_.addElements(index, row, tip);
     if (changes(q)) direct_.addTurn(index, q, tip);
   }
@@ -99,10 +101,9 @@ bool TipDifferentiation::differentiateRow(std::size_t index, Row<Dual>& row, con
 }
 
 void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>& variables) {
-  const std::vector<int> active = activeRows(given_);
   const int rows = static_cast<int>(given_.rows.size());
   order_.clear();
-  for (std::size_t k = 0; k < variables.size(); ++k) order_.emplace_back(rowOf(variables[k], active, rows), k);
+  for (std::size_t k = 0; k < variables.size(); ++k) order_.emplace_back(rowOf(variables[k], active_, rows), k);
   std::sort(order_.begin(), order_.end());
   Block block{};
   for (std::size_t first = 0; first < order_.size();) {
@@ -114,13 +115,11 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
     }
     TipColumns tip = TipColumns::Zero();
     const auto index = static_cast<std::size_t>(row);
-    bool leads_elsewhere = row == rows;
+    bool leads_elsewhere = row == rows && changes(dual_arm_.p_LT);
     if (row < rows)
-      leads_elsewhere = differentiateRow(index, dual_arm_.rows[index], readingOf(index, dual_posture_.q),
-                                         offsetToNext<Dual>(dual_arm_, index), tip);
+      leads_elsewhere = differentiateRow(index, dual_arm_, readingOf(index, dual_posture_.q), false, tip);
     if (leads_elsewhere && row > 0)
-      differentiateRow(index - 1, dual_arm_.rows[index - 1], readingOf(index - 1, dual_posture_.q),
-                       offsetToNext<Dual>(dual_arm_, index - 1), tip);
+      differentiateRow(index - 1, dual_arm_, readingOf(index - 1, dual_posture_.q), true, tip);
     direct_.addTipLoad(dual_posture_.load, {}, tip);
     direct_.addGravity(gravity_turn_.cross(dual_posture_.gravity_B), tip);
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
@@ -129,18 +128,18 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
   }
 }
 
-/// What the seeded numbers change by way of the effects. `only_effects`: those of the effects alone are seeded.
-void TipDifferentiation::differentiateSituation(bool only_effects, TipColumns& tip) {
+/// What the seeded numbers change by way of the effects.
+void TipDifferentiation::differentiateSituation(TipColumns& tip) {
   const Arm& values = arm_.effective();
   const Posture& posture = arm_.effectivePosture();
   applyEffects(*situation_);
   ArmOf<Dual>& arm = situation_->arm;
-  (void)only_effects;
   for (std::size_t i = 0; i < arm.rows.size(); ++i) setValues(arm.rows[i], values.rows[i]);
   for (int axis = 0; axis < 3; ++axis) setValue(arm.p_LT[axis], values.p_LT[axis]);
   for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(situation_->posture.q[j], posture.q[j]);
-  for (std::size_t i = 0; i < arm.rows.size(); ++i)
-    differentiateRow(i, arm.rows[i], readingOf(i, situation_->posture.q), offsetToNext<Dual>(arm, i), tip);
+  bool leads_elsewhere = changes(arm.p_LT);
+  for (std::size_t i = arm.rows.size(); i-- > 0;)
+    leads_elsewhere = differentiateRow(i, arm, readingOf(i, situation_->posture.q), leads_elsewhere, tip);
   direct_.addTipLoad(situation_->posture.load, arm.tip_load, tip);
   direct_.addGravity(situation_->posture.gravity_B, tip);
 }
@@ -157,7 +156,7 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
     const Eigen::Vector3d g = valuesOf(dual_posture_.gravity_B);
     dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
     TipColumns tip = TipColumns::Zero();
-    differentiateSituation(false, tip);
+    differentiateSituation(tip);
     moveBase(tip);
     dual_posture_.gravity_B = g.cast<Dual>();
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);

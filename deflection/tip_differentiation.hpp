@@ -34,10 +34,9 @@ class TipDifferentiation {
 
   void seed(const Variable& variable, int slot, double size);
   void differentiateWithoutEffects(const std::vector<Variable>& variables);
-  bool differentiateRow(std::size_t index, Row<Dual>& row, const Dual& q, const Vector3<Dual>& to_next,
-                        TipColumns& tip);
+  bool differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere, TipColumns& tip);
   void differentiateWithEffects(const std::vector<Variable>& variables);
-  void differentiateSituation(bool only_effects, TipColumns& tip);
+  void differentiateSituation(TipColumns& tip);
   void moveBase(TipColumns& tip) const;
   void store(const Block& block, int count, const TipColumns& tip);
   [[nodiscard]] Dual readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const;
@@ -51,6 +50,7 @@ class TipDifferentiation {
   Vector3<Dual> gravity_turn_;
   std::optional<Situation<Dual>> situation_;  ///< of the dual arm and posture, where there are effects
   std::vector<int> joints_;                   ///< of each row, -1 where it is passive
+  std::vector<int> active_;                   ///< row of each joint
   std::vector<std::pair<int, std::size_t>> order_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns_;
 };

@@ -87,8 +87,9 @@ struct Slope {
   Vector3<S> m, f, w;
 };
 
-template <class S>
-Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<S>& loading) {
+/// `L` is the loading's scalar: plain numbers where only the flexibility changes.
+template <class S, class L>
+Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   return {flexibility.compliance * loading.moment, flexibility.compliance * loading.chord.cross(loading.force),
           flexibility.compliance * loading.chord.cross(loading.weight)};
 }
@@ -108,9 +109,9 @@ Vector3<S> foreshortening(const Slope<S>& t, const Vector3<S>& v) {
          v * S(t.m.dot(mean.m) + t.f.dot(mean.f) + t.w.dot(mean.w));
 }
 
-template <class S>
-Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<S>& loading) {
-  const Slope<S> t = slopeOf<S>(flexibility, loading);
+template <class S, class L>
+Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
+  const Slope<S> t = slopeOf<S, L>(flexibility, loading);
   Deflection<S> result;
   result.rotation = t.m + t.f * (1. / 2) + t.w * (1. / 6);
   const Vector3<S> lever = t.m * (1. / 2) + t.f * (1. / 3) + t.w * (1. / 8);
@@ -127,7 +128,7 @@ inline Eigen::Matrix3d displacementBy(double share, const Eigen::Vector3d& mean,
 inline DeflectionSlopes slopesOf(const Flexibility<double>& flexibility, const Loading<double>& loading) {
   const Eigen::Matrix3d& C = flexibility.compliance;
   const Eigen::Vector3d& v = flexibility.member;
-  const Slope<double> mean = meansOf<double>(slopeOf<double>(flexibility, loading));
+  const Slope<double> mean = meansOf<double>(slopeOf<double, double>(flexibility, loading));
   const Eigen::Matrix3d by_arm = C * crossMatrix(loading.chord), by_force = -C * crossMatrix(loading.force),
                         by_weight = -C * crossMatrix(loading.weight);
   const Eigen::Matrix3d m = displacementBy(1. / 2, mean.m, v), f = displacementBy(1. / 3, mean.f, v),

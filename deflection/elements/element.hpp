@@ -56,7 +56,7 @@ struct ElementKind {
   Flexibility<double> (*flexibilityOf)(const Row<double>&, const Vector3<double>& member);
   Flexibility<Dual> (*flexibilityOfDual)(const Row<Dual>&, const Vector3<Dual>& member);
   Deflection<double> (*deflect)(const Flexibility<double>&, const Loading<double>&);
-  Deflection<Dual> (*deflectDual)(const Flexibility<Dual>&, const Loading<Dual>&);
+  Deflection<Dual> (*deflectDual)(const Flexibility<Dual>&, const Loading<double>&);
   DeflectionSlopes (*slopesOf)(const Flexibility<double>&, const Loading<double>&);
 };
 

@@ -42,13 +42,14 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
   return result;
 }
 
-template <class S>
-Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<S>& loading) {
+/// `L` is the loading's scalar: plain numbers where only the flexibility changes.
+template <class S, class L>
+Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   Deflection<S> result;
-  result.rotation = flexibility.compliance.diagonal().cwiseProduct(loading.moment);
+  for (int k = 0; k < 3; ++k) result.rotation[k] = flexibility.compliance(k, k) * loading.moment[k];
   if (!flexibility.has_soft_zone) return result;
   for (int k = 0; k < 3; ++k)
-    result.rotation[k] += flexibility.softness[k] * clampTo<S>(loading.moment[k], flexibility.knee[k]);
+    result.rotation[k] += flexibility.softness[k] * clampTo<S>(S(loading.moment[k]), flexibility.knee[k]);
   return result;
 }
 
