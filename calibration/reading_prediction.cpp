@@ -5,6 +5,7 @@
 
 #include "calibration/measurement_posture.hpp"
 #include "deflection/effects/effect.hpp"
+#include "deflection/tip_differentiation.hpp"
 
 namespace tubeplan::calibration {
 
@@ -19,38 +20,6 @@ Matrix3d crossMatrix(const Vector3d& v) {
   Matrix3d m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
   return m;
-}
-
-/// The tip's place and its derivatives, in the world.
-Prediction placeTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
-                    const PredictionRequest& request) {
-  std::vector<Variable> variables = request.numbers;
-  const auto numbers = static_cast<Eigen::Index>(variables.size());
-  if (request.by_base)
-    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
-  if (request.by_joints)
-    for (const auto& joint : deflection::jointVariables(arm)) variables.push_back(joint);
-  Prediction tip;
-  const Matrix3d R = X_WB.linear();
-  if (variables.empty()) {
-    const auto shape = deflection::solveFlexibleKinematics(arm, posture);
-    tip.ok = shape.status == deflection::KinematicsStatus::kConverged;
-    tip.value = X_WB * shape.X_BD.p;
-    return tip;
-  }
-  const auto derivatives = deflection::differentiateTip(arm, posture, variables);
-  tip.ok = derivatives.kinematics.status == deflection::KinematicsStatus::kConverged;
-  const Vector3d r_W = R * derivatives.kinematics.X_BD.p;
-  tip.value = X_WB.translation() + r_W;
-  tip.by_numbers = R * derivatives.position_B.leftCols(numbers);
-  if (request.by_base) {
-    tip.by_base.resize(3, 6);
-    tip.by_base.leftCols<3>().setIdentity();
-    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
-    tip.by_base.rightCols<3>() = -crossMatrix(r_W) - R * derivatives.position_B.middleCols<3>(numbers) * R.transpose();
-  }
-  if (request.by_joints) tip.by_joints = R * derivatives.position_B.rightCols(posture.q.size());
-  return tip;
 }
 
 bool isMeasurementScale(const deflection::Arm& arm, const Variable& variable) {
@@ -101,21 +70,58 @@ deflection::Posture postureOf(const Measurement& reading, const deflection::Arm&
   return postureOf(reading, deflection::gravityInBase(arm, X_WB));
 }
 
+ReadingPredictor::ReadingPredictor(const deflection::Arm& arm)
+    : arm_(arm), tip_(std::make_unique<deflection::TipDifferentiation>(arm)) {}
+
+ReadingPredictor::~ReadingPredictor() = default;
+
+/// The tip's place and its derivatives, in the world.
+Prediction ReadingPredictor::placeTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
+                                      const PredictionRequest& request) {
+  std::vector<Variable> variables = request.numbers;
+  const auto numbers = static_cast<Eigen::Index>(variables.size());
+  if (request.by_base)
+    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
+  if (request.by_joints)
+    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(Variable::joint(joint));
+  Prediction tip;
+  const Matrix3d R = X_WB.linear();
+  tip.ok = tip_->solve(posture, variables) == deflection::KinematicsStatus::kConverged;
+  const Vector3d r_W = R * tip_->arm().X_BD().p;
+  tip.value = X_WB.translation() + r_W;
+  if (variables.empty()) return tip;
+  const auto by = tip_->columns().topRows<3>();
+  tip.by_numbers = R * by.leftCols(numbers);
+  if (request.by_base) {
+    tip.by_base.resize(3, 6);
+    tip.by_base.leftCols<3>().setIdentity();
+    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
+    tip.by_base.rightCols<3>() = -crossMatrix(r_W) - R * by.middleCols<3>(numbers) * R.transpose();
+  }
+  if (request.by_joints) tip.by_joints = R * by.rightCols(posture.q.size());
+  return tip;
+}
+
 Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
                           const PredictionRequest& request) {
-  deflection::Posture posture = postureOf(reading, arm, X_WB);
-  Prediction prediction = placeTip(arm, X_WB, posture, request);
+  return ReadingPredictor(arm).predict(X_WB, reading, request);
+}
+
+Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                                     const PredictionRequest& request) {
+  deflection::Posture posture = postureOf(reading, arm_, X_WB);
+  Prediction prediction = placeTip(X_WB, posture, request);
   const bool is_length = reading.kind == MeasurementKind::kDistance;
-  if (reading.p_W && !is_length) scaleCoordinates(arm, request, prediction);
+  if (reading.p_W && !is_length) scaleCoordinates(arm_, request, prediction);
   if (reading.kind == MeasurementKind::kDeflection) {
     posture.load = 0;
-    Prediction unloaded = placeTip(arm, X_WB, posture, request);
-    scaleCoordinates(arm, request, unloaded);
+    Prediction unloaded = placeTip(X_WB, posture, request);
+    scaleCoordinates(arm_, request, unloaded);
     subtract(prediction, unloaded);
   }
   if (!is_length) return prediction;
   measureFrom(*reading.p_W, prediction);
-  scaleCoordinates(arm, request, prediction);
+  scaleCoordinates(arm_, request, prediction);
   return prediction;
 }
 

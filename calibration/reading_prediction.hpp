@@ -1,11 +1,16 @@
 // What the model expects a reading to be, whatever its kind, with exact derivatives.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "calibration/measurement.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/tip_derivatives.hpp"
+
+namespace tubeplan::deflection {
+class TipDifferentiation;
+}
 
 namespace tubeplan::calibration {
 
@@ -31,7 +36,25 @@ struct Prediction {
 [[nodiscard]] deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
                                             const Eigen::Isometry3d& X_WB);
 
-/// `arm` stands at `X_WB`.
+/// Predicts reading after reading of one arm; each thread needs its own. `arm` must outlive it, and stay as it is.
+class ReadingPredictor {
+ public:
+  explicit ReadingPredictor(const deflection::Arm& arm);
+  ~ReadingPredictor();
+
+  /// The arm stands at `X_WB`.
+  [[nodiscard]] Prediction predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                                   const PredictionRequest& request = {});
+
+ private:
+  [[nodiscard]] Prediction placeTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
+                                    const PredictionRequest& request);
+
+  const deflection::Arm& arm_;
+  std::unique_ptr<deflection::TipDifferentiation> tip_;
+};
+
+/// The same of a single reading.
 [[nodiscard]] Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const Measurement& reading, const PredictionRequest& request = {});
 

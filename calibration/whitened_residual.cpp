@@ -1,5 +1,6 @@
 #include "calibration/whitened_residual.hpp"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <atomic>
@@ -14,6 +15,19 @@ namespace tubeplan::calibration {
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
+
+/// Calls `each(predictor, k)` for every reading, on all cores; false as soon as one call is.
+template <class Each>
+bool predictAll(const PlacedArm& placed, std::size_t readings, const Each& each) {
+  constexpr std::size_t kAtOnce = 16;  // readings that share what is prepared of the arm
+  std::atomic<bool> ok = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings, kAtOnce), [&](const auto& range) {
+    ReadingPredictor predictor(placed.arm);
+    for (std::size_t k = range.begin(); k != range.end(); ++k)
+      if (!each(predictor, k)) ok = false;
+  });
+  return ok;
+}
 
 bool touchesUnknownPoint(const Measurement& reading) {
   return reading.kind == MeasurementKind::kTouch && !reading.p_W.has_value();
@@ -142,18 +156,15 @@ std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::
   weights.degrees_of_freedom = weights.rows;
   PredictionRequest request;
   request.by_joints = true;
-  std::atomic<bool> ok = true;
-  tbb::parallel_for(std::size_t{0}, readings.size(), [&](std::size_t k) {
+  const bool ok = predictAll(placed, readings.size(), [&](ReadingPredictor& predictor, std::size_t k) {
     const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
-    const Prediction prediction = predictReading(placed.arm, X_WB, readings[k], request);
-    if (!prediction.ok) {
-      ok = false;
-      return;
-    }
+    const Prediction prediction = predictor.predict(X_WB, readings[k], request);
+    if (!prediction.ok) return false;
     weights.covariance[k] = readingCovariance(placed.arm, readings[k], prediction.by_joints);
     const Eigen::LLT<MatrixXd> factor(weights.covariance[k]);
     weights.whitener[k] = factor.matrixL().solve(MatrixXd::Identity(rowsOf(readings[k]), rowsOf(readings[k])));
     if (factors.size()) weights.whitener[k] *= std::sqrt(factors[static_cast<Index>(k)]);
+    return true;
   });
   if (!ok) return std::nullopt;
   eliminatePoints(readings, weights);
@@ -169,8 +180,7 @@ WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unkn
   result.r.resize(weights.rows);
   result.error.resize(weights.rows);
   if (with_jacobian) result.jacobian = MatrixXd::Zero(weights.rows, x.size());
-  std::atomic<bool> ok = true;
-  tbb::parallel_for(std::size_t{0}, readings.size(), [&](std::size_t k) {
+  result.ok = predictAll(placed, readings.size(), [&](ReadingPredictor& predictor, std::size_t k) {
     const int placing = placingOf(placed, readings[k]);
     PredictionRequest request;
     if (with_jacobian) {
@@ -178,18 +188,15 @@ WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unkn
       request.by_base = !columns.bases[static_cast<std::size_t>(placing)].empty();
     }
     const Prediction prediction =
-        predictReading(placed.arm, placed.placings[static_cast<std::size_t>(placing)].X_WB, readings[k], request);
-    if (!prediction.ok) {
-      ok = false;
-      return;
-    }
+        predictor.predict(placed.placings[static_cast<std::size_t>(placing)].X_WB, readings[k], request);
+    if (!prediction.ok) return false;
     const Index row = weights.first_row[k];
     const VectorXd error = prediction.value - measuredOf(readings[k]);
     result.error.segment(row, error.size()) = error;
     result.r.segment(row, error.size()) = weights.whitener[k] * error;
     if (with_jacobian) scatter(columns, placing, prediction, weights.whitener[k], row, result.jacobian);
+    return true;
   });
-  result.ok = ok;
   if (!result.ok) return result;
   MatrixXd r = result.r;
   takePointsOff(weights, r);

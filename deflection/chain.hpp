@@ -49,12 +49,12 @@ Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   return std::get<Origin<S>>(row.placement).position;
 }
 
-/// Rotation of a row against the one before, its joint turned by `angle` [rad].
+/// Rotation of a row against the one before, its joint at zero; the joint turns about the z axis that this leads to.
 template <class S>
-Matrix3<S> rotationFromPrevious(const Row<S>& row, const S& angle) {
+Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
-    return rotationX<S>(dh->alpha) * rotationZ<S>(S(dh->theta + angle));
-  return rotationFromFixedAngles<S>(std::get<Origin<S>>(row.placement).rpy) * rotationZ<S>(angle);
+    return rotationX<S>(dh->alpha) * rotationZ<S>(dh->theta);
+  return rotationFromFixedAngles<S>(std::get<Origin<S>>(row.placement).rpy);
 }
 
 namespace chain_assembly {
@@ -172,34 +172,46 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 
 }  // namespace chain_assembly
 
-/// `values` is the arm in plain numbers: which axes give decides the structure, the same for every scalar.
+/// The links of one row. `values` is the row in plain numbers: which axes give decides the structure, the same for
+/// every scalar. `reading` is the joint's value with its offset (nothing on a passive row), `to_next` leads from the
+/// row's origin, or the end of its slide, to the next row's bearing or the tip.
+template <class S>
+void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
+                 const Vector3<S>& to_next) {
+  using namespace chain_assembly;
+  if (index == 0) chain.links.push_back({ChainLinkType::kOffset, 0, -1, offsetInPreviousAxes<S>(row)});
+  ChainLink<S>& turn = chain.links.emplace_back(ChainLink<S>{ChainLinkType::kTurn, index});
+  turn.R = rotationFromPrevious<S>(row);
+  if (row.joint.type == JointType::kRevolute) turn.R = turn.R * rotationZ<S>(reading);
+  addJoint<S>(chain, values, index);
+  if (row.joint.type == JointType::kPrismatic) {
+    addSlide<S>(chain, row, values, index, Vector3<S>::UnitZ() * reading);
+    chain.links.push_back({ChainLinkType::kOffset, index, -1, to_next});
+  } else {
+    chain.links.push_back({ChainLinkType::kFrame, index});
+    addLumps<S>(chain, row, values, index, valuesOf(to_next), 0, Vector3<S>::Zero());
+    addMember<S>(chain, row, values, index, to_next);
+  }
+}
+
+/// What `to_next` is for a row of an arm.
+template <class S>
+Vector3<S> offsetToNext(const ArmOf<S>& arm, std::size_t row) {
+  return row + 1 == arm.rows.size() ? arm.p_LT : offsetInPreviousAxes<S>(arm.rows[row + 1]);
+}
+
+/// All links of an arm at a posture; `values` is the arm in plain numbers.
 template <class S>
 Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
-  using namespace chain_assembly;
   Chain<S> chain;
   chain.links.reserve(arm.rows.size() * 5);
   int joint = 0;
-  for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i) {
+  for (std::size_t i = 0; i < arm.rows.size(); ++i) {
     const Row<S>& row = arm.rows[i];
-    const bool slides = row.joint.type == JointType::kPrismatic;
     const bool active = row.joint.type != JointType::kPassive;
     assert(!active || joint < q.size());
     const S reading = active ? S(q[joint++] + row.joint.offset) : S(0);
-    if (i == 0) chain.links.push_back({ChainLinkType::kOffset, 0, -1, offsetInPreviousAxes<S>(row)});
-    ChainLink<S> turn{ChainLinkType::kTurn, i};
-    turn.R = rotationFromPrevious<S>(row, slides ? S(0) : reading);
-    chain.links.push_back(turn);
-    addJoint<S>(chain, values.rows[i], i);
-    const bool last = i + 1 == static_cast<int>(arm.rows.size());
-    const Vector3<S> to_next = last ? arm.p_LT : offsetInPreviousAxes<S>(arm.rows[i + 1]);
-    if (slides) {
-      addSlide<S>(chain, row, values.rows[i], i, Vector3<S>::UnitZ() * reading);
-      chain.links.push_back({ChainLinkType::kOffset, i, -1, to_next});
-    } else {
-      chain.links.push_back({ChainLinkType::kFrame, i});
-      addLumps<S>(chain, row, values.rows[i], i, valuesOf(to_next), 0, Vector3<S>::Zero());
-      addMember<S>(chain, row, values.rows[i], i, to_next);
-    }
+    assembleRow<S>(chain, row, values.rows[i], static_cast<int>(i), reading, offsetToNext<S>(arm, i));
   }
   assert(joint == q.size());
   return chain;

@@ -53,6 +53,15 @@ Matrix3<S> rotationZ(const S& angle) {
   return R;
 }
 
+/// The matrix of a cross product: a x b = crossMatrix(a) b.
+template <class S>
+Matrix3<S> crossMatrix(const Vector3<S>& a) {
+  const S zero(0);
+  Matrix3<S> K;
+  K << zero, S(-a.z()), a.y(), a.z(), zero, S(-a.x()), S(-a.y()), a.x(), zero;
+  return K;
+}
+
 /// Fixed-axis roll, pitch, yaw [rad]: Rz(yaw) Ry(pitch) Rx(roll), Craig's X-Y-Z fixed angles (gamma, beta, alpha).
 template <class S>
 Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
@@ -72,17 +81,21 @@ Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   const S t2 = v.squaredNorm();
   S a, b;
   if (valueOf(t2) < 0.01) {
-    a = S(1) - t2 / 6 * (S(1) - t2 / 20 * (S(1) - t2 / 42 * (S(1) - t2 / 72)));
-    b = S(0.5) - t2 / 24 * (S(1) - t2 / 30 * (S(1) - t2 / 56 * (S(1) - t2 / 90)));
+    a = S(1) - t2 * (1. / 6) * (S(1) - t2 * (1. / 20) * (S(1) - t2 * (1. / 42) * (S(1) - t2 * (1. / 72))));
+    b = S(0.5) - t2 * (1. / 24) * (S(1) - t2 * (1. / 30) * (S(1) - t2 * (1. / 56) * (S(1) - t2 * (1. / 90))));
   } else {
     const S t = sqrt(t2);
     a = sin(t) / t;
     b = (S(1) - cos(t)) / t2;
   }
-  Matrix3<S> K;
-  const S zero(0);
-  K << zero, S(-v.z()), v.y(), v.z(), zero, S(-v.x()), S(-v.y()), v.x(), zero;
-  return Matrix3<S>::Identity() + a * K + b * (K * K);
+  // I + a [v]x + b ([v]x)^2, written out.
+  const Vector3<S> av = v * a, bv = v * b;
+  const S xy = bv.x() * v.y(), xz = bv.x() * v.z(), yz = bv.y() * v.z();
+  const S xx = bv.x() * v.x(), yy = bv.y() * v.y(), zz = bv.z() * v.z(), one(1);
+  Matrix3<S> R;
+  R << S(one - yy - zz), S(xy - av.z()), S(xz + av.y()), S(xy + av.z()), S(one - xx - zz), S(yz - av.x()),
+      S(xz - av.y()), S(yz + av.x()), S(one - xx - yy);
+  return R;
 }
 
 /// How the axes turn when a rotation vector changes: exp(v + dv) = exp(J dv) exp(v), to first order.
@@ -92,8 +105,7 @@ inline Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& v) {
   const double a = small ? 0.5 - t2 / 24 * (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90))) : (1 - std::cos(t)) / t2;
   const double b =
       small ? 1. / 6 - t2 / 120 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110))) : (t - std::sin(t)) / (t * t2);
-  Eigen::Matrix3d K;
-  K << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  const Eigen::Matrix3d K = crossMatrix(v);
   return Eigen::Matrix3d::Identity() + a * K + b * K * K;
 }
 

@@ -1,4 +1,5 @@
-// Exact derivatives of the deflected tip pose, by forward automatic differentiation of the converged shape.
+// Exact derivatives of the deflected tip pose: what a variable changes directly, by dual numbers, and what the arm
+// makes of it, by the linearisation of the converged shape.
 #pragma once
 
 #include <vector>

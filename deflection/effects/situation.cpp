@@ -16,14 +16,19 @@ void applyOne(const EffectKind& kind, const EffectOf<S>& effect, Situation<S>& s
 
 /// All of the arm but its effects.
 template <class S>
-ArmOf<S> withoutEffects(const ArmOf<S>& arm) {
-  return {arm.name, arm.gravity_W, arm.rows, arm.p_LT, arm.tool_axis_L, arm.reference_temperature, {}, arm.tip_load};
+void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
+  to.gravity_W = from.gravity_W;
+  to.rows = from.rows;
+  to.p_LT = from.p_LT;
+  to.tool_axis_L = from.tool_axis_L;
+  to.reference_temperature = from.reference_temperature;
+  to.tip_load = from.tip_load;
 }
 
 template <class S>
 S scaleOf(const ArmOf<S>& arm) {
   const PostureOf<S> nowhere;
-  Situation<S> situation{arm, nowhere, {}, {}, Vector3<S>::Zero(), {}, S(1)};
+  Situation<S> situation(arm, nowhere);
   const auto& kinds = effectKinds();
   for (const auto& effect : arm.effects)
     if (kinds.at(effect.kind).stage == EffectStage::kMeasurement) applyOne(kinds[effect.kind], effect, situation);
@@ -33,15 +38,28 @@ S scaleOf(const ArmOf<S>& arm) {
 }  // namespace
 
 template <class S>
-Situation<S> situationOf(const ArmOf<S>& arm, const PostureOf<S>& posture) {
-  Situation<S> situation{arm, posture, withoutEffects(arm), posture, Vector3<S>::Zero(), {}, S(1)};
+void applyEffects(Situation<S>& situation) {
+  copyWithoutEffects(situation.given, situation.arm);
+  situation.posture = situation.asked;
+  situation.gravity_turn.setZero();
+  situation.X_BM = {};
+  situation.measurement_scale = S(1);
+  situation.undefined.clear();
   const auto& kinds = effectKinds();
-  for (const auto& effect : arm.effects) applyOne(kinds.at(effect.kind), effect, situation);
-  const Vector3<S> gravity_B = rotationFromVector<S>(situation.gravity_turn) * posture.gravity_B;
+  for (const auto& effect : situation.given.effects) applyOne(kinds.at(effect.kind), effect, situation);
+  const Vector3<S> gravity_B = rotationFromVector<S>(situation.gravity_turn) * situation.asked.gravity_B;
   situation.posture.gravity_B = situation.X_BM.R.transpose() * gravity_B;
+}
+
+template <class S>
+Situation<S> situationOf(const ArmOf<S>& arm, const PostureOf<S>& posture) {
+  Situation<S> situation(arm, posture);
+  applyEffects(situation);
   return situation;
 }
 
+template void applyEffects(Situation<double>&);
+template void applyEffects(Situation<Dual>&);
 template Situation<double> situationOf(const ArmOf<double>&, const PostureOf<double>&);
 template Situation<Dual> situationOf(const ArmOf<Dual>&, const PostureOf<Dual>&);
 

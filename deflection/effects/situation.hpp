@@ -10,6 +10,8 @@ namespace tubeplan::deflection {
 
 template <class S>
 struct Situation {
+  Situation(const ArmOf<S>& given_arm, const PostureOf<S>& asked_posture) : given(given_arm), asked(asked_posture) {}
+
   const ArmOf<S>& given;                         ///< as the file has it: what effects read
   const PostureOf<S>& asked;                     ///< readings as the encoders show them, gravity in the base as named
   ArmOf<S> arm;                                  ///< what effects add to; carries no effects itself
@@ -19,6 +21,10 @@ struct Situation {
   S measurement_scale{1};                        ///< measured coordinates per true one
   std::string undefined = {};                    ///< why an effect has no finite value here; empty where all have
 };
+
+/// Begins the copies anew and applies the arm's effects. What a situation held before is overwritten in place.
+template <class S>
+void applyEffects(Situation<S>& situation);
 
 /// The arm's effects applied at a posture. `arm` and `posture` must outlive the result.
 template <class S>

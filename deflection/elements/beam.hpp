@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "deflection/elements/element.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection::beam {
 
@@ -65,36 +66,75 @@ Matrix3<S> addedCompliance(const Addition<S>& addition, const Vector3<S>& e) {
   return C;
 }
 
-/// 1/2 of the integral of theta(s) x (theta(s) x v), theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6.
 template <class S>
-Vector3<S> foreshortening(const Vector3<S>& m, const Vector3<S>& f, const Vector3<S>& w, const Vector3<S>& v) {
-  const Vector3<S> mv = m.cross(v), fv = f.cross(v), wv = w.cross(v);
-  const Vector3<S> mm = m.cross(mv), ff = f.cross(fv), ww = w.cross(wv);
-  const Vector3<S> mf = m.cross(fv) + f.cross(mv), mw = m.cross(wv) + w.cross(mv), fw = f.cross(wv) + w.cross(fv);
-  const Vector3<S> sum =
-      (mm + mm) / 6. + (ff + ff) / 15. + (ww + ww) / 112. + mf * (5. / 24) + mw * (3. / 40) + fw * (7. / 144);
-  return sum / 2.;
+Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>& member) {
+  using std::sqrt;
+  Flexibility<S> result;
+  result.member = member;
+  if (valueOf(member.squaredNorm()) == 0) return result;  // a slide drawn fully in has nothing to bend
+  const S L = sqrt(member.squaredNorm());
+  const Vector3<S> e = member / L;
+  if (row.beam) result.compliance += curvatureCompliance<S>(*row.beam, e);
+  if (row.addition && row.addition->member_gives) result.compliance += addedCompliance<S>(*row.addition, e);
+  result.compliance *= L;
+  return result;
 }
 
+/// The slope along the member, theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6: what the moment, the force and the
+/// weight along it turn.
 template <class S>
-Deflection<S> deflect(const Row<S>& row, const Loading<S>& loading) {
-  using std::sqrt;
-  const Vector3<S>& v = loading.member;
+struct Slope {
+  Vector3<S> m, f, w;
+};
+
+/// `L` is the loading's scalar: plain numbers where only the flexibility changes.
+template <class S, class L>
+Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<L>& loading) {
+  return {flexibility.compliance * loading.moment, flexibility.compliance * loading.chord.cross(loading.force),
+          flexibility.compliance * loading.chord.cross(loading.weight)};
+}
+
+/// Half the means of theta(s)'s products: theta . theta = 2 (m . M + f . F + w . W) in the mean, for M, F, W returned.
+template <class S>
+Slope<S> meansOf(const Slope<S>& t) {
+  return {t.m * (1. / 6) + t.f * (5. / 48) + t.w * (3. / 80), t.m * (5. / 48) + t.f * (1. / 15) + t.w * (7. / 288),
+          t.m * (3. / 80) + t.f * (7. / 288) + t.w * (1. / 112)};
+}
+
+/// 1/2 of the mean of theta(s) x (theta(s) x v).
+template <class S>
+Vector3<S> foreshortening(const Slope<S>& t, const Vector3<S>& v) {
+  const Slope<S> mean = meansOf<S>(t);
+  return mean.m * t.m.dot(v) + mean.f * t.f.dot(v) + mean.w * t.w.dot(v) -
+         v * S(t.m.dot(mean.m) + t.f.dot(mean.f) + t.w.dot(mean.w));
+}
+
+template <class S, class L>
+Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
+  const Slope<S> t = slopeOf<S, L>(flexibility, loading);
   Deflection<S> result;
-  if (valueOf(v.squaredNorm()) == 0) return result;  // a slide drawn fully in has nothing to bend
-  const S L = sqrt(v.squaredNorm());
-  const Vector3<S> e = v / L;
-  Matrix3<S> C = Matrix3<S>::Zero();
-  if (row.beam) C += curvatureCompliance<S>(*row.beam, e);
-  if (row.addition && row.addition->member_gives) C += addedCompliance<S>(*row.addition, e);
-  C *= L;
-  const Vector3<S> m = C * loading.moment;
-  const Vector3<S> f = C * loading.chord.cross(loading.force);
-  const Vector3<S> w = C * loading.chord.cross(loading.weight);
-  result.rotation = m + f / 2. + w / 6.;
-  const Vector3<S> lever = m / 2. + f / 3. + w / 8.;
-  result.displacement = lever.cross(v) + foreshortening<S>(m, f, w, v);
+  result.rotation = t.m + t.f * (1. / 2) + t.w * (1. / 6);
+  const Vector3<S> lever = t.m * (1. / 2) + t.f * (1. / 3) + t.w * (1. / 8);
+  result.displacement = lever.cross(flexibility.member) + foreshortening<S>(t, flexibility.member);
   return result;
+}
+
+/// How the displacement changes with one part of the slope, whose lever on the member is `share`.
+inline Eigen::Matrix3d displacementBy(double share, const Eigen::Vector3d& mean, const Eigen::Vector3d& v) {
+  return -share * crossMatrix(v) + mean.dot(v) * Eigen::Matrix3d::Identity() + mean * v.transpose() -
+         2 * v * mean.transpose();
+}
+
+inline DeflectionSlopes slopesOf(const Flexibility<double>& flexibility, const Loading<double>& loading) {
+  const Eigen::Matrix3d& C = flexibility.compliance;
+  const Eigen::Vector3d& v = flexibility.member;
+  const Slope<double> mean = meansOf<double>(slopeOf<double, double>(flexibility, loading));
+  const Eigen::Matrix3d by_arm = C * crossMatrix(loading.chord), by_force = -C * crossMatrix(loading.force),
+                        by_weight = -C * crossMatrix(loading.weight);
+  const Eigen::Matrix3d m = displacementBy(1. / 2, mean.m, v), f = displacementBy(1. / 3, mean.f, v),
+                        w = displacementBy(1. / 8, mean.w, v);
+  return {f * by_arm, m * C, w * by_arm, f * by_force + w * by_weight,
+          by_arm / 2, C,     by_arm / 6, by_force / 2 + by_weight / 6};
 }
 
 }  // namespace tubeplan::deflection::beam

@@ -26,22 +26,40 @@ S clampTo(const S& x, const S& limit) {
 }
 
 template <class S>
-Vector3<S> addedRotation(const Row<S>& row, const Vector3<S>& moment) {
-  const Addition<S>& addition = *row.addition;
-  Vector3<S> rotation = moment.cwiseProduct(addition.compliance);
-  for (int k = 0; k < 3; ++k)
-    if (std::isfinite(valueOf(row.joint_stiffness[k])))
-      rotation[k] += addition.softness[k] * clampTo<S>(moment[k], addition.knee[k]) / row.joint_stiffness[k];
-  return rotation;
+Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
+  Flexibility<S> result;
+  const bool added = row.addition && row.addition->joint_gives;
+  for (int k = 0; k < 3; ++k) {
+    const bool gives = std::isfinite(valueOf(row.joint_stiffness[k]));
+    if (gives) result.compliance(k, k) = S(1) / row.joint_stiffness[k];
+    if (!added) continue;
+    result.compliance(k, k) += row.addition->compliance[k];
+    if (!gives) continue;
+    result.softness[k] = row.addition->softness[k] / row.joint_stiffness[k];
+    result.knee[k] = row.addition->knee[k];
+    result.has_soft_zone = true;
+  }
+  return result;
 }
 
-template <class S>
-Deflection<S> deflect(const Row<S>& row, const Loading<S>& loading) {
+/// `L` is the loading's scalar: plain numbers where only the flexibility changes.
+template <class S, class L>
+Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   Deflection<S> result;
+  for (int k = 0; k < 3; ++k) result.rotation[k] = flexibility.compliance(k, k) * loading.moment[k];
+  if (!flexibility.has_soft_zone) return result;
   for (int k = 0; k < 3; ++k)
-    if (std::isfinite(valueOf(row.joint_stiffness[k]))) result.rotation[k] = loading.moment[k] / row.joint_stiffness[k];
-  if (row.addition && row.addition->joint_gives) result.rotation += addedRotation<S>(row, loading.moment);
+    result.rotation[k] += flexibility.softness[k] * clampTo<S>(S(loading.moment[k]), flexibility.knee[k]);
   return result;
+}
+
+inline DeflectionSlopes slopesOf(const Flexibility<double>& flexibility, const Loading<double>& loading) {
+  DeflectionSlopes slopes;
+  slopes.rotation_by_moment = flexibility.compliance;
+  if (!flexibility.has_soft_zone) return slopes;
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(loading.moment[k]) <= flexibility.knee[k]) slopes.rotation_by_moment(k, k) += flexibility.softness[k];
+  return slopes;
 }
 
 }  // namespace tubeplan::deflection::joint_stiffness

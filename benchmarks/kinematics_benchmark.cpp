@@ -1,0 +1,138 @@
+// What the flexible arm costs beside a rigid one: the converged deflected shape of the Cobra arm, its Jacobian by the
+// joints and by every number of the arm, against Orocos KDL's rigid kinematics of the same chain in the same run.
+#include <benchmark/benchmark.h>
+
+#include <kdl/chain.hpp>
+#include <kdl/chainfksolverpos_recursive.hpp>
+#include <kdl/chainjnttojacsolver.hpp>
+#include <random>
+
+#include "deflection/tip_differentiation.hpp"
+#include "tests/deflection/cobra.hpp"
+
+namespace tubeplan::benchmarks {
+namespace {
+
+using namespace deflection;
+
+KDL::Chain rigidChain(const Arm& arm) {
+  KDL::Chain chain;
+  for (const auto& row : arm.rows) {
+    const auto& dh = std::get<DenavitHartenberg<double>>(row.placement);
+    const bool moves = row.joint.type != JointType::kPassive;
+    // Craig's numbers stand before their joint: the frame up to the joint is a fixed segment of its own only at the
+    // base.
+    const auto before = KDL::Frame::DH_Craig1989(dh.a, dh.alpha, dh.d, dh.theta + row.joint.offset);
+    if (!moves) {
+      chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), before));
+      continue;
+    }
+    const KDL::Joint turn(row.joint.name, before.p, before.M * KDL::Vector(0, 0, 1), KDL::Joint::RotAxis);
+    chain.addSegment(KDL::Segment(turn, before));
+  }
+  const Eigen::Vector3d& tip = arm.p_LT;
+  chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), KDL::Frame(KDL::Vector(tip.x(), tip.y(), tip.z()))));
+  return chain;
+}
+
+/// The same postures for everybody.
+struct Postures {
+  Arm arm = cobraArm();
+  std::vector<Posture> list;
+  std::size_t at = 0;
+
+  Postures() {
+    std::mt19937_64 random(3);
+    for (int k = 0; k < 64; ++k) list.push_back({randomJoints(arm, random), 20 * kPound * (k % 3)});
+  }
+  const Posture& next() { return list[at++ % list.size()]; }
+};
+
+void rigidPose(benchmark::State& state) {
+  Postures postures;
+  const KDL::Chain chain = rigidChain(postures.arm);
+  KDL::ChainFkSolverPos_recursive solver(chain);
+  KDL::JntArray q(4);
+  KDL::Frame tip;
+  for (auto _ : state) {
+    q.data = postures.next().q;
+    benchmark::DoNotOptimize(solver.JntToCart(q, tip));
+    benchmark::DoNotOptimize(tip);
+  }
+  const auto shape = solveFlexibleKinematics(postures.arm, postures.list[0]);
+  q.data = postures.list[0].q;
+  solver.JntToCart(q, tip);
+  state.counters["off_m"] = (Eigen::Vector3d(tip.p.x(), tip.p.y(), tip.p.z()) - shape.X_BT.p).norm();
+}
+
+void rigidJacobian(benchmark::State& state) {
+  Postures postures;
+  const KDL::Chain chain = rigidChain(postures.arm);
+  KDL::ChainFkSolverPos_recursive position(chain);
+  KDL::ChainJntToJacSolver derivatives(chain);
+  KDL::JntArray q(4);
+  KDL::Frame tip;
+  KDL::Jacobian jacobian(4);
+  for (auto _ : state) {
+    q.data = postures.next().q;
+    benchmark::DoNotOptimize(position.JntToCart(q, tip));
+    benchmark::DoNotOptimize(derivatives.JntToJac(q, jacobian));
+    benchmark::DoNotOptimize(jacobian);
+  }
+}
+
+void flexiblePose(benchmark::State& state) {
+  Postures postures;
+  PreparedArm arm(postures.arm);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(arm.solve(postures.next()));
+    benchmark::DoNotOptimize(arm.X_BD());
+  }
+}
+
+/// The same without anything kept between postures, and with all that is known of the shape.
+void singleShape(benchmark::State& state) {
+  Postures postures;
+  for (auto _ : state) benchmark::DoNotOptimize(solveFlexibleKinematics(postures.arm, postures.next()));
+}
+
+void derive(benchmark::State& state, const std::vector<Variable>& variables) {
+  Postures postures;
+  TipDifferentiation tip(postures.arm);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(tip.solve(postures.next(), variables));
+    benchmark::DoNotOptimize(tip.columns().data());
+  }
+  state.counters["variables"] = static_cast<double>(variables.size());
+}
+
+void flexibleJacobian(benchmark::State& state) { derive(state, jointVariables(cobraArm())); }
+
+void numbersJacobian(benchmark::State& state) {
+  std::vector<Variable> variables;
+  for (const auto& parameter : parametersOf(cobraArm())) variables.push_back(Variable::number(parameter.path));
+  derive(state, variables);
+}
+
+void stiffnessJacobian(benchmark::State& state) {
+  std::vector<Variable> variables;
+  for (const auto& parameter : parametersOf(cobraArm()))
+    if (parameter.quantity == Quantity::kTorquePerAngle || parameter.quantity == Quantity::kPressure)
+      variables.push_back(Variable::number(parameter.path));
+  for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
+  for (const auto& joint : jointVariables(cobraArm())) variables.push_back(joint);
+  derive(state, variables);
+}
+
+BENCHMARK(rigidPose)->Name("rigid KDL/pose");
+BENCHMARK(rigidJacobian)->Name("rigid KDL/pose and Jacobian");
+BENCHMARK(flexiblePose)->Name("flexible/pose");
+BENCHMARK(singleShape)->Name("flexible/single shape");
+BENCHMARK(flexibleJacobian)->Name("flexible/pose and Jacobian by joints");
+BENCHMARK(stiffnessJacobian)->Name("flexible/pose and Jacobian by stiffnesses, base and joints");
+BENCHMARK(numbersJacobian)->Name("flexible/pose and Jacobian by all numbers");
+
+}  // namespace
+}  // namespace tubeplan::benchmarks
+
+BENCHMARK_MAIN();

@@ -1,0 +1,53 @@
+// What a few variables change in an arm directly, turned into motion of its tip by the sensitivities of the shape.
+//
+// The change comes from dual numbers through the very templates that build the chain and its elements, row by row; only
+// rows that change are built.
+#pragma once
+
+#include <vector>
+
+#include "deflection/tip_sensitivity.hpp"
+
+namespace tubeplan::deflection {
+
+/// Motion of the tip, one column for each slot of a dual number.
+using TipColumns = Eigen::Matrix<double, 6, kDualSize>;
+
+bool changes(const Dual& x);
+bool changes(const Vector3<Dual>& v);
+
+/// Adds what a moving frame does to a tip at p in it (turned into the outer axes).
+void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
+
+class DirectChanges {
+ public:
+  /// About the shape that `arm` has solved last and that `sensitivity` was found at; both must outlive this, and are
+  /// followed from shape to shape by begin().
+  DirectChanges(const PreparedArm& arm, const TipSensitivity& sensitivity) : arm_(arm), sensitivity_(sensitivity) {}
+
+  void begin();
+
+  /// Motion of the tip by changes of a row, its reading (with the joint's offset) and what leads to the next row.
+  void addRow(std::size_t index, const Row<Dual>& row, const Dual& reading, const Vector3<Dual>& to_next,
+              TipColumns& tip);
+
+  /// By changes of what gives in a row, and of nothing else.
+  void addElements(std::size_t index, const Row<Dual>& row, TipColumns& tip);
+
+  /// By a change of the reading alone.
+  void addTurn(std::size_t index, const Dual& reading, TipColumns& tip) const;
+
+  void addGravity(const Vector3<Dual>& gravity_B, TipColumns& tip) const;
+  void addTipLoad(const Dual& load, const std::optional<TipLoad<Dual>>& added, TipColumns& tip) const;
+
+ private:
+  void addLink(std::size_t k, const ChainLink<Dual>& link, TipColumns& tip) const;
+  void addElement(std::size_t e, const ChainLink<Dual>& link, const Row<Dual>& row, TipColumns& tip) const;
+
+  const PreparedArm& arm_;
+  const TipSensitivity& sensitivity_;
+  std::vector<std::size_t> first_link_, first_element_;  ///< of each row
+  Chain<Dual> chain_;
+};
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,100 @@
+// The shape in which an arm's elements carry its loads: rigid bodies between elements, and the sweeps that bring both
+// to rest.
+//
+// Every load is dead: a force whose size and direction never change. So all that an element carries is known from three
+// things of each direction of loads: the direction as seen from the element, which a sweep outwards turns from body to
+// body, and the size and the first moment of the loads beyond, which a sweep inwards gathers. Their product is the
+// moment, M = S x g (step 3 of the thesis's table 2.1), and both sweeps bend the elements that they pass (step 4).
+// Nothing here allocates once the arm's elements are known.
+#pragma once
+
+#include <vector>
+
+#include "deflection/elements/clearance.hpp"
+#include "deflection/elements/element.hpp"
+#include "deflection/flexible_kinematics.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::deflection {
+
+/// What is rigid between two elements: its far end as seen from its near end, and its own weight.
+struct RigidBody {
+  PoseOf<double> far;
+  double weight = 0;                                 ///< N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< first moment of the weight about the near end [N m]
+};
+
+/// An element and how it has given.
+struct FlexibleElement {
+  const ElementKind* kind = nullptr;
+  Flexibility<double> flexibility;
+  double weight = 0;  ///< along it [N]
+  int hinge = -1;  ///< the axis of a joint that turns by one axis only, by a linear law; else -1
+  std::array<bool, 3> has_gap{};
+  Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< rad
+
+  Deflection<double> deflection;                  ///< rotation with the gap's
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< rad, the part of the rotation that is clearance
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+
+  [[nodiscard]] Eigen::Vector3d chord() const { return flexibility.member + deflection.displacement; }
+  [[nodiscard]] bool hasGap() const { return has_gap[0] || has_gap[1] || has_gap[2]; }
+};
+
+/// All loads of one direction.
+struct DeadLoad {
+  Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
+  double at_tip = 0;                                     ///< size of the load at the tip
+  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of it, in the tip's axes
+  int body = -1;                                         ///< the body that a load of size one hangs from, or none ...
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< ... and where, in its near axes
+};
+
+class Equilibrium {
+ public:
+  /// Bodies and elements take turns, from the base to the tip: one body more than elements. The first of the loads is
+  /// gravity, with the bodies' weights; there is always one.
+  std::vector<RigidBody> bodies;
+  std::vector<FlexibleElement> elements;
+  std::vector<DeadLoad> loads;
+  double reach = 0;    ///< yardstick of rotations [m]
+  int clearances = 0;  ///< axes with an open gap
+
+  /// From the undeflected shape until the elements rest: no sweep moves the tip by more than `tolerance` [m].
+  KinematicsStatus settle(double tolerance, int max_iterations);
+
+  /// Pairs of sweeps that the last solution took.
+  [[nodiscard]] int iterations() const { return iterations_; }
+
+  /// The tip in the base, as deflected.
+  [[nodiscard]] PoseOf<double> tip() const;
+
+  /// Loading of an element by the loads beyond it, as they were seen last.
+  [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
+
+  /// Where an axis of an element rests in its gap under its loading.
+  [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
+
+ private:
+  /// Loads of one direction beyond an element: size and first moment about its far end in far axes, and the direction
+  /// in near axes.
+  struct Beyond {
+    double size = 0;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero(), direction = Eigen::Vector3d::Zero();
+  };
+
+  void straighten();
+  void gatherInwards(bool bend);
+  [[nodiscard]] double turnOutwards();
+  double bend(std::size_t element, bool with_gaps);
+  double turnHinge(std::size_t element);
+  [[nodiscard]] Beyond& beyond(std::size_t element, std::size_t load) { return beyond_[element * loads.size() + load]; }
+  [[nodiscard]] const Beyond& beyond(std::size_t element, std::size_t load) const {
+    return beyond_[element * loads.size() + load];
+  }
+
+  std::vector<Beyond> beyond_;
+  int iterations_ = 0;
+};
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,84 @@
+// An arm made ready for many postures: what no posture changes is worked out once, and solving a shape takes nothing
+// from the heap.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "deflection/chain.hpp"
+#include "deflection/effects/situation.hpp"
+#include "deflection/equilibrium.hpp"
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::deflection {
+
+/// Solves one posture after the other; each thread needs its own.
+class PreparedArm {
+ public:
+  /// `arm` must outlive this, and stay as it is.
+  explicit PreparedArm(const Arm& arm);
+  PreparedArm(const PreparedArm&) = delete;
+  PreparedArm& operator=(const PreparedArm&) = delete;
+
+  /// Solves the deflected shape at a posture. All that follows is about the last one solved.
+  KinematicsStatus solve(const Posture& posture, const FlexibleKinematicsOptions& options = {});
+
+  [[nodiscard]] KinematicsStatus status() const { return status_; }
+  [[nodiscard]] std::string reason() const;
+
+  /// The tool frame at the deflected tip, in the base as named; not numbers where an effect is undefined.
+  [[nodiscard]] const PoseOf<double>& X_BD() const { return X_BD_; }
+
+  /// All that is known of the shape.
+  [[nodiscard]] FlexibleKinematics shape() const;
+
+ private:
+  friend class DirectChanges;
+  friend class TipDifferentiation;
+  friend class TipSensitivity;
+
+  /// The turn of a joint, by a link of the chain.
+  struct JointTurn {
+    std::size_t link;
+    int joint;
+    double offset;  ///< of the joint's reading [rad]
+  };
+  /// A rigid part of a body, then the turn of a joint (-1: none).
+  struct RigidPart {
+    RigidBody rigid;
+    bool has_rotation = false;
+    int turn = -1;
+  };
+  /// Where a load other than gravity hangs: which one, in which body and before which of its parts.
+  struct Hanging {
+    std::size_t load;
+    int part;
+    Eigen::Vector3d place;
+  };
+
+  [[nodiscard]] const Arm& effective() const { return situation_ ? situation_->arm : arm_; }
+  [[nodiscard]] const Posture& effectivePosture() const { return situation_ ? situation_->posture : asked_; }
+  void prepare(const Arm& arm, const Eigen::VectorXd& q);
+  void addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k);
+  void addElement(const Arm& arm, const ChainLink<double>& link);
+  void pose(const Eigen::VectorXd& q);
+  void load(const Arm& arm, const Posture& posture);
+  void undefine();
+  void linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const;
+  void recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const;
+
+  const Arm& arm_;
+  Posture asked_;
+  std::optional<Situation<double>> situation_;  ///< where the arm has effects
+  bool is_fixed_;                               ///< neither effects nor slides: the same links at every posture
+  Chain<double> chain_;                         ///< with the turning joints at zero
+  std::vector<JointTurn> turns_;
+  std::vector<RigidPart> parts_;
+  std::vector<std::size_t> part_ends_;  ///< of each body
+  std::vector<Hanging> hanging_;
+  Equilibrium equilibrium_;
+  KinematicsStatus status_ = KinematicsStatus::kNotRun;
+  PoseOf<double> X_BD_;
+};
+
+}  // namespace tubeplan::deflection

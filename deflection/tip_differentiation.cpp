@@ -1,0 +1,201 @@
+#include "deflection/tip_differentiation.hpp"
+
+#include <algorithm>
+
+#include "deflection/effects/effect.hpp"
+#include "deflection/row_numbers.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+/// Which row's links a variable of an arm without effects changes: of the tip, what the last row leads to.
+int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
+  if (variable.type == Variable::Type::kJoint) return active[static_cast<std::size_t>(variable.index)];
+  if (variable.type == Variable::Type::kParameter) return variable.parameter.row < 0 ? rows : variable.parameter.row;
+  return rows;
+}
+
+/// Which of a row's numbers change.
+struct RowChanges {
+  bool placement = false, flexibility = false, others = false;
+};
+
+RowChanges changesOf(Row<Dual>& row) {
+  RowChanges found;
+  const auto into = [](bool& any) { return [&any](const Dual& x, const Dual&) { any = any || changes(x); }; };
+  visitPlacements(row, row, into(found.placement));
+  visitFlexibilities(row, row, into(found.flexibility));
+  visitLoads(row, row, into(found.others));
+  return found;
+}
+
+void setValue(Dual& x, double value) {
+  const Dual::Derivatives derivatives = x.derivatives();
+  x = Dual(value);
+  x.derivatives() = derivatives;
+}
+
+/// The row at its effective values, derivatives as they are.
+void setValues(Row<Dual>& row, const Row<double>& values) {
+  if (values.addition) {
+    if (!row.addition) row.addition.emplace();
+    row.addition->joint_gives = values.addition->joint_gives;
+    row.addition->member_gives = values.addition->member_gives;
+    row.addition->bends = values.addition->bends;
+    row.addition->has_gap = values.addition->has_gap;
+  }
+  visitPlacements(row, values, setValue);
+  visitFlexibilities(row, values, setValue);
+  visitLoads(row, values, setValue);
+}
+
+}  // namespace
+
+TipDifferentiation::TipDifferentiation(const Arm& arm)
+    : given_(arm), arm_(arm), direct_(arm_, sensitivity_), dual_arm_(castArm<Dual>(arm)) {
+  int joint = 0;
+  for (const auto& row : arm.rows) joints_.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);
+  active_ = activeRows(arm);
+}
+
+Dual TipDifferentiation::readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const {
+  return joints_[row] < 0 ? Dual(0) : q[joints_[row]];
+}
+
+void TipDifferentiation::seed(const Variable& variable, int slot, double size) {
+  switch (variable.type) {
+    case Variable::Type::kJoint:
+      dual_posture_.q[variable.index].derivatives()[slot] = size;
+      return;
+    case Variable::Type::kLoad:
+      dual_posture_.load.derivatives()[slot] = size;
+      return;
+    case Variable::Type::kGravityTurn:
+      gravity_turn_[variable.index].derivatives()[slot] = size;
+      return;
+    case Variable::Type::kParameter:
+      locate(dual_arm_, variable.parameter).derivatives()[slot] = size;
+      return;
+  }
+}
+
+void TipDifferentiation::store(const Block& block, int count, const TipColumns& tip) {
+  for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
+}
+
+/// What changes of a row, of its reading `q` and, where it `leads_elsewhere`, of its way to the next row does; only what
+/// changes is built. Returns whether the row before leads elsewhere.
+bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
+                                          TipColumns& tip) {
+  Row<Dual>& row = arm.rows[index];
+  const RowChanges changed = changesOf(row);
+  const bool slides = row.joint.type == JointType::kPrismatic;
+  if (changed.placement || changed.others || leads_elsewhere || (slides && changes(q))) {
+    direct_.addRow(index, row, q + row.joint.offset, offsetToNext<Dual>(arm, index), tip);
+  } else {
+    if (changed.flexibility) direct_.addElements(index, row, tip);
+    if (changes(q)) direct_.addTurn(index, q, tip);
+  }
+  return changed.placement;
+}
+
+void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>& variables) {
+  const int rows = static_cast<int>(given_.rows.size());
+  order_.clear();
+  for (std::size_t k = 0; k < variables.size(); ++k) order_.emplace_back(rowOf(variables[k], active_, rows), k);
+  std::sort(order_.begin(), order_.end());
+  Block block{};
+  for (std::size_t first = 0; first < order_.size();) {
+    const int row = order_[first].first;
+    int count = 0;
+    for (; count < kDualSize && first + count < order_.size() && order_[first + count].first == row; ++count) {
+      block[count] = order_[first + count].second;
+      seed(variables[block[count]], count, 1);
+    }
+    TipColumns tip = TipColumns::Zero();
+    const auto index = static_cast<std::size_t>(row);
+    bool leads_elsewhere = row == rows && changes(dual_arm_.p_LT);
+    if (row < rows)
+      leads_elsewhere = differentiateRow(index, dual_arm_, readingOf(index, dual_posture_.q), false, tip);
+    if (leads_elsewhere && row > 0)
+      differentiateRow(index - 1, dual_arm_, readingOf(index - 1, dual_posture_.q), true, tip);
+    direct_.addTipLoad(dual_posture_.load, {}, tip);
+    direct_.addGravity(gravity_turn_.cross(dual_posture_.gravity_B), tip);
+    for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
+    store(block, count, tip);
+    first += static_cast<std::size_t>(count);
+  }
+}
+
+/// What the seeded numbers change by way of the effects.
+void TipDifferentiation::differentiateSituation(TipColumns& tip) {
+  const Arm& values = arm_.effective();
+  const Posture& posture = arm_.effectivePosture();
+  applyEffects(*situation_);
+  ArmOf<Dual>& arm = situation_->arm;
+  for (std::size_t i = 0; i < arm.rows.size(); ++i) setValues(arm.rows[i], values.rows[i]);
+  for (int axis = 0; axis < 3; ++axis) setValue(arm.p_LT[axis], values.p_LT[axis]);
+  for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(situation_->posture.q[j], posture.q[j]);
+  bool leads_elsewhere = changes(arm.p_LT);
+  for (std::size_t i = arm.rows.size(); i-- > 0;)
+    leads_elsewhere = differentiateRow(i, arm, readingOf(i, situation_->posture.q), leads_elsewhere, tip);
+  direct_.addTipLoad(situation_->posture.load, arm.tip_load, tip);
+  direct_.addGravity(situation_->posture.gravity_B, tip);
+}
+
+void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& variables) {
+  if (!situation_) situation_.emplace(dual_arm_, dual_posture_);
+  Block block{};
+  for (std::size_t first = 0; first < variables.size(); first += kDualSize) {
+    const int count = static_cast<int>(std::min<std::size_t>(kDualSize, variables.size() - first));
+    for (int slot = 0; slot < count; ++slot) {
+      block[slot] = first + static_cast<std::size_t>(slot);
+      seed(variables[block[slot]], slot, 1);
+    }
+    const Eigen::Vector3d g = valuesOf(dual_posture_.gravity_B);
+    dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
+    TipColumns tip = TipColumns::Zero();
+    differentiateSituation(tip);
+    moveBase(tip);
+    dual_posture_.gravity_B = g.cast<Dual>();
+    for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
+    store(block, count, tip);
+  }
+}
+
+/// From the moved base to the base as named, which the variables may move too.
+void TipDifferentiation::moveBase(TipColumns& tip) const {
+  const PoseOf<double>& X_BM = arm_.situation_->X_BM;
+  const Eigen::Vector3d p_MD_B = X_BM.R * sensitivity_.frames().back().p;
+  tip.topRows<3>() = (X_BM.R * tip.topRows<3>()).eval();
+  tip.bottomRows<3>() = (X_BM.R * tip.bottomRows<3>()).eval();
+  addMotion(situation_->X_BM, p_MD_B, tip);
+}
+
+KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
+                                           const FlexibleKinematicsOptions& options) {
+  arm_.solve(posture, options);
+  const auto n = static_cast<Eigen::Index>(variables.size());
+  columns_.resize(6, n);
+  if (arm_.status() != KinematicsStatus::kConverged) {
+    columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return arm_.status();
+  }
+  if (n == 0) return arm_.status();
+  sensitivity_.linearize(arm_);
+  direct_.begin();
+  dual_posture_.q = posture.q.cast<Dual>();
+  dual_posture_.load = posture.load;
+  dual_posture_.gravity_B = posture.gravity_B.cast<Dual>();
+  dual_posture_.senses = posture.senses;
+  dual_posture_.temperature = posture.temperature;
+  dual_posture_.time = posture.time;
+  if (given_.effects.empty())
+    differentiateWithoutEffects(variables);
+  else
+    differentiateWithEffects(variables);
+  return arm_.status();
+}
+
+}  // namespace tubeplan::deflection

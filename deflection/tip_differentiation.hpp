@@ -1,0 +1,58 @@
+// The deflected tip and its exact derivatives, posture after posture of one arm.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "deflection/direct_changes.hpp"
+#include "deflection/prepared_arm.hpp"
+#include "deflection/tip_derivatives.hpp"
+#include "deflection/tip_sensitivity.hpp"
+
+namespace tubeplan::deflection {
+
+/// Shapes of one arm with their derivatives, one after the other; each thread needs its own.
+class TipDifferentiation {
+ public:
+  /// `arm` must outlive this, and stay as it is.
+  explicit TipDifferentiation(const Arm& arm);
+  TipDifferentiation(const TipDifferentiation&) = delete;
+  TipDifferentiation& operator=(const TipDifferentiation&) = delete;
+
+  /// Solves the shape and, where it converges, takes its derivatives by `variables`; else their columns are NaN.
+  KinematicsStatus solve(const Posture& posture, const std::vector<Variable>& variables,
+                         const FlexibleKinematicsOptions& options = {});
+
+  [[nodiscard]] const PreparedArm& arm() const { return arm_; }
+  /// d p_BD / d variable [m per unit], then the rotation vector of the tool frame [rad per unit], in base axes; one
+  /// column for each variable.
+  [[nodiscard]] const Eigen::Matrix<double, 6, Eigen::Dynamic>& columns() const { return columns_; }
+
+ private:
+  using Block = std::array<std::size_t, kDualSize>;  ///< the variables of a pass
+
+  void seed(const Variable& variable, int slot, double size);
+  void differentiateWithoutEffects(const std::vector<Variable>& variables);
+  bool differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere, TipColumns& tip);
+  void differentiateWithEffects(const std::vector<Variable>& variables);
+  void differentiateSituation(TipColumns& tip);
+  void moveBase(TipColumns& tip) const;
+  void store(const Block& block, int count, const TipColumns& tip);
+  [[nodiscard]] Dual readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const;
+
+  const Arm& given_;
+  PreparedArm arm_;
+  TipSensitivity sensitivity_;
+  DirectChanges direct_;
+  ArmOf<Dual> dual_arm_;
+  PostureOf<Dual> dual_posture_;
+  Vector3<Dual> gravity_turn_;
+  std::optional<Situation<Dual>> situation_;  ///< of the dual arm and posture, where there are effects
+  std::vector<int> joints_;                   ///< of each row, -1 where it is passive
+  std::vector<int> active_;                   ///< row of each joint
+  std::vector<std::pair<int, std::size_t>> order_;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> columns_;
+};
+
+}  // namespace tubeplan::deflection

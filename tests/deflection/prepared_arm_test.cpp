@@ -1,0 +1,126 @@
+// An arm made ready: the same shapes whatever was solved before, nothing from the heap, slopes of laws as their duals have
+// them.
+#include "deflection/prepared_arm.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "deflection/elements/beam.hpp"
+#include "deflection/elements/joint_stiffness.hpp"
+#include "deflection/tip_differentiation.hpp"
+#include "tests/deflection/effect_arms.hpp"
+
+namespace {
+std::atomic<long> allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace tubeplan::deflection {
+namespace {
+
+TEST(PreparedArm, AShapeDoesNotDependOnThoseBefore) {
+  std::mt19937_64 random(5);
+  for (const Arm& bare : effectArms()) {
+    Arm arm = bare;
+    for (const bool with_effects : {false, true}) {
+      if (with_effects)
+        for (const Effect& effect : allEffects(bare)) arm.effects.push_back(sized(bare, effect, 0.02));
+      PreparedArm prepared(arm);
+      for (int n = 0; n < 10; ++n) {
+        const Posture posture = randomPosture(arm, random);
+        ASSERT_EQ(prepared.solve(posture), KinematicsStatus::kConverged);
+        const auto alone = solveFlexibleKinematics(arm, posture);
+        EXPECT_EQ(prepared.X_BD().p, alone.X_BD.p) << arm.name;
+        EXPECT_EQ(prepared.X_BD().R, alone.X_BD.R) << arm.name;
+        EXPECT_EQ(prepared.shape().rows.back().moment_B, alone.rows.back().moment_B) << arm.name;
+      }
+    }
+  }
+}
+
+TEST(PreparedArm, SolvesWithoutTheHeap) {
+  std::mt19937_64 random(6);
+  const Arm arm = cobraArm();
+  PreparedArm prepared(arm);
+  std::vector<Posture> postures;
+  for (int n = 0; n < 20; ++n) postures.push_back(randomPosture(arm, random));
+  ASSERT_EQ(prepared.solve(postures[0]), KinematicsStatus::kConverged);
+  const long before = allocations;
+  for (const Posture& posture : postures) prepared.solve(posture);
+  EXPECT_EQ(allocations, before);
+}
+
+TEST(TipDifferentiation, TakesDerivativesWithoutTheHeap) {
+  std::mt19937_64 random(7);
+  const Arm arm = cobraArm();
+  std::vector<Variable> variables = jointVariables(arm);
+  for (const auto& parameter : parametersOf(arm))
+    if (parameter.quantity == Quantity::kTorquePerAngle) variables.push_back(Variable::number(parameter.path));
+  TipDifferentiation tip(arm);
+  std::vector<Posture> postures;
+  for (int n = 0; n < 20; ++n) postures.push_back(randomPosture(arm, random));
+  ASSERT_EQ(tip.solve(postures[0], variables), KinematicsStatus::kConverged);
+  const long before = allocations;
+  for (const Posture& posture : postures) tip.solve(posture, variables);
+  EXPECT_EQ(allocations, before);
+}
+
+/// The slopes of a law by dual numbers, eight inputs at a time, against those that the law states.
+template <Deflection<Dual> (*Deflect)(const Flexibility<Dual>&, const Loading<Dual>&)>
+void expectSlopes(const Flexibility<double>& flexibility, const Loading<double>& loading,
+                  const DeflectionSlopes& slopes) {
+  Flexibility<Dual> constant{flexibility.member.cast<Dual>(), flexibility.compliance.cast<Dual>(),
+                             flexibility.has_soft_zone, flexibility.softness.cast<Dual>(),
+                             flexibility.knee.cast<Dual>()};
+  const Eigen::Matrix3d displacement[] = {slopes.displacement_by_force, slopes.displacement_by_moment,
+                                          slopes.displacement_by_weight, slopes.displacement_by_chord};
+  const Eigen::Matrix3d rotation[] = {slopes.rotation_by_force, slopes.rotation_by_moment, slopes.rotation_by_weight,
+                                      slopes.rotation_by_chord};
+  for (int input = 0; input < 4; ++input) {
+    Loading<Dual> seeded{loading.force.cast<Dual>(), loading.moment.cast<Dual>(), loading.weight.cast<Dual>(),
+                         loading.chord.cast<Dual>()};
+    Vector3<Dual>* inputs[] = {&seeded.force, &seeded.moment, &seeded.weight, &seeded.chord};
+    for (int k = 0; k < 3; ++k) (*inputs[input])[k].derivatives()[k] = 1;
+    const Deflection<Dual> by = Deflect(constant, seeded);
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(displacement[input](i, k), by.displacement[i].derivatives()[k],
+                    1e-13 * displacement[input].norm());
+        EXPECT_NEAR(rotation[input](i, k), by.rotation[i].derivatives()[k], 1e-13 * rotation[input].norm());
+      }
+  }
+}
+
+TEST(ElementSlopes, AreThoseOfTheLaws) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> size(0.1, 1);
+  for (int n = 0; n < 50; ++n) {
+    const Eigen::Vector3d member = size(random) * randomDirection(random);
+    const Loading<double> loading{100 * randomDirection(random), 300 * randomDirection(random),
+                                  40 * randomDirection(random), member + 0.02 * randomDirection(random)};
+    Row<double> row;
+    row.joint_stiffness = {2e3, kRigid, 5e3};
+    row.beam = Beam<double>{7e10, {2e-8, kRigid, 4e-8}, 2.6e10, 3e-8};
+    row.addition.emplace();
+    row.addition->joint_gives = true;
+    row.addition->softness = {0.5, 0, 2};
+    row.addition->knee = {100, 0, 250};
+    const auto spring = joint_stiffness::flexibilityOf<double>(row, member);
+    expectSlopes<joint_stiffness::deflect<Dual, Dual>>(spring, loading, joint_stiffness::slopesOf(spring, loading));
+    const auto beam = beam::flexibilityOf<double>(row, member);
+    expectSlopes<beam::deflect<Dual, Dual>>(beam, loading, beam::slopesOf(beam, loading));
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::deflection
