@@ -1,0 +1,94 @@
+// The ladder: the error of each model, fitted and held out, falling towards the noise floor.
+import {fixed, short} from "../drawing/numbers";
+import type {LadderDocument} from "../server/documents";
+import {state} from "../server/workbench";
+import {compare, ladder} from "./loop";
+
+export interface Rung {
+  name: string;
+  fitted: number | null;
+  heldout: number | null;
+}
+
+export interface Ladder {
+  rungs: Rung[];
+  floor: number | null;
+  unit: string;
+}
+
+/** Model names as files are long: their last part tells them apart. */
+export function rungName(name: string): string {
+  return name.replace(/^.*\//, "").replace(/\.yaml\b/, "");
+}
+
+export function ladderOf(document: LadderDocument): Ladder {
+  return {
+    rungs: document.rungs.map((rung) => ({name: rungName(rung.name), fitted: rung.rms.fitted, heldout: rung.rms.heldout})),
+    floor: document.rungs.at(-1)?.rms.noise_floor ?? null,
+    unit: document.units.length,
+  };
+}
+
+/** Where the axis ends: at the largest error, unless that would press the others against the left. */
+export function axisEnd(rungs: readonly Rung[], floor: number | null): number {
+  const errors = rungs.map((rung) => Math.max(rung.fitted ?? 0, rung.heldout ?? 0));
+  const others = Math.max(floor ?? 0, ...errors.slice(1));
+  const largest = Math.max(floor ?? 0, ...errors) || 1;
+  return errors.length > 1 && others > 0 && largest > 4 * others ? 1.7 * others : 1.06 * largest;
+}
+
+function shownLadder(): Ladder | null {
+  if (ladder.value.document) return ladderOf(ladder.value.document);
+  const document = compare.value.document;
+  if (!document) return null;
+  return {
+    rungs: [
+      {name: "as the model stands", fitted: document.rms.before, heldout: document.rms.heldout_before},
+      {name: "refitted", fitted: document.rms.after, heldout: document.rms.heldout_after},
+    ],
+    floor: document.rms.noise_floor,
+    unit: document.units.length,
+  };
+}
+
+export function LadderBars() {
+  const shown = shownLadder();
+  if (!shown) return <p class="muted">The errors of the models stand here once readings are compared.</p>;
+  const {rungs, floor, unit} = shown;
+  const end = axisEnd(rungs, floor);
+  const isCurrent = (index: number) => index === rungs.length - 1 && state.value?.models.length !== undefined;
+  return (
+    <div class="ladder">
+      <div class="ladder-rungs">
+        {floor !== null && (
+          <div class="ladder-floor">
+            <i style={{left: `${(100 * floor) / end}%`}}><span>noise floor {short(floor)} {unit}</span></i>
+          </div>)}
+        {rungs.map((rung, index) => (
+          <div class={`rung ${isCurrent(index) ? "now" : ""}`} key={`${index}`}>
+            <span class="rung-name" title={rung.name}>{rung.name}</span>
+            <Bar kind="fitted" value={rung.fitted} end={end} floor={floor} unit={unit} />
+            <Bar kind="heldout" value={rung.heldout} end={end} floor={floor} unit={unit} />
+          </div>
+        ))}
+      </div>
+      <p class="ladder-legend">
+        <i class="swatch fitted" /> fitted <i class="swatch heldout" /> held out: judged by a fit that has not seen it
+      </p>
+    </div>
+  );
+}
+
+function Bar({kind, value, end, floor, unit}: {kind: string; value: number | null; end: number; floor: number | null; unit: string}) {
+  if (value === null || value === undefined) return null;
+  const share = Math.min(1, value / end);
+  const times = floor ? ` · ${fixed(value / floor, value / floor < 10 ? 2 : 0)} × floor` : "";
+  return (
+    <div class="bar-line">
+      <div class={`bar ${kind} ${value > end ? "cut" : ""}`} style={{width: `${100 * share}%`}} />
+      <span class={share > 0.55 ? "bar-text inside" : "bar-text"} style={share > 0.55 ? {right: `${100 - 100 * share}%`} : {left: `${100 * share}%`}}>
+        {short(value)} {unit}<small>{times}</small>
+      </span>
+    </div>
+  );
+}
