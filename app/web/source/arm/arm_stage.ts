@@ -1,15 +1,23 @@
 // The 3-D picture: the sheet, the bowl and its obstacles, the rigid arm as a ghost, the deflected arm in front of it, and
 // the line to what is nearest. It draws only when something has changed.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, DirectionalLight, DoubleSide, Group, InstancedMesh, Line, LineBasicMaterial,
-  LineDashedMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, PerspectiveCamera, Quaternion,
-  RingGeometry, Scene, Shape, ShapeGeometry, SphereGeometry, Vector3, WebGLRenderer
+  AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, CapsuleGeometry, Color, DirectionalLight, DoubleSide, Group, Line, LineBasicMaterial,
+  LineDashedMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, PerspectiveCamera, Quaternion, SRGBColorSpace, Scene, Shape, ShapeGeometry, SphereGeometry, Vector3, WebGLRenderer
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Palette} from "../drawing/colours";
 import type {Frame, PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
 import {bowlOf, disposeAll, layAlong, obstacleOf, solidOf, vector} from "./solids";
+
+/** Whether pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
+const IS_SOFTWARE = (() => {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const name = context?.getExtension("WEBGL_debug_renderer_info");
+  const words = context && name ? String(context.getParameter(name.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(words);
+})();
 
 /** A member that the file gives no body: a slim rod from its frame to the next. */
 const ROD = 0.9;
@@ -35,11 +43,13 @@ export class ArmStage {
   private focus = new Vector3();
   private pose: PoseDocument | null = null;
   private magnified = 1;
+  private ratio = 1;
+  private later = 0;
   private palette: Palette | null = null;
   onDraw: (() => void) | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true});
+    this.renderer = new WebGLRenderer({canvas, antialias: !IS_SOFTWARE, alpha: true});
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.ask());
@@ -52,6 +62,7 @@ export class ArmStage {
   }
 
   dispose(): void {
+    clearTimeout(this.later);
     disposeAll(this.scene);
     this.controls.dispose();
     this.renderer.dispose();
@@ -59,7 +70,8 @@ export class ArmStage {
 
   resize(width: number, height: number): void {
     if (width < 2 || height < 2) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    this.ratio = IS_SOFTWARE ? 0.6 : this.fullRatio();
+    this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -72,10 +84,26 @@ export class ArmStage {
     requestAnimationFrame(() => this.drawNow());
   }
 
-  private drawNow(): void {
+  private drawNow(isSharp = false): void {
     this.isAsked = false;
+    this.renderer.setPixelRatio(isSharp ? this.fullRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
     this.onDraw?.();
+    clearTimeout(this.later);
+    if (isSharp) return;
+    const end = performance.now();
+    setTimeout(() => this.adapt(performance.now() - end));
+    if (this.ratio < this.fullRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
+  }
+
+  private fullRatio(): number {
+    return Math.min(2, devicePixelRatio || 1);
+  }
+
+  /** Where the page waits for its picture (no graphics processor), motion is drawn coarser, and sharp once it rests. */
+  private adapt(msWaited: number): void {
+    if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
+    else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(this.fullRatio(), 1.1 * this.ratio);
   }
 
   /** The cell: what stands still, and the bodies of the arm. */
@@ -84,16 +112,17 @@ export class ArmStage {
     disposeAll(this.statics);
     this.statics.clear();
     const colours = {fill: palette.rim, edge: palette.muted};
-    const isQuarter = document.shapes.some((shape) => shape.kind === "keep_side" && Math.abs(shape.normal?.[2] ?? 1) < 0.5);
+    const wall = document.shapes.find((shape) => shape.kind === "keep_side" && Math.abs(shape.normal?.[1] ?? 0) > 0.5);
+    const side = Math.sign(wall?.normal?.[1] ?? 0) as -1 | 0 | 1;
     for (const shape of document.shapes) {
-      const object = shape.kind.startsWith("inside_of") ? bowlOf(shape, isQuarter, colours) : obstacleOf(shape, colours);
+      const object = shape.kind.startsWith("inside_of") ? bowlOf(shape, side, colours) : obstacleOf(shape, colours);
       if (object) this.statics.add(object);
     }
     if (sheet) this.statics.add(plateOf(sheet, palette));
     else this.statics.add(floorOf(palette));
     this.replaceArms(document, palette);
     this.reach = sheet ? sheet.radius : 90;
-    this.focus.set(0, sheet?.isOneLeg ? 0.42 * this.reach : 0, sheet ? -0.3 * this.reach : 25);
+    this.focus.set(0, sheet?.isOneLeg ? 0.42 * this.reach : 0, sheet ? -0.38 * this.reach : 25);
     if (this.pose) this.setPose(this.pose, this.magnified);
     this.ask();
   }
@@ -111,9 +140,9 @@ export class ArmStage {
     this.scene.add(this.ghost.group, this.solid.group);
   }
 
-  /** One of the ready-made views. */
+  /** One of the ready-made views; a leg is looked into from the divider's side, where the bowl is cut open. */
   look(from: "corner" | "side" | "below" | "front"): void {
-    const directions = {corner: [1.5, 2.0, 0.15], side: [3, 0.2, -0.25], below: [0, 0.02, -2.4], front: [0.2, 3, -0.3]} as const;
+    const directions = {corner: [-1.25, -2.35, -0.42], side: [-2.7, -0.02, -0.2], below: [0, -0.02, -2.7], front: [0.05, -2.7, -0.2]} as const;
     this.controls.target.copy(this.focus);
     this.camera.position.copy(this.focus).add(new Vector3(...directions[from]).multiplyScalar(1.12 * this.reach));
     this.controls.update();
@@ -226,27 +255,49 @@ function magnifiedFrame(rigid: Frame, flexible: Frame, times: number): Frame {
   return {row: flexible.row, position, quaternion: [result.w, result.x, result.y, result.z]};
 }
 
-/** The sheet's lower face with a ring for every hole. */
+/** Pixels across the picture of the holes that lies on the sheet's face. */
+const FACE = 2048;
+
+/** The sheet's lower face; its holes are one picture laid on it, smooth at any angle and cheap for every processor. */
 function plateOf(sheet: SheetModel, palette: Palette): Object3D {
   const group = new Group();
-  const outline = new Shape();
   const isBelow = sheet.extent.top <= 0.25 * Math.abs(sheet.extent.bottom);
+  const outline = new Shape();
   if (sheet.isOneLeg) outline.absarc(0, 0, sheet.radius, isBelow ? Math.PI : 0, isBelow ? 2 * Math.PI : Math.PI, false);
   else outline.absarc(0, 0, sheet.radius, 0, 2 * Math.PI, false);
-  const plate = new Mesh(new ShapeGeometry(outline, 48), new MeshBasicMaterial({
-    color: palette.plate, side: DoubleSide, transparent: true, opacity: 0.55, depthWrite: false
-  }));
-  plate.position.z = 0.06;
-  group.add(plate, divider(sheet, palette));
-  const holes = new InstancedMesh(new RingGeometry(0.72 * sheet.holeRadius, sheet.holeRadius, 10), new MeshBasicMaterial({
-    color: palette.hole, side: DoubleSide
-  }), sheet.count);
-  const matrix = new Matrix4();
-  for (let i = 0; i < sheet.count; ++i) {
-    holes.setMatrixAt(i, matrix.makeTranslation(sheet.world[3 * i], sheet.world[3 * i + 1], sheet.world[3 * i + 2]));
+  const face = new ShapeGeometry(outline, 64);
+  const places = face.getAttribute("position"), onPicture = face.getAttribute("uv");
+  for (let i = 0; i < places.count; ++i) {
+    onPicture.setXY(i, 0.5 + places.getX(i) / (2 * sheet.radius), 0.5 + places.getY(i) / (2 * sheet.radius));
   }
-  group.add(holes);
+  const plate = new Mesh(face, new MeshBasicMaterial({map: pictureOf(sheet, palette), side: DoubleSide, transparent: true, depthWrite: false}));
+  plate.position.z = 0.05;
+  group.add(plate, divider(sheet, palette));
   return group;
+}
+
+function pictureOf(sheet: SheetModel, palette: Palette): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = FACE;
+  const context = canvas.getContext("2d")!;
+  context.globalAlpha = 0.78;
+  context.fillStyle = palette.plate;
+  context.fillRect(0, 0, FACE, FACE);
+  context.globalAlpha = 1;
+  context.strokeStyle = palette.hole;
+  const scale = FACE / (2 * sheet.radius), r = sheet.holeRadius * scale;
+  context.lineWidth = Math.max(1, 0.3 * r);
+  context.beginPath();
+  for (let i = 0; i < sheet.count; ++i) {
+    const x = FACE / 2 + sheet.world[3 * i] * scale, y = FACE / 2 - sheet.world[3 * i + 1] * scale;
+    context.moveTo(x + r, y);
+    context.arc(x, y, r, 0, 2 * Math.PI);
+  }
+  context.stroke();
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.anisotropy = 8;
+  return texture;
 }
 
 function divider(sheet: SheetModel, palette: Palette): Object3D {

@@ -54,15 +54,17 @@ export function obstacleOf(shape: SolidShape, colours: {fill: string; edge: stri
   return solid;
 }
 
-/** The inside of a ball above the arm: the half of it under z = 0 and on the kept side of the divider. */
-export function bowlOf(shape: SolidShape, isQuarter: boolean, colours: {fill: string; edge: string}): Object3D {
+/**
+ * The inside of a ball above the arm: the half of it under z = 0, and on the kept side of the divider, that
+ * of positive or negative y; all round where `side` is 0. */
+export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: string; edge: string}): Object3D {
   const group = new Group();
-  const r = shape.radius ?? 1;
-  const geometry = new SphereGeometry(r, 40, 18, 0, isQuarter ? Math.PI : 2 * Math.PI, Math.PI / 2, Math.PI / 2);
+  const r = shape.radius ?? 1, start = side > 0 ? Math.PI : 0, turn = side === 0 ? 2 * Math.PI : Math.PI;
+  const geometry = new SphereGeometry(r, 40, 18, start, turn, Math.PI / 2, Math.PI / 2);
   geometry.rotateX(Math.PI / 2);
   const skin = new MeshStandardMaterial({color: colours.fill, side: DoubleSide, transparent: true, opacity: 0.13, roughness: 1, depthWrite: false});
   group.add(new Mesh(geometry, skin));
-  const coarse = new SphereGeometry(r, isQuarter ? 8 : 16, 6, 0, isQuarter ? Math.PI : 2 * Math.PI, Math.PI / 2, Math.PI / 2);
+  const coarse = new SphereGeometry(r, side === 0 ? 16 : 8, 6, start, turn, Math.PI / 2, Math.PI / 2);
   coarse.rotateX(Math.PI / 2);
   group.add(new LineSegments(new EdgesGeometry(coarse, 1), new LineBasicMaterial({color: colours.edge, transparent: true, opacity: 0.4})));
   if (shape.center) group.position.set(...shape.center);
@@ -75,7 +77,9 @@ export function disposeAll(root: Object3D): void {
     const mesh = object as Mesh;
     mesh.geometry?.dispose();
     const material = mesh.material as Material | Material[] | undefined;
-    if (Array.isArray(material)) material.forEach((one) => one.dispose());
-    else material?.dispose();
+    for (const one of Array.isArray(material) ? material : material ? [material] : []) {
+      (one as MeshStandardMaterial).map?.dispose();
+      one.dispose();
+    }
   });
 }

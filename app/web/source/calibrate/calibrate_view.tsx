@@ -86,8 +86,11 @@ function TouchSheet({model}: {model: SheetModel}) {
       </header>
       <div class="panel-body flush">
         <SheetPicture sheet={model} colouring={colouring} picked={picked} paintOver={paintOver} onPick={(hole) => (picked.value = hole)} />
-        {isField ? <ul class="stage-legend">{colouring.kinds.map((kind) => <li><MarkIcon mark={kind.mark} size={12} /> {kind.name}</li>)}</ul> : null}
       </div>
+      <footer class="stage-foot">
+        {isField ? colouring.kinds.map((kind) => <span><MarkIcon mark={kind.mark} size={12} /> {kind.name}</span>) :
+          <span class="muted">Predict shows the error that this model leaves at each hole.</span>}
+      </footer>
     </section>
   );
 }

@@ -1,7 +1,7 @@
 // What could be missing: the answer with its Add, then every effect that was tried, most probable first.
 import {probability, short, withSigma} from "../drawing/numbers";
-import type {DiagnoseDocument, Explanation, RankedEffect} from "../server/documents";
-import {runningJob} from "../server/workbench";
+import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
+import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
 import {effectTitle, effectWords, explanationTitle, isEnough, keptText, sizeText} from "./words";
 
@@ -28,10 +28,16 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   );
 }
 
+/** Whether the model as it is now has this effect. */
+function hasEffect(effect: EffectAt): boolean {
+  return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
+}
+
 function ExplanationCard({explanation, document, letter}: {explanation: Explanation; document: DiagnoseDocument; letter: string}) {
   const unit = document.units.length;
+  const isAdded = explanation.effects.every(hasEffect);
   return (
-    <div class={`explanation ${isEnough(explanation) ? "" : "not-enough"}`}>
+    <div class={`explanation ${isAdded ? "added" : isEnough(explanation) ? "" : "not-enough"}`}>
       {letter ? <b class="letter">{letter}</b> : null}
       <div class="explanation-words">
         <b>{explanationTitle(explanation)}</b>
@@ -39,7 +45,8 @@ function ExplanationCard({explanation, document, letter}: {explanation: Explanat
           "the closest of the known effects, but not enough"}</span>
         <span>{explanation.effects.map(sizeText).join("; ")} · leaves {short(explanation.heldout_rms ?? explanation.rms)} {unit} held out</span>
       </div>
-      <button class="button first" disabled={runningJob("add") !== null} onClick={() => addEffects(explanation.effects)}>Add</button>
+      {isAdded ? <span class="done">✓ added</span> :
+        <button class="button first" disabled={runningJob("add") !== null} onClick={() => addEffects(explanation.effects)}>Add</button>}
     </div>
   );
 }
@@ -55,8 +62,9 @@ function RankedRow({effect}: {effect: RankedEffect}) {
       </td>
       <td class="number">{short(effect.chi2_fall)}</td>
       <td class="size">{effect.size ? `${effect.size.name.replaceAll("_", " ")} ${withSigma(effect.size.value, effect.size.sigma, effect.size.unit)}` : "–"}</td>
-      <td class="number"><button class="button small" disabled={runningJob("add") !== null}
-        aria-label={`Add ${effectTitle(effect)}`} onClick={() => addEffects([effect])}>Add</button></td>
+      <td class="number">{hasEffect(effect) ? <span class="good">✓</span> :
+        <button class="button small" disabled={runningJob("add") !== null} aria-label={`Add ${effectTitle(effect)}`}
+          onClick={() => addEffects([effect])}>Add</button>}</td>
     </tr>
   );
 }

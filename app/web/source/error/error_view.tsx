@@ -2,12 +2,13 @@
 import {computed, signal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
 import {plural, short} from "../drawing/numbers";
-import {runningJob, state, units} from "../server/workbench";
+import {currentModel, runningJob, state, units} from "../server/workbench";
 import {dialog} from "../shell/page_state";
 import {Nothing, ProblemWords, Waiting} from "../shell/states";
 import {EffectRanking} from "./effect_ranking";
 import {FormulaBox} from "./formula_box";
-import {LadderBars, ladderOf} from "./ladder_bars";
+import {ladderOf} from "./ladder";
+import {LadderBars} from "./ladder_bars";
 import {addEffects, compare, currentComparison, currentDiagnosis, diagnose, identify, ladder, startCompare, startDiagnose} from "./loop";
 import {ParameterTable} from "./parameter_table";
 import {ResidualArrows} from "./residual_arrows";
@@ -25,18 +26,28 @@ interface Answer {
 
 /** What the top of the view says: of the newest document about the model as it is now. */
 const answer = computed<Answer | null>(() => {
-  const document = currentDiagnosis.value ?? currentComparison.value;
-  if (document) return {verdict: verdictOf(document.verdict), sentence: document.sentence};
-  const fallen = ladder.value.document;
-  if (!fallen || fallen.rungs.length === 0 || fallen.model !== state.value?.model) return null;
-  const {rungs, floor, unit} = ladderOf(fallen);
-  const held = rungs.at(-1)!.heldout;
-  const isAtFloor = held !== null && floor !== null && held < 1.25 * floor;
-  return {
-    verdict: verdictOf(isAtFloor ? "adequate" : "falls-short"),
-    sentence: `The held-out error is ${short(held)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
-  };
+  const diagnosed = currentDiagnosis.value, compared = currentComparison.value;
+  if (diagnosed) return {verdict: verdictOf(diagnosed.verdict), sentence: diagnosed.sentence};
+  const fallen = fallOfError();
+  if (fallen) return {verdict: compared && compared.verdict !== "adequate" ? verdictOf(compared.verdict) : fallen.verdict, sentence: fallen.sentence};
+  return compared ? {verdict: verdictOf(compared.verdict), sentence: compared.sentence} : null;
 });
+
+/** How the last change of the model has changed the error, where the ladder knows. */
+function fallOfError(): Answer | null {
+  const document = ladder.value.document;
+  if (!document || document.model !== state.value?.model || document.rungs.length < 2 || !state.value.can_undo) return null;
+  const {rungs, floor, unit} = ladderOf(document);
+  const before = rungs.at(-2)!, now = rungs.at(-1)!;
+  if (now.heldout === null || before.heldout === null) return null;
+  const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
+  const verb = now.heldout < before.heldout ? "fell" : "rose";
+  return {
+    verdict: isAtFloor ? {...verdictOf("adequate"), words: "At the noise floor"} : verdictOf("falls-short"),
+    sentence: `With ${currentModel.value?.label ?? "this model"} the held-out error ${verb} from ${short(before.heldout)} to ` +
+      `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
+  };
+}
 
 export function ErrorView() {
   const readings = state.value?.measurements;
@@ -75,8 +86,8 @@ function VerdictBand() {
       </div>
       <dl class="verdict-figures">
         <dt>readings</dt><dd>{state.value?.measurements?.readings}</dd>
-        <dt>chi² per degree of freedom</dt><dd>{short(document?.chi2_per_dof)}</dd>
-        <dt>noise floor</dt><dd>{short(document?.rms.noise_floor)} {units.value.length}</dd>
+        <dt>chi² per degree of freedom</dt><dd>{short(document?.chi2_per_dof ?? ladder.value.document?.rungs.at(-1)?.chi2_per_dof)}</dd>
+        <dt>noise floor</dt><dd>{short(document?.rms.noise_floor ?? ladder.value.document?.rungs.at(-1)?.rms.noise_floor)} {units.value.length}</dd>
       </dl>
       <NextStep isBusy={job !== null} />
     </section>
@@ -92,9 +103,10 @@ function NextStep({isBusy}: {isBusy: boolean}) {
     return <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}><span>{words}</span></button>;
   }
   if (!answer.value) return <button class="button first large next" disabled={isBusy} onClick={startCompare}>Compare</button>;
-  const isDone = answer.value.verdict === verdictOf("adequate");
+  const isDone = answer.value.verdict.mark === verdictOf("adequate").mark;
   return (
-    <button class={`button large next ${isDone ? "" : "first"}`} disabled={isBusy || diagnosis !== null} onClick={startDiagnose}>Diagnose</button>);
+    <button class={`button large next ${isDone ? "" : "first"}`} disabled={isBusy || diagnosis !== null} onClick={startDiagnose}>
+      {isDone && state.value?.can_undo ? "Diagnose again" : "Diagnose"}</button>);
 }
 
 function EffectsPanel() {

@@ -1,41 +1,8 @@
 // The ladder: the error of each model, fitted and held out, falling towards the noise floor.
 import {fixed, short} from "../drawing/numbers";
-import type {LadderDocument} from "../server/documents";
 import {state} from "../server/workbench";
+import {axisEnd, ladderOf, type Ladder} from "./ladder";
 import {compare, ladder} from "./loop";
-
-export interface Rung {
-  name: string;
-  fitted: number | null;
-  heldout: number | null;
-}
-
-export interface Ladder {
-  rungs: Rung[];
-  floor: number | null;
-  unit: string;
-}
-
-/** Model names as files are long: their last part tells them apart. */
-export function rungName(name: string): string {
-  return name.replace(/^.*\//, "").replace(/\.yaml\b/, "");
-}
-
-export function ladderOf(document: LadderDocument): Ladder {
-  return {
-    rungs: document.rungs.map((rung) => ({name: rungName(rung.name), fitted: rung.rms.fitted, heldout: rung.rms.heldout})),
-    floor: document.rungs.at(-1)?.rms.noise_floor ?? null,
-    unit: document.units.length,
-  };
-}
-
-/** Where the axis ends: at the largest error, unless that would press the others against the left. */
-export function axisEnd(rungs: readonly Rung[], floor: number | null): number {
-  const errors = rungs.map((rung) => Math.max(rung.fitted ?? 0, rung.heldout ?? 0));
-  const others = Math.max(floor ?? 0, ...errors.slice(1));
-  const largest = Math.max(floor ?? 0, ...errors) || 1;
-  return errors.length > 1 && others > 0 && largest > 4 * others ? 1.7 * others : 1.06 * largest;
-}
 
 function shownLadder(): Ladder | null {
   if (ladder.value.document) return ladderOf(ladder.value.document);
@@ -67,8 +34,10 @@ export function LadderBars() {
         {rungs.map((rung, index) => (
           <div class={`rung ${isCurrent(index) ? "now" : ""}`} key={`${index}`}>
             <span class="rung-name" title={rung.name}>{rung.name}</span>
-            <Bar kind="fitted" value={rung.fitted} end={end} floor={floor} unit={unit} />
-            <Bar kind="heldout" value={rung.heldout} end={end} floor={floor} unit={unit} />
+            <div class="rung-bars">
+              <Bar kind="fitted" value={rung.fitted} end={end} floor={floor} unit={unit} />
+              <Bar kind="heldout" value={rung.heldout} end={end} floor={floor} unit={unit} />
+            </div>
           </div>
         ))}
       </div>

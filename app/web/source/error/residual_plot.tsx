@@ -4,7 +4,7 @@ import {useMemo} from "preact/hooks";
 import type uPlot from "uplot";
 import {MarkIcon} from "../drawing/marks";
 import {palette} from "../drawing/colours";
-import {isNumber, roundTicks, short} from "../drawing/numbers";
+import {exact, isNumber, roundTicks, short} from "../drawing/numbers";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
 import type {ErrorReading, Vector3} from "../server/documents";
@@ -114,7 +114,9 @@ function makePlot(errors: ReadingErrors, variable: Variable, which: Part, unit: 
         y: {range: (_, low, high) => (which === "size" ? [0, 1.08 * high || 1] : symmetric(low, high))},
       },
       axes: [
-        axis(colours, name, variable.isSense ? {splits: () => [-1, 0, 1]} : {}),
+        axis(colours, name, {
+          values: (_plot: uPlot, splits: number[]) => splits.map((value) => exact(value)), ...(variable.isSense ? {splits: () => [-1, 0, 1]} : {})
+        }),
         axis(colours, `${which === "size" ? "error" : `error along ${which}`}, ${unit}`, {
           side: 3, splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
           values: (_plot: uPlot, splits: number[]) => splits.map((value) => short(value)),

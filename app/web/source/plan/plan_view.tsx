@@ -4,7 +4,7 @@ import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {ArmPicture} from "../arm/arm_picture";
 import {Icon} from "../drawing/icons";
-import {MarkIcon} from "../drawing/marks";
+import {drawMark, MarkIcon} from "../drawing/marks";
 import {duration, percent, plural, short, whole} from "../drawing/numbers";
 import type {PlanDocument} from "../server/documents";
 import {cell, runJob, runningJob, units} from "../server/workbench";
@@ -55,7 +55,7 @@ export default function PlanView() {
       <Transport />
       <TourPlot />
       <section class="panel">
-        <header><h2>Tubes</h2>{document ? <Outcome document={document} /> : null}<Exports isHere={document !== null} /></header>
+        <header>{document ? <Outcome document={document} /> : <h2>Tubes</h2>}<Exports isHere={document !== null} /></header>
         <div class="panel-body flush">
           {plan.value.problem ? <ProblemWords problem={plan.value.problem} /> : document ? <TubeTable document={document} /> :
             <p class="muted pad">Select holes on the sheet, or write them as ranges, and plan their visit.</p>}
@@ -91,6 +91,13 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
     };
     draw(0, holes.length - 1, colours.rim, 1);
     if (at >= 0) draw(0, Math.min(at, holes.length - 1), colours.ink, 2);
+    const r = Math.max(4.2, model.holeRadius * camera.scale);
+    for (const hole of holes) {
+      if (hole < 0) continue;
+      const {mark} = colouring.kinds[colouring.of[hole]];
+      context.strokeStyle = context.fillStyle = colours[mark.colour];
+      drawMark(context, mark.shape, ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
+    }
     if (holes[at] !== undefined) {
       const [x, y] = toPixel(camera, size, model.u[holes[at]], model.v[holes[at]]);
       context.beginPath();
@@ -99,7 +106,7 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
       context.lineWidth = 3;
       context.stroke();
     }
-  }, [model, tour.value, currentVisit.value]);
+  }, [model, colouring, tour.value, currentVisit.value]);
   return (
     <section class="panel">
       <header class="plan-head">
@@ -114,13 +121,15 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
             if (visit >= 0 && !event.shiftKey) goToVisit(visit);
             else toggleSelected(hole);
           }} />
+      </div>
+      <footer class="stage-foot">
         {document && isScored ? (
-          <div class="stage-choice">
+          <>
             <span class="muted">true arm, compensation</span>
             <div class="segments">{MODES.map(([key, words]) => <button aria-pressed={shownMode === key} onClick={() => (mode.value = key)}>{words}</button>)}</div>
-            <span class="counts">{colouring.kinds.slice(0, 4).map((kind, i) => <span title={kind.name}><MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}</span>)}</span>
-          </div>) : null}
-      </div>
+          </>) : <span class="muted">{document ? "steps of the tool as predicted" : "lasso, ranges or clicks with Shift select; a plan proves the tour"}</span>}
+        {document ? <span class="counts">{colouring.kinds.slice(0, 4).map((kind, i) => <span title={kind.name}><MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}</span>)}</span> : null}
+      </footer>
     </section>
   );
 }

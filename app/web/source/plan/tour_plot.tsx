@@ -3,7 +3,7 @@ import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
 import {palette} from "../drawing/colours";
-import {roundTicks, short} from "../drawing/numbers";
+import {exact, roundTicks} from "../drawing/numbers";
 import {axis, Plot} from "../drawing/plot";
 import type {PathDocument, PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
@@ -74,7 +74,8 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument) {
     axes: [
       axis(colours, "time, s"),
       axis(colours, names[which], {
-        side: 3, values: (_plot: uPlot, splits: number[]) => splits.map((value) => short(value)),
+        side: 3, values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
+        filter: (_plot: uPlot, splits: number[]) => splits,
         splits: (_plot: uPlot, _axis: number, _low: number, high: number) => (which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5)),
       }),
     ],
@@ -111,7 +112,13 @@ function drawPlayhead(plot: uPlot, required: number | null): void {
     ctx.stroke();
     ctx.font = `${11 * uPlot.pxRatio}px 'IBM Plex Sans Variable', system-ui, sans-serif`;
     ctx.textAlign = "right";
-    ctx.fillText(`required ${short(required)} ${units.peek().length}`, bbox.left + bbox.width - 4, y - 5);
+    const words = `required ${exact(required)} ${units.peek().length}`;
+    ctx.strokeStyle = colours.panel;
+    ctx.lineWidth = 4 * uPlot.pxRatio;
+    ctx.lineJoin = "round";
+    ctx.setLineDash([]);
+    ctx.strokeText(words, bbox.left + bbox.width - 4, y - 6);
+    ctx.fillText(words, bbox.left + bbox.width - 4, y - 6);
   }
   const x = plot.valToPos(time.peek(), "x", true);
   ctx.setLineDash([]);

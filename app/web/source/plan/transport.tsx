@@ -2,7 +2,8 @@
 import {Icon} from "../drawing/icons";
 import {clock, short} from "../drawing/numbers";
 import {units} from "../server/workbench";
-import {currentVisit, endTime, goToVisit, isPlaying, path, plan, sampleAt, speed, time, togglePlay} from "./playback";
+import {currentVisit, endTime, goToVisit, isPlaying, path, plan, speed, time, togglePlay} from "./playback";
+import {sampleAt} from "./sampling";
 
 const SPEEDS = [1, 4, 16];
 
