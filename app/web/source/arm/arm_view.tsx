@@ -1,7 +1,9 @@
 // The arm view: the deflected arm under the sheet, sliders that it follows at once, and the operator's read-out.
+import {useSignal} from "@preact/signals";
 import {fixed, short} from "../drawing/numbers";
 import type {JointInfo, TipPose} from "../server/documents";
-import {cell, units} from "../server/workbench";
+import {cell, report, units} from "../server/workbench";
+import {picked, sheet} from "../shell/page_state";
 import {ArmPicture} from "./arm_picture";
 import {poseRequest, setJoint, showHole} from "./pose_link";
 import {ToolInset} from "./tool_inset";
@@ -40,7 +42,7 @@ function ReadOut() {
           <dt>sag</dt><dd>{answer ? `${fixed(sagOf(answer.change), 3)} ${length}` : "–"}</dd>
           <dt>from rigid</dt><dd>{answer ? answer.change.position.map((value) => fixed(value, 3)).join("  ") : "–"}</dd>
           <dt>clearance</dt>
-          <dd>{answer?.clearance ? `${fixed(answer.clearance.distance, 3)} ${length}` : "–"}</dd>
+          <dd class={(answer?.clearance?.distance ?? 1) < 0 ? "bad" : ""}>{answer?.clearance ? `${fixed(answer.clearance.distance, 3)} ${length}` : "–"}</dd>
           <dt></dt><dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>
         </dl>
       </div>
@@ -66,6 +68,7 @@ function Sliders() {
         <div class="end"><button class="link" onClick={() => (poseRequest.joints.value = joints.map((joint) => joint.home))}>home</button></div>
       </header>
       <div class="panel-body sliders">
+        {cell.value?.has_sheet ? <HoleBox /> : null}
         {joints.map((joint, index) => <JointSlider key={joint.name} joint={joint} index={index} />)}
         <LoadSlider />
         {answer?.branches && answer.branches.length > 1 ? (
@@ -80,6 +83,26 @@ function Sliders() {
         <p class="muted latency">answered in {fixed(poseRequest.latency.value, 1)} ms</p>
       </div>
     </section>
+  );
+}
+
+/** A hole by its name: the arm goes under it. */
+function HoleBox() {
+  const text = useSignal("");
+  const go = (event: Event) => {
+    event.preventDefault();
+    const found = /R?\s*(\d+)\s*[C ,]\s*(\d+)/i.exec(text.value);
+    const hole = found ? sheet.value?.find(Number(found[1]), Number(found[2])) ?? -1 : -1;
+    if (hole < 0) return report("No such hole", {message: `found "${text.value}", expected a hole of this sheet, as R10C20`});
+    picked.value = hole;
+    void showHole(hole);
+  };
+  return (
+    <form class="hole-box" onSubmit={go}>
+      <label class="field">under hole<input value={text.value} placeholder="R10C20" spellcheck={false} onInput={(event) => (text.value = event.currentTarget.value)} /></label>
+      <button class="button" type="submit">Go</button>
+      {poseRequest.inverse.value && !poseRequest.inverse.value.joints ? <span class="bad">{poseRequest.inverse.value.status}</span> : null}
+    </form>
   );
 }
 

@@ -4,15 +4,19 @@ import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
 import {fixed, short} from "../drawing/numbers";
 import type {PoseDocument} from "../server/documents";
-import {units} from "../server/workbench";
+import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {STEP_KINDS} from "../sheet/colourings";
 import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
 
-/** The steps' diameters as shares of the hole's: 0.582, 0.644 and 0.740 in a hole of 0.760. */
-const STEPS = [0.766, 0.847, 0.974];
+/** The tool's steps as shares of the hole; three even ones where the cell does not say. */
+function stepShares(): number[] {
+  const document = sheetDocument.peek().document;
+  const diameters = document?.tool?.diameters;
+  return diameters && document.hole_diameter > 0 ? diameters.map((diameter) => diameter / document.hole_diameter) : [0.7, 0.8, 0.9];
+}
 
 export function ToolInset() {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -50,7 +54,7 @@ function draw(canvas: HTMLCanvasElement, centring: PoseDocument["centring"], col
   if (!centring) return;
   const most = 0.62 * side;
   const x = middle + clamp((centring.offset[0] / radius) * r, most), y = middle - clamp((centring.offset[1] / radius) * r, most);
-  STEPS.forEach((share, index) => {
+  stepShares().forEach((share, index) => {
     const isIn = (centring.steps ?? 0) > index;
     circle(context, x, y, share * r, isIn ? colours.accent : colours.case0, 1.3, isIn ? [] : [4, 3]);
   });

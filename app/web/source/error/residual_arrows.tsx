@@ -6,6 +6,7 @@ import {short, roundDown125} from "../drawing/numbers";
 import type {Vector3} from "../server/documents";
 import {units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
+import type {SheetModel} from "../sheet/sheet_model";
 import {readingErrors, type ReadingErrors} from "./series";
 import {SeriesLegend} from "./residual_plot";
 
@@ -32,7 +33,7 @@ export function ResidualArrows() {
       <header>
         <h2>Errors at their places</h2>
         <div class="end"><div class="segments" role="group" aria-label="Seen">
-          {PLANES.map(([key, words]) => <button aria-pressed={plane.value === key} onClick={() => (plane.value = key)}>{words}</button>)}
+          {PLANES.map(([key, words]) => [key, key === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words] as const).map(([key, words]) => <button aria-pressed={plane.value === key} onClick={() => (plane.value = key)}>{words}</button>)}
         </div></div>
       </header>
       <div class="panel-body flush with-legend">
@@ -56,32 +57,64 @@ function drawArrows(canvas: HTMLCanvasElement, errors: ReadingErrors | null, whi
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
   if (!errors || width < 40 || height < 40) return;
-  const [a, b] = axesOf(which);
   const places = errors.places.filter((place): place is Vector3 => place !== null);
   if (places.length === 0) return;
-  const at = frameOf(places, a, b, width, height);
+  const onSheet = which === "xy" ? sheet.peek() : null;
+  const frame = makeFrame(which, places, onSheet, width, height);
   const typical = typicalSize(errors.series[0].errors);
   const grow = typical > 0 ? TYPICAL / typical : 0;
-  drawAxes(context, colours, which, width, height);
+  if (onSheet) drawPlate(context, colours, onSheet, frame);
+  drawAxes(context, colours, which, frame.sign, height);
   for (const series of errors.series) {
     context.strokeStyle = context.fillStyle = colours[series.mark.colour];
     context.lineWidth = 1.3;
     errors.places.forEach((place, i) => {
       const error = series.errors[i];
-      if (place && error) drawArrow(context, ...at(place), grow * error[a], -grow * error[b]);
+      if (place && error) drawArrow(context, ...frame.at(place), frame.sign * grow * error[frame.a], -grow * error[frame.b]);
     });
   }
   drawScale(context, colours, typical, grow, width, height);
 }
 
-/** Seen from below as the sheet is, x to the left would mislead for a bench; plain axes serve both. */
-function frameOf(places: Vector3[], a: number, b: number, width: number, height: number) {
-  const range = (k: number) => places.reduce(([low, high], place) => [Math.min(low, place[k]), Math.max(high, place[k])], [Infinity, -Infinity]);
-  const [left, right] = range(a), [bottom, top] = range(b);
-  const scale = Math.min((width - 90) / (right - left || 1), (height - 60) / (top - bottom || 1));
-  return (place: Vector3): [number, number] => [
-    width / 2 + scale * (place[a] - (left + right) / 2), height / 2 - scale * (place[b] - (bottom + top) / 2)
-  ];
+interface Frame {
+  a: number;
+  b: number;
+  /** -1 where the sheet is seen from below: +x points left, as in the sheet's own picture. */
+  sign: number;
+  scale: number;
+  at: (place: Vector3) => [number, number];
+}
+
+/** Fits the places, or the whole sheet where the cell has one. */
+function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, width: number, height: number): Frame {
+  const [a, b] = axesOf(which), sign = onSheet?.viewingSide === "below" ? -1 : 1;
+  const range = (of: (place: Vector3) => number) =>
+    places.reduce(([low, high], place) => [Math.min(low, of(place)), Math.max(high, of(place))], [Infinity, -Infinity]);
+  const r = onSheet?.radius ?? 0;
+  const [left, right] = onSheet ? [-r, r] : range((place) => place[a]);
+  const [bottom, top] = onSheet ? [onSheet.isOneLeg && onSheet.extent.top > 0 ? 0 : -r, onSheet.isOneLeg && onSheet.extent.top <= 0 ? 0 : r] :
+    range((place) => place[b]);
+  const [besideX, besideY] = onSheet ? [24, 24] : [90, 60];
+  const scale = Math.min((width - besideX) / (right - left || 1), (height - besideY) / (top - bottom || 1));
+  return {
+    a, b, sign, scale,
+    at: (place) => [
+      width / 2 + sign * scale * (place[a] - (left + right) / 2), height / 2 - scale * (place[b] - (bottom + top) / 2)
+    ]
+  };
+}
+
+function drawPlate(context: CanvasRenderingContext2D, colours: Palette, onSheet: SheetModel, frame: Frame): void {
+  const [x, y] = frame.at([0, 0, 0]), isBelow = onSheet.extent.top <= 0;
+  context.beginPath();
+  if (onSheet.isOneLeg) context.arc(x, y, onSheet.radius * frame.scale, isBelow ? 0 : Math.PI, isBelow ? Math.PI : 2 * Math.PI);
+  else context.arc(x, y, onSheet.radius * frame.scale, 0, 2 * Math.PI);
+  context.closePath();
+  context.fillStyle = colours.plate;
+  context.strokeStyle = colours.rim;
+  context.lineWidth = 1;
+  context.fill();
+  context.stroke();
 }
 
 function typicalSize(errors: (Vector3 | null)[]): number {
@@ -110,14 +143,14 @@ function drawArrow(context: CanvasRenderingContext2D, x: number, y: number, dx: 
 
 const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
 
-function drawAxes(context: CanvasRenderingContext2D, colours: Palette, which: Plane, _width: number, height: number): void {
-  const x = 16, y = height - 14;
+function drawAxes(context: CanvasRenderingContext2D, colours: Palette, which: Plane, sign: number, height: number): void {
+  const x = sign > 0 ? 16 : 46, y = height - 14;
   context.strokeStyle = context.fillStyle = colours.muted;
   context.lineWidth = 1;
-  drawArrow(context, x, y, 26, 0);
+  drawArrow(context, x, y, sign * 26, 0);
   drawArrow(context, x, y, 0, -26);
   context.font = FONT;
-  context.fillText(which[0], x + 30, y + 4);
+  context.fillText(which[0], sign > 0 ? x + 30 : x - 38, y + 4);
   context.fillText(which[1], x - 3, y - 31);
 }
 

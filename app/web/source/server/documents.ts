@@ -120,6 +120,7 @@ export interface SheetDocument {
   divider: unknown;
   manway: unknown;
   outline: unknown;
+  tool?: {diameters: number[]; tolerances: number[]} | null;
   holes: {
     row: number[];
     column: number[];
