@@ -9,6 +9,7 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 const at = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
 
 function weigh() {
+  if (!built) return console.log("page weight: TUBEPLAN_PAGE names no folder with the built page");
   const files = readdirSync(built, {recursive: true}).map((name) => path.join(built, name)).filter((name) => statSync(name).isFile());
   const sizes = files.map((name) => ({name: path.relative(built, name), bytes: statSync(name).size, zipped: gzipSync(readFileSync(name)).length}));
   const total = sizes.reduce((sum, file) => sum + file.bytes, 0), zipped = sizes.reduce((sum, file) => sum + file.zipped, 0);

@@ -9,10 +9,12 @@ import {fileURLToPath} from "node:url";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const source = path.resolve(here, "../..");
-const {chromium} = createRequire(path.join(source, "app/web/package.json"))("playwright-core");
+const web = process.env.TUBEPLAN_WEB ?? path.join(source, "app/web");
+const {chromium} = createRequire(path.join(web, "package.json"))("playwright-core");
 
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
-export const page = process.env.TUBEPLAN_PAGE ?? path.join(source, "app/web/dist");
+/** The built page as a folder; without one the server shows the page that it was built with. */
+export const page = process.env.TUBEPLAN_PAGE ?? "";
 const browserPath = process.env.TUBEPLAN_CHROMIUM ?? "/usr/bin/chromium";
 
 /** A folder of its own with the shipped cells, gone at the end. */
@@ -46,7 +48,8 @@ export function writeDisc(folder) {
 
 /** tubeplan serve on a free port; resolves once it has printed its address. */
 export async function serve(folder, cell, more = []) {
-  const child = spawn(program, ["serve", path.join(folder, cell), "--port", "0", "--folder", folder, "--page", page, ...more],
+  const child = spawn(program, ["serve", path.join(folder, cell), "--port", "0", "--folder", folder,
+    ...(page ? ["--page", page] : []), ...more],
     {stdio: ["ignore", "pipe", "pipe"]});
   let said = "";
   const address = await new Promise((resolve, reject) => {

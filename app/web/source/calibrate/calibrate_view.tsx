@@ -88,7 +88,7 @@ function TouchSheet({model}: {model: SheetModel}) {
         <SheetPicture sheet={model} colouring={colouring} picked={picked} paintOver={paintOver} onPick={(hole) => (picked.value = hole)} />
       </div>
       <footer class="stage-foot">
-        {isField ? colouring.kinds.map((kind) => <span><MarkIcon mark={kind.mark} size={12} /> {kind.name}</span>) :
+        {isField ? colouring.kinds.map((kind) => <span title={colouring.meaning}><MarkIcon mark={kind.mark} size={12} /> {kind.name}</span>) :
           <span class="muted">Predict shows the error that this model leaves at each hole.</span>}
       </footer>
     </section>

@@ -44,7 +44,7 @@ function fallOfError(): Answer | null {
   const verb = now.heldout < before.heldout ? "fell" : "rose";
   return {
     verdict: isAtFloor ? {...verdictOf("adequate"), words: "At the noise floor"} : verdictOf("falls-short"),
-    sentence: `With ${currentModel.value?.label ?? "this model"} the held-out error ${verb} from ${short(before.heldout)} to ` +
+    sentence: `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${verb} from ${short(before.heldout)} to ` +
       `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
   };
 }

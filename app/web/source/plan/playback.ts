@@ -29,12 +29,19 @@ export function wantPath(): void {
   isPlaying.value = false;
   get<PathDocument>("/api/plan/path").then((found) => {
     if (planMark.peek() !== mark) return;
-    path.value = found;
+    path.value = {...found, clearance: perSample(found)};
     time.value = 0;
   }, (error) => {
     path.value = null;
     if (!isMissing(error)) report("The path of the plan", error);
   });
+}
+
+/** Clearance is proved of whole segments: each sample has that of its own. */
+function perSample(document: PathDocument): PathDocument["clearance"] {
+  const {clearance, segment, time: times} = document;
+  if (!clearance || clearance.length === times.length) return clearance;
+  return segment.map((index) => clearance[index] ?? null);
 }
 
 // ---- where in the path a time is

@@ -195,6 +195,7 @@ export interface ReachDocument {
 
 export interface FieldDocument {
   of: string;
+  meaning?: string;
   values: (number | null)[];
   unit: string;
   steps?: (number | null)[];

@@ -12,6 +12,8 @@ export interface Kind {
 
 export interface Colouring {
   title: string;
+  /** What the figures are, in a sentence. */
+  meaning: string;
   kinds: Kind[];
   /** The kind of each hole. */
   of: Uint8Array;
@@ -20,10 +22,10 @@ export interface Colouring {
   words: (hole: number) => string[];
 }
 
-function finished(title: string, kinds: Kind[], of: Uint8Array, words: (hole: number) => string[] = () => []): Colouring {
+function finished(title: string, kinds: Kind[], of: Uint8Array, words: (hole: number) => string[] = () => [], meaning = ""): Colouring {
   const counts = kinds.map(() => 0);
   for (const kind of of) counts[kind] += 1;
-  return {title, kinds, of, counts, words};
+  return {title, meaning, kinds, of, counts, words};
 }
 
 const STATE_MARKS: Record<string, Mark> = {
@@ -102,7 +104,7 @@ const BANDS: {shape: Shape; colour: ColourName}[] = [
   {shape: "dot", colour: "band0"}, {shape: "ring", colour: "band1"}, {shape: "half", colour: "band2"},
   {shape: "diamond", colour: "band3"}, {shape: "square", colour: "band4"}, {shape: "triangle", colour: "band5"},
 ];
-const UNKNOWN: Kind = {name: "out of reach", mark: {shape: "cross", colour: "faint"}};
+const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
 
 /** Bands of a figure over the holes, at quantiles rounded to two digits, small to large. */
 export function byField(sheet: SheetModel, field: FieldDocument, title: string): Colouring {
@@ -115,8 +117,9 @@ export function byField(sheet: SheetModel, field: FieldDocument, title: string):
     const value = field.values[i];
     of[i] = isNumber(value) ? edges.filter((edge) => value >= edge).length : kinds.length;
   }
-  return finished(title, [...kinds, UNKNOWN], of, (hole) =>
-    isNumber(field.values[hole]) ? [`${title.toLowerCase()} ${short(field.values[hole])} ${field.unit}`] : ["out of reach"]);
+  const none = field.of === "residual" ? "not touched" : "out of reach";
+  return finished(title, [...kinds, {name: none, mark: field.of === "residual" ? {shape: "dot", colour: "faint"} : UNKNOWN}], of, (hole) =>
+    isNumber(field.values[hole]) ? [`${title.toLowerCase()} ${short(field.values[hole])} ${field.unit}`] : [none], field.meaning);
 }
 
 export function bandEdges(sorted: readonly number[]): number[] {

@@ -59,8 +59,8 @@ export function manwayOf(document: SheetDocument | null): [number, number] | nul
 
 const HOW: Record<string, {words: string; action: string}> = {
   reach: {words: "Which holes the arm can bring its tool under, and why not the others.", action: "Find the reach"},
-  centring: {words: "How far from each hole's centre this model expects to bring the tool.", action: "Predict the error"},
-  residual: {words: "What this model's doubt leaves at each hole.", action: "Work out the residual"},
+  centring: {words: "How far from each hole's centre the tool comes.", action: "Predict the error"},
+  residual: {words: "How far the model is from each hole that was touched.", action: "Work out the residual"},
   sag: {words: "How far the tool sags under each hole.", action: "Work out the sag"},
   steps: {words: "How far the stepped tool goes in, once a plan is made.", action: "Make a plan"},
 };
@@ -156,6 +156,7 @@ function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; isReady
           </li>
         ))}
       </ul>
+      {shown.meaning ? <p class="meaning muted">{shown.meaning}</p> : null}
     </section>
   );
 }

@@ -47,17 +47,5 @@ export interface Practice {
 }
 
 export async function simulate(practice: Practice): Promise<void> {
-  if (await runJobOrState(practice)) await afterReadings();
-}
-
-/** The answer is either the new state or a job that makes it. */
-async function runJobOrState(practice: Practice): Promise<boolean> {
-  try {
-    const answer = await post<Partial<WorkbenchState>>("/api/simulate", practice);
-    if (answer.models !== undefined) takeState(answer as WorkbenchState);
-    return true;
-  } catch (error) {
-    report("Practice readings", error);
-    return false;
-  }
+  if (await runJob("Practice readings", "/api/simulate", {...practice, spread: 0.1})) await afterReadings();
 }
