@@ -1,4 +1,5 @@
 // The 3-D picture as a part of a view, with its buttons and the figure of the clearance beside its line.
+import {choicesOf, Segments} from "../drawing/segments";
 import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Vector3} from "three";
@@ -10,7 +11,7 @@ import {ProblemWords} from "../shell/states";
 import {ArmStage} from "./arm_stage";
 import {poseRequest} from "./pose_link";
 
-const TIMES = [1, 10, 50];
+const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
 const VIEWS = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["below", "Below"]] as const;
 
@@ -63,13 +64,8 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
       <p ref={refusal} class="refusal muted" />
       {sceneDocument.value.problem ? <ProblemWords problem={sceneDocument.value.problem} /> : null}
       <div class="stage-bar">
-        <div class="segments" role="group" aria-label="Deflection drawn">
-          {TIMES.map((times) => <button aria-pressed={magnified.value === times} title={`Deflection drawn ${times} times`}
-            onClick={() => (magnified.value = times)}>×{times}</button>)}
-        </div>
-        <div class="segments" role="group" aria-label="View">
-          {VIEWS.map(([key, words]) => <button onClick={() => stage.current?.look(key)}>{words}</button>)}
-        </div>
+        <Segments label="Deflection drawn" choices={TIMES} value={magnified.value} onChoose={(times) => (magnified.value = times)} />
+        <Segments label="View" choices={choicesOf(VIEWS)} value={undefined} onChoose={(from) => stage.current?.look(from)} />
         {isSmall ? null : <span class="arm-legend"><i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected</span>}
       </div>
     </div>

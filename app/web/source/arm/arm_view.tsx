@@ -1,11 +1,12 @@
 // The arm view: the deflected arm under the sheet, sliders that it follows at once, and the operator's read-out.
+import {Segments} from "../drawing/segments";
 import {useSignal} from "@preact/signals";
-import {fixed, short} from "../drawing/numbers";
+import {fixed} from "../drawing/numbers";
 import type {JointInfo, TipPose} from "../server/documents";
 import {cell, report, units} from "../server/workbench";
 import {picked, sheet} from "../shell/page_state";
 import {ArmPicture} from "./arm_picture";
-import {poseRequest, setJoint, showHole} from "./pose_link";
+import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
 export default function ArmView() {
@@ -23,6 +24,10 @@ export default function ArmView() {
       </aside>
     </div>
   );
+}
+
+function isFound(branch: {status: string}): boolean {
+  return branch.status === "found";
 }
 
 const PLACES = ["x", "y", "z"], TURNS = ["γ", "β", "α"];
@@ -71,14 +76,11 @@ function Sliders() {
         {cell.value?.has_sheet ? <HoleBox /> : null}
         {joints.map((joint, index) => <JointSlider key={joint.name} joint={joint} index={index} />)}
         <LoadSlider />
-        {answer?.branches && answer.branches.length > 1 ? (
+        {answer && answer.branches.filter(isFound).length > 1 ? (
           <div class="branches">
             <span class="muted">postures under this hole</span>
-            <div class="segments">
-              {answer.branches.map((branch, index) => (
-                <button title={branch.clearance !== null ? `clearance ${short(branch.clearance)} ${units.value.length}` : undefined}
-                  onClick={() => showHole(poseRequest.hole.value, index)}>{index + 1}</button>))}
-            </div>
+            <Segments label="Posture" value={answer.branch} onChoose={(index) => showHole(poseRequest.hole.value, index)}
+              choices={answer.branches.flatMap((branch, index) => (isFound(branch) ? [{value: index, words: String(index + 1)}] : []))} />
           </div>) : null}
         <p class="muted latency">answered in {fixed(poseRequest.latency.value, 1)} ms</p>
       </div>
@@ -101,7 +103,7 @@ function HoleBox() {
     <form class="hole-box" onSubmit={go}>
       <label class="field">under hole<input value={text.value} placeholder="R10C20" spellcheck={false} onInput={(event) => (text.value = event.currentTarget.value)} /></label>
       <button class="button" type="submit">Go</button>
-      {poseRequest.inverse.value && !poseRequest.inverse.value.joints ? <span class="bad">{poseRequest.inverse.value.status}</span> : null}
+      <span class="bad clip">{poseRequest.inverse.value ? whyNot(poseRequest.inverse.value) : ""}</span>
     </form>
   );
 }

@@ -68,6 +68,12 @@ export function setJoint(index: number, value: number): void {
   joints.value = next;
 }
 
+/** Why no posture brings the arm under the hole; empty where one does. */
+export function whyNot(found: InverseDocument): string {
+  if (found.status === "found") return "";
+  return found.branches.map((branch) => branch.reason).find((reason) => reason !== "") ?? "out of reach";
+}
+
 /** Brings the arm under a hole; the first of its branches unless one is given. */
 export async function showHole(index: number, branch?: number): Promise<void> {
   inverse.value = null;
@@ -76,7 +82,7 @@ export async function showHole(index: number, branch?: number): Promise<void> {
     const found = await post<InverseDocument>("/api/inverse", {hole: index, ...(branch === undefined ? {} : {branch})});
     if (hole.peek() !== index) return;
     inverse.value = found;
-    if (found.joints) joints.value = found.joints;
+    if (found.status === "found" && found.joints) joints.value = found.joints;
   } catch (error) {
     report("No posture", error);
   }

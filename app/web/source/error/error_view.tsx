@@ -1,4 +1,5 @@
 // The error view: the verdict and the next thing to do on top; the ladder, the effects, and the errors themselves below.
+import {rove} from "../drawing/segments";
 import {computed, signal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
 import {plural, short} from "../drawing/numbers";
@@ -119,9 +120,9 @@ function EffectsPanel() {
   return (
     <section class="panel">
       <header>
-        <div class="tabs" role="tablist">
+        <div class="tabs" role="tablist" onKeyDown={rove}>
           {tabs.map(([key, words]) => (
-            <button role="tab" aria-selected={tab.value === key} onClick={() => (tab.value = key)}>{words}</button>))}
+            <button role="tab" aria-selected={tab.value === key} tabIndex={tab.value === key ? 0 : -1} onClick={() => (tab.value = key)}>{words}</button>))}
         </div>
         {document && document.model !== state.value?.model ? <div class="end"><span class="muted">of the model before</span></div> : null}
       </header>

@@ -1,4 +1,5 @@
 // The errors as arrows at the readings' places: over the sheet where the cell has one, else in plan or from a side.
+import {Segments} from "../drawing/segments";
 import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
@@ -32,9 +33,8 @@ export function ResidualArrows() {
     <section class="panel">
       <header>
         <h2>Errors at their places</h2>
-        <div class="end"><div class="segments" role="group" aria-label="Seen">
-          {PLANES.map(([key, words]) => [key, key === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words] as const).map(([key, words]) => <button aria-pressed={plane.value === key} onClick={() => (plane.value = key)}>{words}</button>)}
-        </div></div>
+        <div class="end"><Segments label="Seen" value={plane.value} onChoose={(next) => (plane.value = next)}
+          choices={PLANES.map(([value, words]) => ({value, words: value === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words}))} /></div>
       </header>
       <div class="panel-body flush with-legend">
         <div class="fill"><canvas ref={canvas} role="img" aria-label="Errors of the readings as arrows" /></div>

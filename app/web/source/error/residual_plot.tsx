@@ -1,4 +1,5 @@
 // The errors against anything that a reading says of itself.
+import {Segments} from "../drawing/segments";
 import {signal} from "@preact/signals";
 import {useMemo} from "preact/hooks";
 import type uPlot from "uplot";
@@ -69,12 +70,10 @@ export function ResidualPlot({suggested}: {suggested?: string}) {
         <select aria-label="Variable" value={variable?.key ?? ""} onChange={(event) => (chosen.value = event.currentTarget.value)}>
           {variables.map((entry) => <option value={entry.key}>{entry.name}</option>)}
         </select>
-        <div class="end"><div class="segments" role="group" aria-label="Part of the error">
-          {PARTS.map((name) => <button aria-pressed={wanted === name} onClick={() => {
-            part.value = name;
-            if (chosen.value === "") chosen.value = variable?.key ?? "";
-          }}>{name}</button>)}
-        </div></div>
+        <div class="end"><Segments label="Part of the error" choices={PARTS.map((name) => ({value: name, words: name}))} value={wanted} onChoose={(name) => {
+          part.value = name;
+          if (chosen.value === "") chosen.value = variable?.key ?? "";
+        }} /></div>
       </header>
       <div class="panel-body flush with-legend">
         {plot ? <Plot {...plot} label="Errors of the readings" /> : <p class="muted pad">Readings are drawn here once they are compared.</p>}

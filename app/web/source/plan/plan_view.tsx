@@ -1,4 +1,5 @@
 // The plan view: a work list chosen on the sheet, made into a proved tour, played with the arm, and taken away as files.
+import {choicesOf, Segments} from "../drawing/segments";
 import {computed, signal} from "@preact/signals";
 import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
@@ -126,7 +127,7 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
         {document && isScored ? (
           <>
             <span class="muted">true arm, compensation</span>
-            <div class="segments">{MODES.map(([key, words]) => <button aria-pressed={shownMode === key} onClick={() => (mode.value = key)}>{words}</button>)}</div>
+            <Segments label="Compensation of the true arm" choices={choicesOf(MODES)} value={shownMode} onChoose={(next) => (mode.value = next)} />
           </>) : <span class="muted">{document ? "steps of the tool as predicted" : "lasso, ranges or clicks with Shift select; a plan proves the tour"}</span>}
         {document ? <span class="counts">{colouring.kinds.slice(0, 4).map((kind, i) => <span title={kind.name}><MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}</span>)}</span> : null}
       </footer>

@@ -1,4 +1,5 @@
 // Clearance, travel time and centring along the tour, with the playhead; a click goes there.
+import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
@@ -26,9 +27,7 @@ export function TourPlot() {
     <section class="panel">
       <header>
         <h2>Along the tour</h2>
-        <div class="end"><div class="segments" role="group" aria-label="Plotted">
-          {WHATS.map(([key, words]) => <button aria-pressed={what.value === key} onClick={() => (what.value = key)}>{words}</button>)}
-        </div></div>
+        <div class="end"><Segments label="Plotted" choices={choicesOf(WHATS)} value={what.value} onChoose={(next) => (what.value = next)} /></div>
       </header>
       <div class="panel-body flush">
         {made ? <Plot {...made} label="Along the tour" onReady={(plot) => {

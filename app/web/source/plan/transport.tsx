@@ -1,11 +1,12 @@
 // Play, pause, scrub, speed.
+import {Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
 import {clock, short} from "../drawing/numbers";
 import {units} from "../server/workbench";
 import {currentVisit, endTime, goToVisit, isPlaying, path, plan, speed, time, togglePlay} from "./playback";
 import {sampleAt} from "./sampling";
 
-const SPEEDS = [1, 4, 16];
+const SPEEDS = [1, 4, 16].map((factor) => ({value: factor, words: `×${factor}`}));
 
 function keys(event: KeyboardEvent): void {
   if (event.key === " ") togglePlay();
@@ -26,9 +27,7 @@ export function Transport() {
       <button class="tool play" title="Play or pause (Space)" disabled={!document} aria-pressed={isPlaying.value} onClick={togglePlay}>
         <Icon name={isPlaying.value ? "pause" : "play"} size={20} /><span class="hidden">{isPlaying.value ? "Pause" : "Play"}</span>
       </button>
-      <div class="segments" role="group" aria-label="Speed">
-        {SPEEDS.map((factor) => <button aria-pressed={speed.value === factor} onClick={() => (speed.value = factor)}>×{factor}</button>)}
-      </div>
+      <Segments label="Speed" choices={SPEEDS} value={speed.value} onChoose={(factor) => (speed.value = factor)} />
       <span class="clock">{clock(time.value)}</span>
       <input type="range" aria-label="Time along the tour" min={0} max={endTime.value || 1} step={0.05} value={time.value} disabled={!document}
         onInput={(event) => (time.value = Number(event.currentTarget.value))} />

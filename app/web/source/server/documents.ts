@@ -202,10 +202,12 @@ export interface FieldDocument {
 }
 
 export interface InverseDocument {
+  /** found, not-found or out-of-reach. */
   status: string;
+  branch: number;
   joints: number[] | null;
-  predicted_tip?: Vector3;
-  branches?: {joints: number[]; clearance: number | null}[];
+  predicted_tip?: Vector3 | null;
+  branches: {status: string; reason: string; joints: number[]; tilt?: number; clearance: null | {distance: number}}[];
 }
 
 // ---- the error loop

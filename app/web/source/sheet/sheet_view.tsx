@@ -1,4 +1,5 @@
 // The sheet view: every hole by state, reach, steps, predicted error or residual; selecting; what a hole is.
+import {choicesOf, Segments} from "../drawing/segments";
 import {computed, effect, signal} from "@preact/signals";
 import {useSignal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
@@ -9,7 +10,7 @@ import {post} from "../server/requests";
 import {cell, report, result, runJob, runningJob, sheetDocument, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected, view} from "../shell/page_state";
 import {Nothing, ProblemWords, Waiting} from "../shell/states";
-import {poseRequest, showHole} from "../arm/pose_link";
+import {poseRequest, showHole, whyNot} from "../arm/pose_link";
 import {byField, byReach, byState, bySteps, type Colouring} from "./colourings";
 import {holeName, legWords, type SheetModel} from "./sheet_model";
 import {SheetPicture} from "./sheet_picture";
@@ -88,11 +89,7 @@ export function SheetView() {
       <section class="panel">
         <header>
           <h2>Colour by</h2>
-          <div class="segments" role="group" aria-label="Colour by">
-            {CHOICES.map(([key, words]) => (
-              <button key={key} aria-pressed={chosen.value === key} onClick={() => (chosen.value = key)}>{words}</button>
-            ))}
-          </div>
+          <Segments label="Colour by" choices={choicesOf(CHOICES)} value={chosen.value} onChoose={(next) => (chosen.value = next)} />
           <div class="end no-print">
             <button class="tool" title="Print the map in black and white" onClick={() => window.print()}><Icon name="print" /></button>
           </div>
@@ -250,7 +247,7 @@ function HolePanel({model, colouring: shown}: {model: SheetModel; colouring: Col
 /** The joints that bring the tool under the hole, or why none do. */
 function Posture({inverse}: {inverse: InverseDocument | null}) {
   if (!inverse) return <p class="muted reserve">Finding a posture …</p>;
-  if (!inverse.joints) return <p class="reserve bad">Out of reach: {inverse.status}</p>;
+  if (inverse.status !== "found" || !inverse.joints) return <p class="reserve bad">Out of reach: {whyNot(inverse)}</p>;
   const joints = cell.value?.joints ?? [];
   return (
     <>
