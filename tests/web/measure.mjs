@@ -122,19 +122,27 @@ async function pictures(browser, folder, into) {
   for (const [, tab] of tabs) await tab.context().close();
   await stop();
   const bench = await serve(folder, "bench.yaml", [path.join(folder, "readings.csv")]);
+  const errorTabs = [];
   for (const [name, width, height, colorScheme] of sizes) {
-    const tab = await openTab(browser, `${bench.address}#error`, {viewport: {width, height}, colorScheme});
-    await tab.waitForSelector(".error-view");
-    if (name === "1280x720") {
-      await tab.click(".next");
-      await tab.waitForSelector(".series-legend span");
-      await tab.click(".next");
-      await tab.waitForSelector(".explanation", {timeout: 60000});
-    }
-    await tab.waitForTimeout(1500);
-    await shoot(tab, `error-${name}`);
-    await tab.context().close();
+    errorTabs.push([name, await openTab(browser, `${bench.address}#error`, {viewport: {width, height}, colorScheme})]);
   }
+  const [, lead] = errorTabs[0];
+  const all = async (step) => {
+    for (const [name, tab] of errorTabs) {
+      await tab.bringToFront();
+      await tab.waitForTimeout(1300);
+      await shoot(tab, `error-${step}-${name}`);
+    }
+  };
+  await lead.click(".next:has-text('Compare')");
+  await lead.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000});
+  await all("1-compared");
+  await lead.click(".next");
+  await lead.waitForSelector(".next:has-text('Add'):not([disabled])", {timeout: 60000});
+  await all("2-diagnosed");
+  await lead.click(".next");
+  await lead.waitForSelector(".verdict h1 >> text=At the noise floor", {timeout: 60000});
+  await all("3-added");
   await bench.stop();
 }
 
