@@ -90,6 +90,18 @@ async function sliderLatency(browser, address) {
   });
   const withPicture = await run();
   console.log(`slider to read-out: median ${median(withPicture).toFixed(1)} ms, 95 % ${at(withPicture, 0.95).toFixed(1)} ms (with the 3-D picture)`);
+  const alone = await tab.evaluate(async () => {
+    const times = [];
+    for (let i = 0; i < 60; ++i) {
+      const start = performance.now();
+      await (await fetch("/api/pose", {
+        method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify({joints: [0, 40 + 0.3 * i, 0, 0]})
+      })).json();
+      times.push(performance.now() - start);
+    }
+    return times;
+  });
+  console.log(`the program's answer to a pose, as the page sees it: median ${median(alone).toFixed(1)} ms, 95 % ${at(alone, 0.95).toFixed(1)} ms`);
   await tab.context().close();
 }
 
@@ -105,6 +117,16 @@ async function pictures(browser, folder, into) {
   }
   const [, first] = tabs[0];
   await first.waitForSelector(".stage");
+  await first.click(".rail-entry >> nth=4");
+  await first.click(".calibrate-view >> text=Suggest");
+  for (let k = 1; k <= 3; ++k) {
+    await first.click(".touch-row:not(.done) >> text=Simulate >> nth=0", {timeout: 60000});
+    await first.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
+  }
+  await first.click(".touch-list > .button.first");
+  await first.waitForSelector(".calibrate-view h3", {timeout: 60000});
+  await first.waitForSelector(".calibrate-view .stage-foot .mark", {timeout: 60000});
+  await first.click(".rail-entry >> nth=0");
   await first.fill(".select-box input", "spread:60");
   await first.click(".select-box button[type=submit]");
   await first.waitForSelector("text=60 holes");
@@ -115,7 +137,10 @@ async function pictures(browser, folder, into) {
     for (const [name, tab] of tabs) {
       await tab.bringToFront();
       await tab.evaluate((hash) => (location.hash = hash), view);
-      await tab.waitForTimeout(900);
+      await tab.waitForTimeout(1200);
+      await tab.waitForFunction(() => [...document.querySelectorAll(".arm-picture canvas")].every((canvas) => canvas.width >= canvas.clientWidth - 1),
+        null, {timeout: 10000});  // drawn sharp
+      await tab.waitForTimeout(300);
       await shoot(tab, `${view}-${name}`);
     }
   }

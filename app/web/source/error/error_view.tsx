@@ -99,9 +99,14 @@ function VerdictBand() {
 function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const first = diagnosis?.explanations[0];
+  if (diagnosis && diagnosis.explanations.length > 1 && diagnosis.next_readings.length > 0) {
+    return <button class="button first large next" onClick={() => (tab.value = "split")}>What would tell them apart</button>;
+  }
   if (diagnosis && first && diagnosis.verdict !== "adequate") {
-    const words = diagnosis.explanations.length > 1 ? `Add A: ${explanationTitle(first)}` : `Add ${explanationTitle(first)}`;
-    return <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}><span>{words}</span></button>;
+    return (
+      <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}>
+        <span>Add {explanationTitle(first)}</span>
+      </button>);
   }
   if (!answer.value) return <button class="button first large next" disabled={isBusy} onClick={startCompare}>Compare</button>;
   const isDone = answer.value.verdict.mark === verdictOf("adequate").mark;

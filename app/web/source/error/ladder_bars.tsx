@@ -50,14 +50,13 @@ export function LadderBars() {
 
 function Bar({kind, value, end, floor, unit}: {kind: string; value: number | null; end: number; floor: number | null; unit: string}) {
   if (value === null || value === undefined) return null;
-  const share = Math.min(1, value / end);
-  const times = floor ? ` · ${fixed(value / floor, value / floor < 10 ? 2 : 0)} × floor` : "";
+  const times = floor ? `${fixed(value / floor, value / floor < 10 ? 2 : 0)} × floor` : "";
   return (
-    <div class="bar-line">
-      <div class={`bar ${kind} ${value > end ? "cut" : ""}`} style={{width: `${100 * share}%`}} />
-      <span class={share > 0.55 ? "bar-text inside" : "bar-text"} style={share > 0.55 ? {right: `${100 - 100 * share}%`} : {left: `${100 * share}%`}}>
-        {short(value)} {unit}<small>{times}</small>
-      </span>
-    </div>
+    <>
+      <div class="bar-line">
+        <div class={`bar ${kind} ${value > end ? "cut" : ""}`} style={{width: `${100 * Math.min(1, value / end)}%`}} />
+      </div>
+      <span class="bar-text">{short(value)} {unit} <small>{times}</small></span>
+    </>
   );
 }

@@ -18,8 +18,10 @@ export const currentComparison = computed(() => {
   return document && document.model === state.value?.model ? document : null;
 });
 
-export function startCompare(): Promise<boolean> {
-  return runJob("Compare", "/api/compare");
+/** Compares, and climbs the ladder where it does not yet end at this model. */
+export async function startCompare(): Promise<void> {
+  if (!(await runJob("Compare", "/api/compare"))) return;
+  if (state.value?.results.ladder?.model !== state.value?.model) await runJob("Errors of the models", "/api/ladder");
 }
 
 export function startDiagnose(): Promise<boolean> {

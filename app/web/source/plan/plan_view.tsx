@@ -99,6 +99,11 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
       context.strokeStyle = context.fillStyle = colours[mark.colour];
       drawMark(context, mark.shape, ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
     }
+    for (const tube of document?.unreachable ?? []) {
+      const hole = model.find(tube.row, tube.column);
+      context.fillStyle = colours.rose;
+      if (hole >= 0) drawMark(context, "diamond", ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
+    }
     if (holes[at] !== undefined) {
       const [x, y] = toPixel(camera, size, model.u[holes[at]], model.v[holes[at]]);
       context.beginPath();
@@ -107,7 +112,7 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
       context.lineWidth = 3;
       context.stroke();
     }
-  }, [model, colouring, tour.value, currentVisit.value]);
+  }, [model, document, colouring, tour.value, currentVisit.value]);
   return (
     <section class="panel">
       <header class="plan-head">

@@ -277,14 +277,15 @@ export interface DiagnosedReading extends ErrorReading {
   position: Vector3;
 }
 
+/** A reading that would tell explanations apart, with the posture, load and sense of arrival to take it at. */
 export interface NextReading {
-  id: string;
-  joints: number[];
-  load?: number;
   point?: string;
   kind?: string;
-  splits?: string[] | string;
-  [more: string]: unknown;
+  load?: number;
+  posture: Record<string, number>;
+  senses?: Record<string, number>;
+  splits?: string[];
+  separation_sigmas?: number;
 }
 
 export interface DiagnoseDocument {
@@ -299,6 +300,7 @@ export interface DiagnoseDocument {
   readings: DiagnosedReading[];
   next_readings: NextReading[];
   splitting?: {
+    advice?: string;
     other_means?: {what: string}[];
     columns_to_add?: string[];
     pairs?: {if_true: string; against: string; criterion_gap_now: number; criterion_gap_expected: number; probability_told: number}[];

@@ -64,7 +64,7 @@ const FONT = "500 11px 'IBM Plex Sans Variable', system-ui, sans-serif";
 export function drawTicks(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette): void {
   context.font = FONT;
   context.fillStyle = palette.panel;
-  context.globalAlpha = 0.86;
+  context.globalAlpha = 0.94;
   context.fillRect(0, size.height - 20, size.width, 20);
   context.fillRect(0, 0, 34, size.height);
   context.globalAlpha = 1;

@@ -19,7 +19,7 @@ export interface Extent {
   top: number;
 }
 
-export const MARGIN = {left: 44, right: 20, top: 34, bottom: 34};
+export const MARGIN = {left: 44, right: 20, top: 34, bottom: 46};
 
 export function fit(extent: Extent, size: Size): Camera {
   const width = Math.max(40, size.width - MARGIN.left - MARGIN.right);

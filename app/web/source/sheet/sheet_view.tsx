@@ -140,7 +140,7 @@ function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; isReady
       <header><h2>{isReady ? shown.title : "State"}</h2>
         <div class="end"><span class="muted">{whole(shown.of.length)} holes</span></div></header>
       <ul class="legend">
-        {shown.kinds.map((kind, index) => (shown.counts[index] === 0 && isReady && shown.kinds.length > 6 ? null :
+        {shown.kinds.map((kind, index) => (shown.counts[index] === 0 && shown.kinds.length > 6 ? null :
           <li key={kind.name}>
             <label>
               <input type="checkbox" checked={!hiddenKinds.value.has(index)} onChange={() => toggleKind(index)} />

@@ -1,13 +1,14 @@
 // Loading readings and cells. Readings are compared with the model as soon as they are here.
 import type {WorkbenchState} from "../server/documents";
 import {post, postText} from "../server/requests";
-import {order, report, runJob, takeState} from "../server/workbench";
+import {startCompare} from "../error/loop";
+import {report, runJob, takeState} from "../server/workbench";
 import {dialog, view} from "./page_state";
 
 async function afterReadings(): Promise<void> {
   dialog.value = "";
   view.value = "error";
-  if (await runJob("Compare", "/api/compare")) await order("Errors of the models", "/api/ladder");
+  await startCompare();
 }
 
 export async function loadFile(file: File): Promise<void> {
