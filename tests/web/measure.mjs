@@ -140,7 +140,7 @@ async function pictures(browser, folder, into) {
       await tab.waitForTimeout(1200);
       await tab.waitForFunction(() => [...document.querySelectorAll(".arm-picture canvas")].every((canvas) => canvas.width >= canvas.clientWidth - 1),
         null, {timeout: 10000});  // drawn sharp
-      await tab.waitForTimeout(300);
+      await tab.waitForTimeout(800);
       await shoot(tab, `${view}-${name}`);
     }
   }

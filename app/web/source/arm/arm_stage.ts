@@ -45,6 +45,7 @@ export class ArmStage {
   private magnified = 1;
   private ratio = 1;
   private later = 0;
+  private notBefore = 0;
   private palette: Palette | null = null;
   onDraw: (() => void) | null = null;
 
@@ -81,7 +82,9 @@ export class ArmStage {
   ask(): void {
     if (this.isAsked) return;
     this.isAsked = true;
-    requestAnimationFrame(() => this.drawNow());
+    const wait = this.notBefore - performance.now();
+    if (wait > 4) setTimeout(() => requestAnimationFrame(() => this.drawNow()), wait);
+    else requestAnimationFrame(() => this.drawNow());
   }
 
   private drawNow(isSharp = false): void {
@@ -102,6 +105,7 @@ export class ArmStage {
 
   /** Where the page waits for its picture (no graphics processor), motion is drawn coarser, and sharp once it rests. */
   private adapt(msWaited: number): void {
+    if (msWaited > 12) this.notBefore = performance.now() + 2 * msWaited;  // figures go before pictures
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
     else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(this.fullRatio(), 1.1 * this.ratio);
   }

@@ -2,6 +2,7 @@
 import {computed} from "@preact/signals";
 import type {Mark} from "../drawing/marks";
 import type {ErrorReading, Vector3} from "../server/documents";
+import {state} from "../server/workbench";
 import {currentDiagnosis, compare} from "./loop";
 import {explanationTitle, isEnough} from "./words";
 
@@ -37,12 +38,13 @@ export const readingErrors = computed<ReadingErrors | null>(() => {
   }
   const compared = compare.value.document;
   if (!compared) return null;
+  const when = compared.model === state.value?.model ? "" : ", before the last change";
   return {
     readings: compared.readings,
     places: compared.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
     series: [
-      {name: "as the model stands", mark: BEFORE, errors: compared.readings.map((reading) => reading.error_before)},
-      {name: "refitted", mark: AFTER, errors: compared.readings.map((reading) => reading.error_after)},
+      {name: `as the model stands${when}`, mark: BEFORE, errors: compared.readings.map((reading) => reading.error_before)},
+      {name: `refitted${when}`, mark: AFTER, errors: compared.readings.map((reading) => reading.error_after)},
     ],
     joints: compared.joint_columns.map((name) => name.replace(/_[^_]*$/, "")),
   };
