@@ -148,7 +148,7 @@ export class ArmStage {
   look(from: "corner" | "side" | "below" | "front"): void {
     const directions = {corner: [-1.25, -2.35, -0.42], side: [-2.7, -0.02, -0.2], below: [0, -0.02, -2.7], front: [0.05, -2.7, -0.2]} as const;
     this.controls.target.copy(this.focus);
-    this.camera.position.copy(this.focus).add(new Vector3(...directions[from]).multiplyScalar(1.12 * this.reach));
+    this.camera.position.copy(this.focus).add(new Vector3(...directions[from]).multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
     this.controls.update();
     this.ask();
   }

@@ -1,5 +1,6 @@
 // The arm view: the deflected arm under the sheet, sliders that it follows at once, and the operator's read-out.
 import {Segments} from "../drawing/segments";
+import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {fixed} from "../drawing/numbers";
 import type {JointInfo, TipPose} from "../server/documents";
@@ -9,7 +10,18 @@ import {ArmPicture} from "./arm_picture";
 import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
+/** Begins under a hole in the middle of the sheet rather than with the arm stretched out through a wall. */
+function beginUnderHole(): void {
+  const model = sheet.value;
+  if (!model || poseRequest.hole.peek() >= 0) return;
+  const middle = model.nearest(0.35 * model.radius, model.isOneLeg ? 0.5 * (model.extent.bottom + model.extent.top) : 0.35 * model.radius, model.radius);
+  if (middle < 0) return;
+  picked.value = middle;
+  void showHole(middle);
+}
+
 export default function ArmView() {
+  useEffect(beginUnderHole, [sheet.value]);
   return (
     <div class="arm-view">
       <section class="panel">

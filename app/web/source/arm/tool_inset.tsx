@@ -2,7 +2,7 @@
 // off it is.
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
-import {fixed, short} from "../drawing/numbers";
+import {fixed} from "../drawing/numbers";
 import type {PoseDocument} from "../server/documents";
 import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
@@ -34,7 +34,7 @@ export function ToolInset() {
       <dl class="figures">
         <dt>off centre</dt><dd>{centring ? `${fixed(centring.distance, 4)} ${units.value.length}` : "–"}</dd>
         <dt>tilt</dt><dd>{centring ? `${fixed(centring.tilt, 2)} ${units.value.angle}` : "–"}</dd>
-        <dt>height</dt><dd>{centring?.height !== undefined ? `${short(centring.height)} ${units.value.length}` : "–"}</dd>
+        <dt>height</dt><dd>{centring?.height !== undefined ? `${fixed(centring.height, 4)} ${units.value.length}` : "–"}</dd>
       </dl>
       <p class="inset-case">{kind ? <><MarkIcon mark={kind.mark} /> {kind.name}</> : "pick a hole on the sheet"}</p>
     </section>
