@@ -1,0 +1,83 @@
+// The 3-D picture as a part of a view, with its buttons and the figure of the clearance beside its line.
+import {choicesOf, Segments} from "../drawing/segments";
+import {signal} from "@preact/signals";
+import {useEffect, useRef} from "preact/hooks";
+import {Vector3} from "three";
+import {palette} from "../drawing/colours";
+import {fixed} from "../drawing/numbers";
+import {sceneDocument, units} from "../server/workbench";
+import {sheet} from "../shell/page_state";
+import {ProblemWords} from "../shell/states";
+import {ArmStage} from "./arm_stage";
+import {poseRequest} from "./pose_link";
+
+const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
+export const magnified = signal(1);
+const VIEWS = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["below", "Below"]] as const;
+
+function makeStage(canvas: HTMLCanvasElement): ArmStage | string {
+  try {
+    return new ArmStage(canvas);
+  } catch {
+    return "This browser draws no 3-D pictures (WebGL is off); everything else works.";
+  }
+}
+
+export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; isSmall?: boolean}) {
+  const canvas = useRef<HTMLCanvasElement>(null), figure = useRef<HTMLSpanElement>(null);
+  const stage = useRef<ArmStage | null>(null), refusal = useRef<HTMLParagraphElement>(null);
+  useEffect(() => {
+    const made = makeStage(canvas.current!);
+    if (typeof made === "string") {
+      refusal.current!.textContent = made;
+      return;
+    }
+    stage.current = made;
+    made.onDraw = () => placeFigure(made, figure.current!);
+    const box = canvas.current!.parentElement!;
+    const observer = new ResizeObserver(() => made.resize(box.clientWidth, box.clientHeight));
+    observer.observe(box);
+    made.resize(box.clientWidth, box.clientHeight);
+    return () => {
+      observer.disconnect();
+      made.dispose();
+      stage.current = null;
+    };
+  }, []);
+  const scene = sceneDocument.value.document;
+  useEffect(() => {
+    if (!scene || !stage.current) return;
+    stage.current.setCell(scene, sheet.value, palette.value);
+    stage.current.setTour(tour ?? null, palette.value);
+  }, [scene, sheet.value, palette.value]);
+  useEffect(() => {
+    if (scene) stage.current?.look("corner");
+  }, [scene, sheet.value]);
+  useEffect(() => stage.current?.setTour(tour ?? null, palette.value), [tour]);
+  useEffect(() => {
+    if (poseRequest.answer.value) stage.current?.setPose(poseRequest.answer.value, magnified.value);
+  }, [poseRequest.answer.value, magnified.value, scene]);
+  return (
+    <div class="arm-picture">
+      <div class="fill"><canvas ref={canvas} aria-label="The arm, rigid and deflected, under the sheet" role="img" /></div>
+      <span ref={figure} class="clearance-figure" />
+      <p ref={refusal} class="refusal muted" />
+      {sceneDocument.value.problem ? <ProblemWords problem={sceneDocument.value.problem} /> : null}
+      <div class="stage-bar">
+        <Segments label="Deflection drawn" choices={TIMES} value={magnified.value} onChoose={(times) => (magnified.value = times)} />
+        <Segments label="View" choices={choicesOf(VIEWS)} value={undefined} onChoose={(from) => stage.current?.look(from)} />
+        {isSmall ? null : <span class="arm-legend"><i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected</span>}
+      </div>
+    </div>
+  );
+}
+
+function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
+  const clearance = poseRequest.answer.peek()?.clearance;
+  const at = clearance?.to && magnified.peek() === 1 ?
+    stage.onScreen(new Vector3(...clearance.from).add(new Vector3(...clearance.to)).multiplyScalar(0.5)) : null;
+  figure.style.display = at ? "" : "none";
+  if (!at || !clearance) return;
+  figure.textContent = `${fixed(clearance.distance, 2)} ${units.peek().length}`;
+  figure.style.transform = `translate(${Math.round(at[0] + 10)}px, ${Math.round(at[1] - 10)}px)`;
+}

@@ -1,0 +1,89 @@
+// The arm's posture in this browser, and the program's answer to it: at most one question is under way, the last one
+// always gets asked, so a slider never waits for a queue.
+import {batch, computed, effect, signal} from "@preact/signals";
+import type {InverseDocument, PoseDocument} from "../server/documents";
+import {post} from "../server/requests";
+import {cell, report, state} from "../server/workbench";
+
+const joints = signal<number[]>([]);
+const load = signal(0);
+const hole = signal(-1);
+const answer = signal<PoseDocument | null>(null);
+const inverse = signal<InverseDocument | null>(null);
+const latency = signal(0);
+
+export const poseRequest = {joints, load, hole, answer, inverse, latency};
+
+// A cell's home is where its arm begins.
+const cellKey = computed(() => `${state.value?.folder ?? ""} ${cell.value?.file ?? ""} ${cell.value?.name ?? ""}`);
+effect(() => {
+  void cellKey.value;
+  const info = cell.peek();
+  if (!info) return;
+  batch(() => {
+    joints.value = info.joints.map((joint) => joint.home);
+    load.value = 0;
+    hole.value = -1;
+    answer.value = null;
+    inverse.value = null;
+  });
+});
+
+let isAsking = false;
+let isWanted = false;
+
+export async function askPose(): Promise<void> {
+  isWanted = true;
+  if (isAsking) return;
+  isAsking = true;
+  try {
+    while (isWanted) {
+      isWanted = false;
+      const start = performance.now();
+      answer.value = await post<PoseDocument>("/api/pose", {
+        joints: joints.peek(), load: load.peek(), ...(hole.peek() >= 0 ? {hole: hole.peek()} : {})
+      });
+      latency.value = performance.now() - start;
+    }
+  } catch (error) {
+    report("The pose cannot be solved", error);
+  } finally {
+    isAsking = false;
+  }
+}
+
+// Joints, load, hole or the model changed: ask anew.
+const model = computed(() => `${state.value?.model ?? -1} ${state.value?.models.length ?? 0}`);
+effect(() => {
+  void joints.value;
+  void load.value;
+  void hole.value;
+  void model.value;
+  if (joints.peek().length > 0) void askPose();
+});
+
+export function setJoint(index: number, value: number): void {
+  const next = [...joints.peek()];
+  next[index] = value;
+  joints.value = next;
+}
+
+/** Why no posture brings the arm under the hole; empty where one does. */
+export function whyNot(found: InverseDocument): string {
+  if (found.status === "found") return "";
+  return found.branches.map((branch) => branch.reason).find((reason) => reason !== "") ?? "out of reach";
+}
+
+/** Brings the arm under a hole; the first of its branches unless one is given. */
+export async function showHole(index: number, branch?: number): Promise<void> {
+  inverse.value = null;
+  hole.value = index;
+  try {
+    const found = await post<InverseDocument>("/api/inverse", {hole: index, ...(branch === undefined ? {} : {branch})});
+    if (hole.peek() !== index) return;
+    inverse.value = found;
+    if (found.status === "found" && found.joints) joints.value = found.joints;
+  } catch (error) {
+    report("No posture", error);
+  }
+}

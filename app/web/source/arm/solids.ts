@@ -1,0 +1,85 @@
+// Meshes of the shapes that a cell file knows, and of the arm's members.
+import {
+  BoxGeometry, BufferGeometry, CapsuleGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh,
+  MeshStandardMaterial, Object3D, Quaternion, SphereGeometry, Vector3, type Material
+} from "three";
+import type {SolidShape, Vector3 as Triple} from "../server/documents";
+
+const UP = new Vector3(0, 1, 0);
+
+export function vector(triple: Triple): Vector3 {
+  return new Vector3(...triple);
+}
+
+/** Lays a geometry that stands along y, one unit long, from a to b. */
+export function layAlong(object: Object3D, a: Vector3, b: Vector3): void {
+  object.position.copy(a).add(b).multiplyScalar(0.5);
+  const along = b.clone().sub(a);
+  object.quaternion.copy(new Quaternion().setFromUnitVectors(UP, along.lengthSq() > 0 ? along.normalize() : UP));
+}
+
+/** A solid of the file in its own frame; null for half spaces and insides, which are drawn as what bounds the scene. */
+export function solidOf(shape: SolidShape, material: Material): Object3D | null {
+  const geometry = geometryOf(shape);
+  if (!geometry) return null;
+  const mesh = new Mesh(geometry, material);
+  if (shape.from && shape.to) layAlong(mesh, vector(shape.from), vector(shape.to));
+  else if (shape.center) mesh.position.set(...shape.center);
+  if (shape.rpy) mesh.rotation.set(...(shape.rpy.map((angle) => (angle * Math.PI) / 180) as Triple), "ZYX");
+  return mesh;
+}
+
+function geometryOf(shape: SolidShape): BufferGeometry | null {
+  switch (shape.kind) {
+    case "box":
+      return new BoxGeometry(...(shape.size ?? [1, 1, 1]));
+    case "sphere":
+      return new SphereGeometry(shape.radius ?? 1, 32, 20);
+    case "capsule":
+    case "cylinder": {
+      if (!shape.from || !shape.to) return null;
+      const long = vector(shape.to).distanceTo(vector(shape.from)), r = shape.radius ?? 1;
+      return shape.kind === "capsule" ? new CapsuleGeometry(r, long, 8, 22) : new CylinderGeometry(r, r, long, 28);
+    }
+    default:
+      return null;
+  }
+}
+
+/** An obstacle: filled, with its edges, so that it reads in any light. */
+export function obstacleOf(shape: SolidShape, colours: {fill: string; edge: string}): Object3D | null {
+  const solid = solidOf(shape, new MeshStandardMaterial({color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85}));
+  if (!(solid instanceof Mesh)) return null;
+  solid.add(new LineSegments(new EdgesGeometry(solid.geometry, 30), new LineBasicMaterial({color: colours.edge})));
+  return solid;
+}
+
+/**
+ * The inside of a ball above the arm: the half of it under z = 0, and on the kept side of the divider, that
+ * of positive or negative y; all round where `side` is 0. */
+export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: string; edge: string}): Object3D {
+  const group = new Group();
+  const r = shape.radius ?? 1, start = side > 0 ? Math.PI : 0, turn = side === 0 ? 2 * Math.PI : Math.PI;
+  const geometry = new SphereGeometry(r, 40, 18, start, turn, Math.PI / 2, Math.PI / 2);
+  geometry.rotateX(Math.PI / 2);
+  const skin = new MeshStandardMaterial({color: colours.fill, side: DoubleSide, transparent: true, opacity: 0.13, roughness: 1, depthWrite: false});
+  group.add(new Mesh(geometry, skin));
+  const coarse = new SphereGeometry(r, side === 0 ? 16 : 8, 6, start, turn, Math.PI / 2, Math.PI / 2);
+  coarse.rotateX(Math.PI / 2);
+  group.add(new LineSegments(new EdgesGeometry(coarse, 1), new LineBasicMaterial({color: colours.edge, transparent: true, opacity: 0.4})));
+  if (shape.center) group.position.set(...shape.center);
+  return group;
+}
+
+/** Everything that a group holds of the graphics memory is given back. */
+export function disposeAll(root: Object3D): void {
+  root.traverse((object) => {
+    const mesh = object as Mesh;
+    mesh.geometry?.dispose();
+    const material = mesh.material as Material | Material[] | undefined;
+    for (const one of Array.isArray(material) ? material : material ? [material] : []) {
+      (one as MeshStandardMaterial).map?.dispose();
+      one.dispose();
+    }
+  });
+}

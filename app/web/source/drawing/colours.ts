@@ -1,0 +1,51 @@
+// The page's colours as the canvas needs them, read from the style sheet so that dark, light and print stay in one place.
+import {signal} from "@preact/signals";
+
+const NAMES = [
+  "paper", "panel", "ink", "muted", "line", "plate", "rim", "hole", "faint", "accent", "good", "bad", "warn",
+  "case0", "case1", "case2", "case3", "violet", "rose", "band0", "band1", "band2", "band3", "band4", "band5"
+] as const;
+
+export type ColourName = (typeof NAMES)[number];
+export type Palette = Record<ColourName, string>;
+
+function readPalette(): Palette {
+  const style = getComputedStyle(document.documentElement);
+  return Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()])) as Palette;
+}
+
+export const palette = signal<Palette>({} as Palette);
+
+// ---- dark and light
+
+export type ColourScheme = "auto" | "light" | "dark";
+const KEPT = "tubeplan.scheme";
+const wantsDark = matchMedia("(prefers-color-scheme: dark)");
+
+export const scheme = signal<ColourScheme>((localStorage.getItem(KEPT) as ColourScheme | null) ?? "auto");
+
+export function isDark(): boolean {
+  return scheme.value === "dark" || (scheme.value === "auto" && wantsDark.matches);
+}
+
+export function applyScheme(): void {
+  document.documentElement.dataset.scheme = isDark() ? "dark" : "light";
+  palette.value = readPalette();
+}
+
+export function chooseScheme(next: ColourScheme): void {
+  scheme.value = next;
+  localStorage.setItem(KEPT, next);
+  applyScheme();
+}
+
+/** Paper is white: what is drawn for it is drawn in black on white, and put back afterwards. */
+export function followColours(): void {
+  wantsDark.addEventListener("change", applyScheme);
+  window.addEventListener("beforeprint", () => {
+    document.documentElement.dataset.scheme = "print";
+    palette.value = readPalette();
+  });
+  window.addEventListener("afterprint", applyScheme);
+  applyScheme();
+}

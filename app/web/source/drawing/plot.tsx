@@ -1,0 +1,37 @@
+// uPlot in the page's clothes: sized by its box, redrawn when colours change.
+import {useEffect, useRef} from "preact/hooks";
+import uPlot from "uplot";
+import type {Palette} from "./colours";
+
+export interface PlotProps {
+  options: Omit<uPlot.Options, "width" | "height">;
+  data: uPlot.AlignedData;
+  label: string;
+  onReady?: (plot: uPlot) => void;
+}
+
+const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
+
+export function axis(colours: Palette, label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
+  return {
+    label, labelSize: 18, labelFont: FONT, font: FONT, stroke: colours.muted, size: more.side === 3 ? 54 : 26, gap: 4, labelGap: 0,
+    grid: {stroke: colours.line, width: 1}, ticks: {stroke: colours.line, width: 1, size: 4}, ...more
+  };
+}
+
+export function Plot({options, data, label, onReady}: PlotProps) {
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = box.current!;
+    const size = () => ({width: Math.max(80, element.clientWidth), height: Math.max(60, element.clientHeight)});
+    const plot = new uPlot({...options, ...size(), padding: options.padding ?? [10, 14, 0, 0]}, data, element);
+    onReady?.(plot);
+    const observer = new ResizeObserver(() => plot.setSize(size()));
+    observer.observe(element);
+    return () => {
+      observer.disconnect();
+      plot.destroy();
+    };
+  }, [options, data]);
+  return <div class="plot" ref={box} role="img" aria-label={label} />;
+}

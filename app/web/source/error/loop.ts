@@ -1,0 +1,41 @@
+// The loop as orders to the program: compare, diagnose, add, and what the page does of itself in between.
+import {computed} from "@preact/signals";
+import type {CompareDocument, DiagnoseDocument, EffectAt, IdentifyDocument, LadderDocument} from "../server/documents";
+import {result, runJob, state} from "../server/workbench";
+
+export const compare = result<CompareDocument>("compare");
+export const diagnose = result<DiagnoseDocument>("diagnose");
+export const identify = result<IdentifyDocument>("identify");
+export const ladder = result<LadderDocument>("ladder");
+
+/** Documents that speak of the model as it is now; those of another are kept, but say nothing of this one. */
+export const currentDiagnosis = computed(() => {
+  const document = diagnose.value.document;
+  return document && document.model === state.value?.model ? document : null;
+});
+export const currentComparison = computed(() => {
+  const document = compare.value.document;
+  return document && document.model === state.value?.model ? document : null;
+});
+
+/** Compares, and climbs the ladder where it does not yet end at this model. */
+export async function startCompare(): Promise<void> {
+  if (!(await runJob("Compare", "/api/compare"))) return;
+  if (state.value?.results.ladder?.model !== state.value?.model) await runJob("Errors of the models", "/api/ladder");
+}
+
+export function startDiagnose(): Promise<boolean> {
+  return runJob("Diagnose", "/api/diagnose", {effects: 2, next: 6});
+}
+
+/** Adds effects, refits, and looks at what is left. */
+export async function addEffects(effects: EffectAt[]): Promise<void> {
+  const wanted = effects.map(({effect, at}) => ({effect, at}));
+  if (await runJob("Add", "/api/add", {effects: wanted})) await startCompare();
+}
+
+export async function addFormula(formula: string): Promise<boolean> {
+  const isAdded = await runJob("Try the formula", "/api/add", {formula});
+  if (isAdded) await startCompare();
+  return isAdded;
+}

@@ -1,0 +1,22 @@
+// What the last fit found, each number with its interval and a word on whether it can be told.
+import {exact, short} from "../drawing/numbers";
+import type {IdentifyDocument} from "../server/documents";
+
+export function ParameterTable({document}: {document: IdentifyDocument}) {
+  return (
+    <table>
+      <thead><tr><th>number</th><th class="number">value</th><th class="number">± sigma</th><th class="number">start</th><th>unit</th><th>told</th></tr></thead>
+      <tbody>
+        {document.parameters.map((parameter) => (
+          <tr key={parameter.name}>
+            <td class="wrap">{parameter.name}</td>
+            <td class="number">{exact(Number(parameter.value?.toPrecision(5)))}</td>
+            <td class="number">{short(parameter.sigma)}</td>
+            <td class="number">{exact(parameter.start)}</td>
+            <td>{parameter.unit}</td>
+            <td class={parameter.identifiable === "yes" ? "" : "bad"}>{parameter.identifiable}</td>
+          </tr>))}
+      </tbody>
+    </table>
+  );
+}

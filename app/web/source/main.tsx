@@ -1,0 +1,15 @@
+// Starts the page: style, colours, the server's events, then the workbench itself.
+import "./style/fonts.css";
+import "uplot/dist/uPlot.min.css";
+import "./style/tokens.css";
+import "./style/page.css";
+import "./style/views.css";
+import {render} from "preact";
+import {followColours} from "./drawing/colours";
+import {dropTokenFromAddress, followServer} from "./server/workbench";
+import {Workbench} from "./shell/workbench";
+
+dropTokenFromAddress();
+followColours();
+followServer();
+render(<Workbench />, document.getElementById("page")!);

@@ -1,0 +1,131 @@
+// Clearance, travel time and centring along the tour, with the playhead; a click goes there.
+import {choicesOf, Segments} from "../drawing/segments";
+import {signal, useSignalEffect} from "@preact/signals";
+import {useMemo, useRef} from "preact/hooks";
+import uPlot from "uplot";
+import {palette} from "../drawing/colours";
+import {exact, roundTicks} from "../drawing/numbers";
+import {axis, Plot} from "../drawing/plot";
+import type {PathDocument, PlanDocument} from "../server/documents";
+import {units} from "../server/workbench";
+import {arrivals, isPlaying, path, plan, time} from "./playback";
+
+type What = "clearance" | "travel" | "centring";
+const WHATS: [What, string][] = [["clearance", "Clearance"], ["travel", "Travel time"], ["centring", "Chance of three steps"]];
+const what = signal<What>("clearance");
+
+export function TourPlot() {
+  const held = useRef<uPlot | null>(null);
+  const document = plan.value.document, along = path.value;
+  const made = useMemo(() => (document && along ? makePlot(what.value, document, along) : null),
+    [document, along, what.value, palette.value, units.value]);
+  useSignalEffect(() => {
+    void time.value;
+    held.current?.redraw(false, false);
+  });
+  return (
+    <section class="panel">
+      <header>
+        <h2>Along the tour</h2>
+        <div class="end"><Segments label="Plotted" choices={choicesOf(WHATS)} value={what.value} onChoose={(next) => (what.value = next)} /></div>
+      </header>
+      <div class="panel-body flush">
+        {made ? <Plot {...made} label="Along the tour" onReady={(plot) => {
+          held.current = plot;
+          plot.over.addEventListener("click", () => {
+            if (plot.cursor.left !== undefined && plot.cursor.left >= 0) {
+              isPlaying.value = false;
+              time.value = plot.posToVal(plot.cursor.left, "x");
+            }
+          });
+        }} /> : <p class="muted pad">What a plan keeps clear and how long it travels stands here.</p>}
+      </div>
+    </section>
+  );
+}
+
+function pointsOf(which: What, document: PlanDocument, along: PathDocument): [number[], (number | null)[]] {
+  if (which === "clearance" && along.clearance) return [along.time, along.clearance];
+  const times = arrivals.peek();
+  const known = document.tubes.map((tube, i) => ({tube, at: times[i], before: i > 0 ? times[i - 1] : 0})).filter((row) => Number.isFinite(row.at));
+  if (which === "centring") return [known.map((row) => row.at), known.map((row) => row.tube.probability_by_steps?.[3] ?? null)];
+  return [known.map((row) => row.at), known.map((row) => row.at - (Number.isFinite(row.before) ? row.before : 0))];
+}
+
+function makePlot(which: What, document: PlanDocument, along: PathDocument) {
+  const [x, y] = pointsOf(which, document, along);
+  const colours = palette.peek(), length = units.peek().length;
+  const names: Record<What, string> = {clearance: `clearance, ${length}`, travel: "to this tube, s", centring: "chance"};
+  const data: uPlot.AlignedData = [x, y];
+  const isBars = which !== "clearance";
+  const options: Omit<uPlot.Options, "width" | "height"> = {
+    legend: {show: false},
+    cursor: {y: false, points: {show: false}, drag: {x: false, y: false}},
+    scales: {
+      x: {time: false},
+      y: {
+        distr: which === "clearance" ? 100 : 1,
+        fwd: (value: number) => Math.sqrt(Math.max(0, value)),
+        bwd: (value: number) => value * value,
+        range: (_plot, _low, high) => [0, which === "centring" ? 1 : 1.08 * (high || 1)]
+      }
+    },
+    axes: [
+      axis(colours, "time, s"),
+      axis(colours, names[which], {
+        side: 3, values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
+        filter: (_plot: uPlot, splits: number[]) => splits,
+        splits: (_plot: uPlot, _axis: number, _low: number, high: number) => (which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5)),
+      }),
+    ],
+    series: [{}, {
+      stroke: colours.accent, width: 1.3, fill: isBars ? colours.accent : undefined,
+      points: {show: false},
+      ...(isBars ? {paths: uPlot.paths.bars!({size: [0.6, 8]})} : {}),
+    }],
+    hooks: {draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)]},
+  };
+  return {options, data};
+}
+
+/** Close together near zero, where clearance matters. */
+function rootTicks(high: number): number[] {
+  const kept: number[] = [];
+  for (const value of [0, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]) {
+    if (value <= high && (kept.length === 0 || Math.sqrt(value / high) - Math.sqrt(kept[kept.length - 1] / high) > 0.1)) kept.push(value);
+  }
+  return kept;
+}
+
+function drawPlayhead(plot: uPlot, required: number | null): void {
+  const {ctx, bbox} = plot;
+  const colours = palette.peek();
+  ctx.save();
+  if (required !== null && Number.isFinite(required)) {
+    const y = plot.valToPos(required, "y", true);
+    ctx.strokeStyle = ctx.fillStyle = colours.bad;
+    ctx.setLineDash([7, 4]);
+    ctx.beginPath();
+    ctx.moveTo(bbox.left, y);
+    ctx.lineTo(bbox.left + bbox.width, y);
+    ctx.stroke();
+    ctx.font = `${11 * uPlot.pxRatio}px 'IBM Plex Sans Variable', system-ui, sans-serif`;
+    ctx.textAlign = "right";
+    const words = `required ${exact(required)} ${units.peek().length}`;
+    ctx.strokeStyle = colours.panel;
+    ctx.lineWidth = 4 * uPlot.pxRatio;
+    ctx.lineJoin = "round";
+    ctx.setLineDash([]);
+    ctx.strokeText(words, bbox.left + bbox.width - 4, y - 6);
+    ctx.fillText(words, bbox.left + bbox.width - 4, y - 6);
+  }
+  const x = plot.valToPos(time.peek(), "x", true);
+  ctx.setLineDash([]);
+  ctx.strokeStyle = colours.ink;
+  ctx.lineWidth = 1.5 * uPlot.pxRatio;
+  ctx.beginPath();
+  ctx.moveTo(x, bbox.top);
+  ctx.lineTo(x, bbox.top + bbox.height);
+  ctx.stroke();
+  ctx.restore();
+}

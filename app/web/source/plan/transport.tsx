@@ -1,0 +1,43 @@
+// Play, pause, scrub, speed.
+import {Segments} from "../drawing/segments";
+import {Icon} from "../drawing/icons";
+import {clock, short} from "../drawing/numbers";
+import {units} from "../server/workbench";
+import {currentVisit, endTime, goToVisit, isPlaying, path, plan, speed, time, togglePlay} from "./playback";
+import {sampleAt} from "./sampling";
+
+const SPEEDS = [1, 4, 16].map((factor) => ({value: factor, words: `×${factor}`}));
+
+function keys(event: KeyboardEvent): void {
+  if (event.key === " ") togglePlay();
+  else if (event.key === "ArrowRight") goToVisit(currentVisit.value + 1);
+  else if (event.key === "ArrowLeft") goToVisit(currentVisit.value - 1);
+  else if (event.key === "Home") time.value = 0;
+  else return;
+  event.preventDefault();
+}
+
+export function Transport() {
+  const document = path.value, tubes = plan.value.document?.tubes ?? [];
+  const tube = tubes[currentVisit.value];
+  const sample = document ? sampleAt(document.time, time.value) : 0;
+  return (
+    <section class="panel transport" onKeyDown={keys}>
+      <button class="tool" title="To the start (Home)" disabled={!document} onClick={() => (time.value = 0)}><Icon name="back" /></button>
+      <button class="tool play" title="Play or pause (Space)" disabled={!document} aria-pressed={isPlaying.value} onClick={togglePlay}>
+        <Icon name={isPlaying.value ? "pause" : "play"} size={20} /><span class="hidden">{isPlaying.value ? "Pause" : "Play"}</span>
+      </button>
+      <Segments label="Speed" choices={SPEEDS} value={speed.value} onChoose={(factor) => (speed.value = factor)} />
+      <span class="clock">{clock(time.value)}</span>
+      <input type="range" aria-label="Time along the tour" min={0} max={endTime.value || 1} step={0.05} value={time.value} disabled={!document}
+        onInput={(event) => (time.value = Number(event.currentTarget.value))} />
+      <span class="clock muted">{clock(endTime.value)}</span>
+      <span class="now-words">
+        <b>{tube ? tube.name.replace("C", " C") : "–"}</b>
+        <span class="muted">{tubes.length > 0 ? `${Math.max(0, currentVisit.value) + 1} / ${tubes.length}` : ""}</span>
+        <span class="muted">{document?.kind[sample] ?? ""}</span>
+        <span class="muted">{typeof document?.clearance?.[sample] === "number" ? `${short(document.clearance[sample])} ${units.value.length}` : ""}</span>
+      </span>
+    </section>
+  );
+}

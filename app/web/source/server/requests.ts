@@ -1,0 +1,60 @@
+// Asking the server: JSON in and out, and the program's own words where it refuses.
+import type {Problem} from "./documents";
+
+/** A refusal of the server, or its silence. */
+export class ServerProblem extends Error {
+  constructor(readonly status: number, readonly problem: Problem) {
+    super(problem.message);
+  }
+}
+
+async function problemOf(response: Response): Promise<Problem> {
+  try {
+    const body = await response.json();
+    if (body && typeof body.error === "object" && body.error !== null) {
+      return {message: `The server answered ${response.status}.`, ...body.error};
+    }
+  } catch {
+    // Not JSON: the status is all there is.
+  }
+  return {message: `The server answered ${response.status} ${response.statusText}.`};
+}
+
+async function ask<T>(path: string, options?: RequestInit): Promise<T> {
+  let response: Response;
+  try {
+    response = await fetch(path, {credentials: "same-origin", cache: "no-store", ...options});
+  } catch {
+    throw new ServerProblem(0, {
+      message: "The program does not answer.",
+      advice: "See whether `tubeplan serve` still runs in its terminal; this page goes on by itself once it does."
+    });
+  }
+  if (!response.ok) throw new ServerProblem(response.status, await problemOf(response));
+  return (await response.json()) as T;
+}
+
+export function get<T>(path: string): Promise<T> {
+  return ask<T>(path);
+}
+
+export function post<T>(path: string, body: unknown = {}): Promise<T> {
+  return ask<T>(path, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
+}
+
+export function postText<T>(path: string, text: string | Blob, type = "text/csv"): Promise<T> {
+  return ask<T>(path, {method: "POST", headers: {"Content-Type": type}, body: text});
+}
+
+export function remove<T>(path: string): Promise<T> {
+  return ask<T>(path, {method: "DELETE"});
+}
+
+export function isMissing(error: unknown): boolean {
+  return error instanceof ServerProblem && error.status === 404;
+}
+
+export function asProblem(error: unknown): Problem {
+  if (error instanceof ServerProblem) return error.problem;
+  return {message: error instanceof Error ? error.message : String(error)};
+}

@@ -1,0 +1,201 @@
+// The server's state as signals: told by /api/events, the same in every browser; results fetched when they change.
+import {computed, effect, signal, type Signal} from "@preact/signals";
+import type {Job, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
+import {asProblem, get, isMissing, post} from "./requests";
+
+export const state = signal<WorkbenchState | null>(null);
+export const connection = signal<"connecting" | "live" | "lost">("connecting");
+export const jobs = signal<ReadonlyMap<string, Job>>(new Map());
+
+export const cell = computed(() => state.value?.cell ?? null);
+export const units = computed<Units>(() => cell.value?.units ?? {length: "", angle: "", force: ""});
+export const runningJobs = computed(() => [...jobs.value.values()].filter((job) => job.status === "running"));
+export const currentModel = computed<Model | null>(
+  () => state.value?.models.find((model) => model.id === state.value?.model) ?? null);
+
+/** The running job of a kind, if one is. */
+export function runningJob(...kinds: string[]): Job | null {
+  return runningJobs.value.find((job) => kinds.includes(job.kind)) ?? null;
+}
+
+// ---- events
+
+function noteJob(job: Job): void {
+  const known = new Map(jobs.value);
+  known.set(String(job.id), job);
+  jobs.value = known;
+}
+
+export function takeState(next: WorkbenchState): void {
+  if (state.value !== null && next.revision < state.value.revision) return;
+  state.value = next;
+  const known = new Map<string, Job>();
+  for (const job of next.jobs ?? []) known.set(String(job.id), job);
+  jobs.value = known;
+}
+
+/** The server keeps the token in a cookie; it need not stay in the address bar. */
+export function dropTokenFromAddress(): void {
+  const address = new URL(location.href);
+  if (!address.searchParams.has("token")) return;
+  address.searchParams.delete("token");
+  history.replaceState(null, "", address);
+}
+
+/** Follows the server; the browser reconnects by itself, and every connection begins with the whole state. */
+export function followServer(): void {
+  const events = new EventSource("/api/events");
+  events.addEventListener("open", () => (connection.value = "live"));
+  events.addEventListener("state", (event) => {
+    connection.value = "live";
+    takeState(JSON.parse(event.data) as WorkbenchState);
+  });
+  events.addEventListener("job", (event) => noteJob(JSON.parse(event.data) as Job));
+  events.addEventListener("error", () => {
+    connection.value = "lost";
+    if (events.readyState === EventSource.CLOSED) setTimeout(followServer, 2000);
+  });
+}
+
+// ---- results
+
+export interface Loaded<T> {
+  status: "none" | "loading" | "here" | "failed";
+  document: T | null;
+  problem: Problem | null;
+}
+
+const NOTHING: Loaded<never> = {status: "none", document: null, problem: null};
+const results = new Map<string, Signal<Loaded<unknown>>>();
+
+/** The result document of a name; it renews itself whenever the state says that it changed. */
+export function result<T>(name: string): Signal<Loaded<T>> {
+  let known = results.get(name);
+  if (known === undefined) {
+    known = signal<Loaded<unknown>>(NOTHING);
+    results.set(name, known);
+    followResult(name, known);
+  }
+  return known as Signal<Loaded<T>>;
+}
+
+function followResult(name: string, into: Signal<Loaded<unknown>>): void {
+  const mark = computed(() => {
+    const entry = state.value?.results[name];
+    return entry ? `${entry.model}:${entry.revision}` : "";
+  });
+  effect(() => {
+    const wanted = mark.value;
+    if (wanted === "") {
+      into.value = NOTHING;
+      return;
+    }
+    into.value = {status: "loading", document: into.peek().document, problem: null};
+    get<unknown>(`/api/results/${name}`).then((document) => {
+      if (mark.peek() === wanted) into.value = {status: "here", document, problem: null};
+    }, (error) => {
+      if (mark.peek() !== wanted) return;
+      into.value = isMissing(error) ? NOTHING : {status: "failed", document: null, problem: asProblem(error)};
+    });
+  });
+}
+
+// ---- what belongs to the cell: fetched once for each
+
+function perCell<T>(path: string, isThere: () => boolean): Signal<Loaded<T>> {
+  const into = signal<Loaded<T>>(NOTHING);
+  const key = computed(() => (cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : ""));
+  effect(() => {
+    const wanted = key.value;
+    if (wanted === "") {
+      into.value = NOTHING;
+      return;
+    }
+    into.value = {status: "loading", document: null, problem: null};
+    get<T>(path).then((document) => {
+      if (key.peek() === wanted) into.value = {status: "here", document, problem: null};
+    }, (error) => {
+      if (key.peek() === wanted) into.value = {status: "failed", document: null, problem: asProblem(error)};
+    });
+  });
+  return into;
+}
+
+export const sheetDocument = perCell<SheetDocument>("/api/sheet", () => cell.value?.has_sheet === true);
+export const sceneDocument = perCell<SceneDocument>("/api/scene", () => true);
+
+// ---- what went wrong, shown until it is put away
+
+export interface Notice {
+  id: number;
+  title: string;
+  problem: Problem;
+}
+
+export const notices = signal<Notice[]>([]);
+let nextNotice = 1;
+
+export function report(title: string, error: unknown): void {
+  const problem = error instanceof Error ? asProblem(error) : (error as Problem);
+  notices.value = [...notices.value.slice(-2), {id: nextNotice++, title, problem}];
+}
+
+export function dismiss(id: number): void {
+  notices.value = notices.value.filter((notice) => notice.id !== id);
+}
+
+/** Sends an order; where it is refused, says why. True where it was taken. */
+export async function order(title: string, path: string, body: unknown = {}): Promise<boolean> {
+  try {
+    await post(path, body);
+    return true;
+  } catch (error) {
+    report(title, error);
+    return false;
+  }
+}
+
+/** Starts a job and waits for its end, as the events tell it; false where it failed or was stopped. */
+export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
+  try {
+    const job = await post<Job>(path, body);
+    noteStarted(job);
+    return await ended(String(job.id));
+  } catch (error) {
+    report(title, error);
+    return false;
+  }
+}
+
+/** Unless an event was faster than the answer. */
+function noteStarted(job: Job): void {
+  if (!jobs.value.has(String(job.id))) noteJob(job);
+}
+
+function ended(id: string): Promise<boolean> {
+  return new Promise((resolve) => {
+    let wasSeen = false;
+    const stop = effect(() => {
+      const job = jobs.value.get(id);
+      if (job) wasSeen = true;
+      const isOver = job ? job.status !== "running" : wasSeen;
+      if (isOver) queueMicrotask(() => {
+        stop();
+        resolve(job === undefined || job.status === "done");
+      });
+    });
+  });
+}
+
+// Failures of jobs are told wherever the job was started.
+const told = new Set<string>();
+let isFirst = true;
+effect(() => {
+  for (const job of jobs.value.values()) {
+    const id = String(job.id);
+    if (job.status !== "failed" || told.has(id)) continue;
+    told.add(id);
+    if (!isFirst && job.error) report(`${job.label || job.kind} failed`, job.error);
+  }
+  if (state.value !== null) isFirst = false;
+});

@@ -1,0 +1,137 @@
+// What the sheet's holes can be coloured by. Each colouring sorts the holes into a few kinds with a colour and a shape.
+import type {ColourName} from "../drawing/colours";
+import type {Mark, Shape} from "../drawing/marks";
+import {isNumber, short} from "../drawing/numbers";
+import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
+import type {SheetModel} from "./sheet_model";
+
+export interface Kind {
+  name: string;
+  mark: Mark;
+}
+
+export interface Colouring {
+  title: string;
+  /** What the figures are, in a sentence. */
+  meaning: string;
+  kinds: Kind[];
+  /** The kind of each hole. */
+  of: Uint8Array;
+  counts: number[];
+  /** More about a hole, in words. */
+  words: (hole: number) => string[];
+}
+
+function finished(title: string, kinds: Kind[], of: Uint8Array, words: (hole: number) => string[] = () => [], meaning = ""): Colouring {
+  const counts = kinds.map(() => 0);
+  for (const kind of of) counts[kind] += 1;
+  return {title, meaning, kinds, of, counts, words};
+}
+
+const STATE_MARKS: Record<string, Mark> = {
+  open: {shape: "ring", colour: "hole"},
+  plugged: {shape: "cross", colour: "ink"},
+  stabilised: {shape: "square", colour: "violet"},
+  stabilized: {shape: "square", colour: "violet"},
+  sleeved: {shape: "half", colour: "case1"},
+  stay: {shape: "disc", colour: "muted"},
+  "to-plug": {shape: "triangle", colour: "case0"},
+  inaccessible: {shape: "diamond", colour: "rose"},
+  unresolved: {shape: "bar", colour: "case2"},
+};
+const OTHER_MARKS: Mark[] = [
+  {shape: "diamond", colour: "rose"}, {shape: "bar", colour: "case2"}, {shape: "triangle", colour: "case3"}
+];
+
+export function byState(sheet: SheetModel): Colouring {
+  const names = sheet.states.length > 0 ? sheet.states : ["open"];
+  let others = 0;
+  const kinds = names.map((name) => ({
+    name,
+    mark: Object.hasOwn(STATE_MARKS, name) ? STATE_MARKS[name] : OTHER_MARKS[others++ % OTHER_MARKS.length]
+  }));
+  return finished("State", kinds, sheet.state);
+}
+
+export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
+  const kinds: Kind[] = [
+    {name: "in reach", mark: {shape: "disc", colour: "case3"}},
+    {name: "out of reach", mark: {shape: "cross", colour: "rose"}},
+  ];
+  const of = new Uint8Array(sheet.count);
+  for (let i = 0; i < sheet.count; ++i) of[i] = reach.reachable[i] ? 0 : 1;
+  return finished("Reach", kinds, of, (hole) =>
+    reach.reachable[hole] ? [`in reach by ${reach.branches[hole]} posture${reach.branches[hole] === 1 ? "" : "s"}`] :
+                            [`out of reach: ${reach.reason[hole]}`]);
+}
+
+export const STEP_KINDS: Kind[] = [
+  {name: "no step goes in", mark: {shape: "cross", colour: "case0"}},
+  {name: "one step", mark: {shape: "triangle", colour: "case1"}},
+  {name: "two steps", mark: {shape: "half", colour: "case2"}},
+  {name: "all three steps", mark: {shape: "disc", colour: "case3"}},
+];
+
+const NOT_PLANNED: Kind = {name: "not on the list", mark: {shape: "dot", colour: "faint"}};
+const UNREACHABLE: Kind = {name: "out of reach", mark: {shape: "diamond", colour: "rose"}};
+
+/** How far the tool goes in at the planned tubes: as predicted, or by the true arm in one of the ways of compensation. */
+export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
+  const kinds = [...STEP_KINDS, UNREACHABLE, NOT_PLANNED];
+  const of = new Uint8Array(sheet.count).fill(5);
+  for (const tube of plan.unreachable) mark(of, sheet.find(tube.row, tube.column), 4);
+  const tubes = new Map<number, number>();
+  plan.tubes.forEach((tube, index) => {
+    const hole = sheet.find(tube.row, tube.column);
+    const score = mode === "predicted" ? tube : tube.scored?.[mode];
+    tubes.set(hole, index);
+    if (score) mark(of, hole, Math.max(0, Math.min(3, score.steps)));
+  });
+  return finished("Steps of the tool", kinds, of, (hole) => tubeWords(plan, tubes.get(hole)));
+}
+
+function mark(of: Uint8Array, hole: number, kind: number): void {
+  if (hole >= 0) of[hole] = kind;
+}
+
+function tubeWords(plan: PlanDocument, index: number | undefined): string[] {
+  if (index === undefined) return [];
+  const tube = plan.tubes[index];
+  return [`visit ${index + 1} of ${plan.tubes.length}`, `predicted: ${STEP_KINDS[tube.steps]?.name ?? "–"}`];
+}
+
+const BANDS: {shape: Shape; colour: ColourName}[] = [
+  {shape: "dot", colour: "band0"}, {shape: "ring", colour: "band1"}, {shape: "half", colour: "band2"},
+  {shape: "diamond", colour: "band3"}, {shape: "square", colour: "band4"}, {shape: "triangle", colour: "band5"},
+];
+const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
+
+/** Bands of a figure over the holes, at quantiles rounded to two digits, small to large. */
+export function byField(sheet: SheetModel, field: FieldDocument, title: string): Colouring {
+  const known = field.values.filter(isNumber).sort((a, b) => a - b);
+  const edges = bandEdges(known);
+  const kinds = BANDS.slice(0, edges.length + 1)
+    .map((band, i) => ({name: bandName(edges, i, field.unit), mark: band as Mark}));
+  const of = new Uint8Array(sheet.count);
+  for (let i = 0; i < sheet.count; ++i) {
+    const value = field.values[i];
+    of[i] = isNumber(value) ? edges.filter((edge) => value >= edge).length : kinds.length;
+  }
+  const none = field.of === "residual" ? "not touched" : "out of reach";
+  return finished(title, [...kinds, {name: none, mark: field.of === "residual" ? {shape: "dot", colour: "faint"} : UNKNOWN}], of, (hole) =>
+    isNumber(field.values[hole]) ? [`${title.toLowerCase()} ${short(field.values[hole])} ${field.unit}`] : [none], field.meaning);
+}
+
+export function bandEdges(sorted: readonly number[]): number[] {
+  if (sorted.length === 0 || sorted[0] === sorted[sorted.length - 1]) return [];
+  const edges = [0.1, 0.3, 0.6, 0.85, 0.97].map((share) => sorted[Math.floor(share * (sorted.length - 1))])
+    .map((value) => Number(value.toPrecision(2)));
+  return [...new Set(edges)].filter((edge) => edge > sorted[0]);
+}
+
+function bandName(edges: readonly number[], band: number, unit: string): string {
+  if (edges.length === 0) return `one value, ${unit}`;
+  if (band === 0) return `below ${short(edges[0])} ${unit}`;
+  if (band === edges.length) return `${short(edges[band - 1])} ${unit} and more`;
+  return `${short(edges[band - 1])} to ${short(edges[band])} ${unit}`;
+}

@@ -1,0 +1,38 @@
+// A CSV file may be dropped anywhere on the page.
+import {useEffect} from "preact/hooks";
+import {useSignal} from "@preact/signals";
+import {loadFile} from "./load";
+
+function hasFiles(event: DragEvent): boolean {
+  return event.dataTransfer !== null && [...event.dataTransfer.types].includes("Files");
+}
+
+export function DropTarget() {
+  const isOver = useSignal(false);
+  useEffect(() => {
+    const over = (event: DragEvent) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      isOver.value = true;
+    };
+    const leave = (event: DragEvent) => {
+      if (event.relatedTarget === null) isOver.value = false;
+    };
+    const drop = (event: DragEvent) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      isOver.value = false;
+      const file = event.dataTransfer?.files[0];
+      if (file) void loadFile(file);
+    };
+    window.addEventListener("dragover", over);
+    window.addEventListener("dragleave", leave);
+    window.addEventListener("drop", drop);
+    return () => {
+      window.removeEventListener("dragover", over);
+      window.removeEventListener("dragleave", leave);
+      window.removeEventListener("drop", drop);
+    };
+  }, []);
+  return isOver.value ? <div class="drop"><p>Drop the readings (CSV) here</p></div> : null;
+}

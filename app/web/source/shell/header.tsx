@@ -1,0 +1,79 @@
+// The header: which cell and readings, the stack of models with undo and redo, what is running, dark or light.
+import {Icon} from "../drawing/icons";
+import {chooseScheme, isDark, scheme} from "../drawing/colours";
+import {duration, plural} from "../drawing/numbers";
+import type {Job} from "../server/documents";
+import {cell, connection, order, runningJobs, state} from "../server/workbench";
+import {dialog} from "./page_state";
+
+function ModelStack() {
+  const now = state.value;
+  if (!now) return <div class="models" />;
+  const models = now.models, current = models.find((model) => model.id === now.model);
+  return (
+    <div class="models" title={models.map((model) => model.label).join(" → ")}>
+      <button class="tool" title="Undo (Ctrl+Z)" disabled={!now.can_undo}
+        onClick={() => order("Undo", "/api/undo")}><Icon name="undo" /></button>
+      <button class="tool" title="Redo (Ctrl+Shift+Z)" disabled={!now.can_redo}
+        onClick={() => order("Redo", "/api/redo")}><Icon name="redo" /></button>
+      <span class="label">model</span>
+      <b class="model-name">{current?.label ?? "as given"}</b>
+    </div>
+  );
+}
+
+function JobProgress({job}: {job: Job}) {
+  const share = job.total > 0 ? Math.min(1, job.done / job.total) : null;
+  return (
+    <div class="job" role="status">
+      <div class="job-words">
+        <b>{job.label || job.kind}</b>
+        <span>{job.stage}</span>
+        <span class="job-figures">
+          {job.total > 0 ? `${job.done.toLocaleString("en")} / ${job.total.toLocaleString("en")}` : ""}
+          {job.left_s !== null && job.left_s > 1 ? ` · ${duration(job.left_s)} left` : ""}
+        </span>
+      </div>
+      <progress max={1} value={share ?? undefined} aria-label={job.label || job.kind} />
+      <button class="tool" title="Stop" onClick={() => order("Stop", `/api/jobs/${job.id}/cancel`)}>
+        <Icon name="close" size={16} /><span class="hidden">Stop {job.label || job.kind}</span>
+      </button>
+    </div>
+  );
+}
+
+function Connection() {
+  const words = {live: "connected", connecting: "connecting", lost: "the program does not answer"}[connection.value];
+  return <span class={`connection ${connection.value}`} role="status" title={words}><span class="hidden">{words}</span></span>;
+}
+
+function SchemeSwitch() {
+  const next = isDark() ? "light" : "dark";
+  void scheme.value;
+  return (
+    <button class="tool" title={`Go ${next} (D)`} onClick={() => chooseScheme(next)}>
+      <Icon name={next === "dark" ? "moon" : "sun"} />
+    </button>
+  );
+}
+
+export function Header() {
+  const readings = state.value?.measurements ?? null;
+  const job = runningJobs.value[0];
+  return (
+    <header class="header">
+      <span class="wordmark">Tubeplan</span>
+      <button class="chip" title="Open a cell or readings (O)" onClick={() => (dialog.value = "open")}>
+        <Icon name="open" size={16} />
+        <b>{cell.value?.name ?? "–"}</b>
+        <span class="chip-more">{readings ? `${readings.name} · ${plural(readings.readings, "reading")}` : "no readings"}</span>
+      </button>
+      <ModelStack />
+      <div class="header-space" />
+      {job ? <JobProgress key={job.id} job={job} /> : null}
+      <Connection />
+      <SchemeSwitch />
+      <button class="tool" title="Keys (?)" onClick={() => (dialog.value = "keys")}><Icon name="help" /></button>
+    </header>
+  );
+}

@@ -1,0 +1,20 @@
+// Refusals and failures, in the program's own words, until they are put away.
+import {Icon} from "../drawing/icons";
+import {dismiss, notices} from "../server/workbench";
+import {ProblemWords} from "./states";
+
+export function Notices() {
+  return (
+    <div class="notices" role="alert" aria-live="assertive">
+      {notices.value.map((notice) => (
+        <section class="notice" key={notice.id}>
+          <header>
+            <h2>{notice.title}</h2>
+            <button class="tool" title="Put away (Esc)" onClick={() => dismiss(notice.id)}><Icon name="close" size={16} /></button>
+          </header>
+          <ProblemWords problem={notice.problem} />
+        </section>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,67 @@
+// What belongs to this browser alone: the view, the hole pointed out, the holes selected, dialogs. Kept over a reload.
+import {computed, effect, signal} from "@preact/signals";
+import {sheetDocument} from "../server/workbench";
+import {makeSheetModel} from "../sheet/sheet_model";
+
+export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate"] as const;
+export type ViewName = (typeof VIEWS)[number];
+
+function viewOfAddress(): ViewName {
+  const name = location.hash.slice(1);
+  return (VIEWS as readonly string[]).includes(name) ? (name as ViewName) : "sheet";
+}
+
+export const view = signal<ViewName>(viewOfAddress());
+window.addEventListener("hashchange", () => (view.value = viewOfAddress()));
+effect(() => {
+  if (viewOfAddress() !== view.value) location.hash = view.value;
+});
+
+export const dialog = signal<"" | "open" | "keys" | "practice">("");
+
+/** The sheet of the cell, ready for drawing. */
+export const sheet = computed(() => {
+  const document = sheetDocument.value.document;
+  return document ? makeSheetModel(document) : null;
+});
+
+// ---- selection
+
+const KEPT = "tubeplan.selection";
+
+function keptSelection(): ReadonlySet<number> {
+  try {
+    const kept = JSON.parse(sessionStorage.getItem(KEPT) ?? "[]");
+    return new Set(Array.isArray(kept) ? kept.filter((entry) => Number.isInteger(entry)) : []);
+  } catch {
+    return new Set();
+  }
+}
+
+export const selection = signal<ReadonlySet<number>>(keptSelection());
+export const picked = signal(-1);
+
+effect(() => sessionStorage.setItem(KEPT, JSON.stringify([...selection.value])));
+
+// Holes are numbers of one sheet: another sheet begins with none.
+let sheetName = "";
+effect(() => {
+  if (!sheet.value) return;
+  const name = `${sheet.value.name} ${sheet.value.leg} ${sheet.value.count}`;
+  if (sheetName !== "" && sheetName !== name) {
+    selection.value = new Set();
+    picked.value = -1;
+  }
+  sheetName = name;
+  if ([...selection.peek()].some((hole) => hole >= sheet.value!.count)) selection.value = new Set();
+});
+
+export function toggleSelected(hole: number): void {
+  const next = new Set(selection.value);
+  if (!next.delete(hole)) next.add(hole);
+  selection.value = next;
+}
+
+export function select(holes: Iterable<number>, isMore = false): void {
+  selection.value = new Set(isMore ? [...selection.value, ...holes] : holes);
+}

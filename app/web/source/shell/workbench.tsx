@@ -1,0 +1,62 @@
+// The workbench: header, the five views on a rail, dialogs, and what must be seen in any of them.
+import {lazy, Suspense} from "preact/compat";
+import {useEffect} from "preact/hooks";
+import {connection, state} from "../server/workbench";
+import {ErrorView} from "../error/error_view";
+import {CalibrateView} from "../calibrate/calibrate_view";
+import {SheetView} from "../sheet/sheet_view";
+import {DropTarget} from "./drop_target";
+import {Header} from "./header";
+import {KeysDialog, followKeys} from "./keys";
+import {Notices} from "./notices";
+import {OpenDialog} from "./open_dialog";
+import {view, type ViewName} from "./page_state";
+import {Rail} from "./rail";
+import {Waiting} from "./states";
+
+// Views with an arm in them bring the 3-D library along: it is fetched when first looked at.
+const ArmView = lazy(() => import("../arm/arm_view"));
+const PlanView = lazy(() => import("../plan/plan_view"));
+
+function CurrentView({name}: {name: ViewName}) {
+  if (state.value === null) {
+    return connection.value === "lost" ?
+      <Waiting words="The program does not answer. See whether `tubeplan serve` still runs; this page goes on by itself." /> :
+      <Waiting words="Asking the program for its cell" isBusy />;
+  }
+  switch (name) {
+    case "arm":
+      return <ArmView />;
+    case "error":
+      return <ErrorView />;
+    case "plan":
+      return <PlanView />;
+    case "calibrate":
+      return <CalibrateView />;
+    default:
+      return <SheetView />;
+  }
+}
+
+export function Workbench() {
+  useEffect(followKeys, []);
+  return (
+    <div class="workbench">
+      <a class="skip" href="#view" onClick={(event) => {
+        event.preventDefault();
+        document.getElementById("view")?.focus();
+      }}>To the view</a>
+      <Header />
+      <Rail />
+      <main id="view" class={`view view-${view.value}`} tabIndex={-1}>
+        <Suspense fallback={<Waiting words="Opening the view" isBusy />}>
+          <CurrentView name={view.value} />
+        </Suspense>
+      </main>
+      <Notices />
+      <OpenDialog />
+      <KeysDialog />
+      <DropTarget />
+    </div>
+  );
+}

@@ -1,0 +1,84 @@
+import {describe, expect, it} from "vitest";
+import type {SheetDocument} from "../source/server/documents";
+import {fit, isInside, panned, toPixel, toSheet, zoomed} from "../source/sheet/sheet_camera";
+import {bandEdges} from "../source/sheet/colourings";
+import {makeSheetModel, neighbour} from "../source/sheet/sheet_model";
+
+/** One leg of five rows and eleven columns, seen from below: u = -x. */
+function grid(): SheetDocument {
+  const row: number[] = [], column: number[] = [], x: number[] = [], y: number[] = [];
+  for (let r = 1; r <= 5; ++r) for (let c = 1; c <= 11; ++c) {
+    row.push(r);
+    column.push(c);
+    x.push(c - 6);
+    y.push(1 + r);
+  }
+  return {
+    name: "grid", units: "in", pitch: 1, hole_diameter: 0.7, rows: 5, columns: 11, viewing_side: "below", leg: "hot", divider: null,
+    manway: null, outline: null,
+    holes: {row, column, x, y, z: x.map(() => 0), u: x.map((value) => -value), v: y, state: x.map(() => 0), states: ["open"]}
+  };
+}
+
+describe("a sheet", () => {
+  const sheet = makeSheetModel(grid());
+  it("knows that it is one leg, and where rows and columns are", () => {
+    expect(sheet.isOneLeg).toBe(true);
+    expect(sheet.rowTicks.map((tick) => tick.place)).toEqual([2, 3, 4, 5, 6]);
+    expect(sheet.columnTicks.find((tick) => tick.value === 1)?.place).toBe(5);
+  });
+  it("finds every hole from near its centre, and none from far", () => {
+    for (let i = 0; i < sheet.count; ++i) expect(sheet.nearest(sheet.u[i] + 0.3, sheet.v[i] - 0.3, 0.5)).toBe(i);
+    expect(sheet.nearest(40, 40, 0.5)).toBe(-1);
+    expect(sheet.find(3, 7)).toBe(2 * 11 + 6);
+  });
+  it("goes from hole to hole as the picture shows it", () => {
+    const middle = sheet.find(3, 6);
+    expect(neighbour(sheet, middle, 1, 0)).toBe(sheet.find(3, 5));
+    expect(neighbour(sheet, middle, 0, 1)).toBe(sheet.find(4, 6));
+    expect(neighbour(sheet, sheet.find(5, 6), 0, 1)).toBe(sheet.find(5, 6));
+  });
+});
+
+describe("the camera", () => {
+  const size = {width: 800, height: 600};
+  const camera = fit({left: -60, right: 60, bottom: 0, top: 60}, size);
+  it("brings a place to a pixel and back", () => {
+    const [x, y] = toPixel(camera, size, 12.5, 40);
+    const [u, v] = toSheet(camera, size, x, y);
+    expect(u).toBeCloseTo(12.5, 9);
+    expect(v).toBeCloseTo(40, 9);
+  });
+  it("zooms about the pointer, within limits", () => {
+    const before = toSheet(camera, size, 200, 150);
+    const after = toSheet(zoomed(camera, size, 200, 150, 3, [1, 100]), size, 200, 150);
+    expect(after[0]).toBeCloseTo(before[0], 9);
+    expect(after[1]).toBeCloseTo(before[1], 9);
+    expect(zoomed(camera, size, 0, 0, 1e9, [1, 100]).scale).toBe(100);
+  });
+  it("moves with the pointer", () => {
+    const before = toSheet(camera, size, 100, 100);
+    const after = toSheet(panned(camera, 30, -20), size, 130, 80);
+    expect(after[0]).toBeCloseTo(before[0], 9);
+    expect(after[1]).toBeCloseTo(before[1], 9);
+  });
+});
+
+describe("a lasso", () => {
+  it("holds what lies inside, also where it is hollow", () => {
+    const hollow: [number, number][] = [[0, 0], [10, 0], [10, 10], [6, 10], [6, 4], [4, 4], [4, 10], [0, 10]];
+    expect(isInside(hollow, 2, 8)).toBe(true);
+    expect(isInside(hollow, 5, 8)).toBe(false);
+    expect(isInside(hollow, 5, 2)).toBe(true);
+    expect(isInside(hollow, 11, 5)).toBe(false);
+  });
+});
+
+describe("bands", () => {
+  it("are rounded, rising, and none where all is one value", () => {
+    const edges = bandEdges(Array.from({length: 1000}, (_, i) => 0.001 + i * 1e-5));
+    expect(edges.every((edge, i) => i === 0 || edge > edges[i - 1])).toBe(true);
+    expect(edges.length).toBe(5);
+    expect(bandEdges([2, 2, 2])).toEqual([]);
+  });
+});

@@ -1,0 +1,106 @@
+// Sixty tubes of the mock-up: touched, calibrated, planned, played and taken away as files; a job is stopped on the way.
+import assert from "node:assert/strict";
+import {after, before, describe, it} from "node:test";
+import path from "node:path";
+import {launch, makeFolder, openTab, serve} from "./workbench.mjs";
+
+let made, server, browser, tab;
+
+before(async () => {
+  made = makeFolder();
+  server = await serve(made.folder, "mockup.yaml", ["--truth", path.join(made.folder, "mockup-true.yaml")]);
+  browser = await launch();
+  tab = await openTab(browser, server.address);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+  made?.remove();
+});
+
+describe("the mock-up", () => {
+  it("shows its sheet, and what a hole is", async () => {
+    await tab.waitForSelector(".sheet-words >> text=4,674 holes");
+    await tab.focus(".stage");
+    await tab.keyboard.press("ArrowUp");
+    await tab.keyboard.press("Enter");
+    await tab.waitForSelector(".side h2 >> text=/^R\\d+ C\\d+$/");
+    await tab.waitForSelector(".side .figures dt >> text=theta4");
+  });
+
+  it("selects by ranges, and says why it cannot", async () => {
+    await tab.fill(".select-box input", "R1-10C5-9");
+    await tab.keyboard.press("Enter");
+    await tab.waitForFunction(() => /\d+ holes/.test(document.querySelector(".side .panel:nth-child(2) header b").textContent));
+    await tab.fill(".select-box input", "R1-C");
+    await tab.keyboard.press("Enter");
+    await tab.waitForSelector(".notice");
+    await tab.keyboard.press("Tab");
+    await tab.click(".notice .tool");
+    tab.errors.length = 0;
+  });
+
+  it("selects with the lasso", async () => {
+    await tab.click("button[title^='Lasso']");
+    const box = await tab.locator(".stage").boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height * 0.6];
+    await tab.mouse.move(x - 60, y - 40);
+    await tab.mouse.down();
+    for (const [dx, dy] of [[60, -40], [60, 40], [-60, 40], [-60, -35]]) await tab.mouse.move(x + dx, y + dy, {steps: 4});
+    await tab.mouse.up();
+    const count = Number((await tab.innerText(".side .panel:nth-child(2) header b")).replace(/\D/g, ""));
+    assert.ok(count > 20 && count < 1500, `${count} holes lie in the lasso`);
+  });
+
+  it("is calibrated by three simulated touches", async () => {
+    await tab.click(".rail-entry >> text=Calibrate");
+    await tab.click(".calibrate-view >> text=Suggest");
+    await tab.waitForFunction(() => document.querySelectorAll(".touch-row:not(.done)").length === 3, null, {timeout: 60000});
+    for (let k = 1; k <= 3; ++k) {
+      await tab.click(".touch-row:not(.done) >> text=Simulate >> nth=0");
+      await tab.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
+    }
+    await tab.click(".touch-list > .button.first");
+    await tab.waitForSelector(".calibrate-view h3 >> text=Left at each touch", {timeout: 60000});
+    assert.ok((await tab.locator(".covariance rect.cell").count()) === 21);
+  });
+
+  it("is planned, played and exported", async () => {
+    await tab.click(".rail-entry >> text=Plan");
+    await tab.fill(".select-box input", "spread:60");
+    await tab.keyboard.press("Enter");
+    await tab.waitForSelector(".plan-head .button.first >> text=Plan 60 tubes");
+    await tab.click(".plan-head .button.first");
+    await tab.waitForSelector(".tube-rows .tube-row", {timeout: 120000});
+    await tab.waitForFunction(() => !document.querySelector("button.play").disabled, null, {timeout: 20000});
+    const clock = () => tab.innerText(".clock >> nth=0");
+    await tab.click(".segments >> text=×16");
+    const before = await clock();
+    await tab.click("button.play");
+    await tab.waitForTimeout(1500);
+    await tab.click("button.play");
+    assert.notEqual(await clock(), before, "playing moves the clock");
+    await tab.click(".menu summary");
+    const [download] = await Promise.all([tab.waitForEvent("download"), tab.click(".menu a[download='worklist.csv']")]);
+    assert.equal(download.suggestedFilename(), "worklist.csv");
+    assert.deepEqual(tab.errors, []);
+  });
+
+  it("lets a job be stopped", async () => {
+    await tab.fill(".select-box input", "outer:4");
+    await tab.keyboard.press("Enter");
+    await tab.waitForFunction(() => !/Plan (0|60) tubes/.test(document.querySelector(".plan-head .button.first").textContent));
+    await tab.click(".plan-head .button.first");
+    await tab.click(".job button[title='Stop']", {timeout: 20000});
+    await tab.waitForSelector(".job", {state: "detached", timeout: 30000});
+    await tab.waitForSelector(".plan-head .button.first:not([disabled])");
+    assert.deepEqual(tab.errors, []);
+  });
+
+  it("keeps plan and selection over a reload", async () => {
+    await tab.reload();
+    await tab.waitForSelector(".tube-rows .tube-row", {timeout: 20000});
+    assert.equal(await tab.evaluate(() => location.hash), "#plan");
+    assert.deepEqual(tab.errors, []);
+  });
+});

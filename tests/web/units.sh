@@ -1,0 +1,12 @@
+#!/bin/sh
+# The page's own unit tests, among its packages in TUBEPLAN_WEB. Exit code 77 where npm or the packages are not there.
+web=$(cd "$(dirname "$0")/../../app/web" && pwd)
+skip() { echo "skipped: $1"; exit 77; }
+command -v npm > /dev/null || skip "npm is not installed (apt-get install npm)"
+if [ -d "${TUBEPLAN_WEB:-none}/node_modules/vitest" ]; then
+  rm -rf "$TUBEPLAN_WEB/tests" && cp -r "$web/tests" "$TUBEPLAN_WEB/" || exit 1
+  web=$TUBEPLAN_WEB
+fi
+cd "$web" || exit 1
+[ -d node_modules/vitest ] || npm ci --no-audit --no-fund > /dev/null 2>&1 || skip "npm ci failed: the packages of app/web cannot be had here"
+exec npm test --silent
