@@ -5,7 +5,9 @@
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
+#include <map>
 #include <random>
+#include <string>
 
 #include "deflection/tip_differentiation.hpp"
 #include "tests/deflection/cobra.hpp"
@@ -132,7 +134,37 @@ BENCHMARK(flexibleJacobian)->Name("flexible/pose and Jacobian by joints");
 BENCHMARK(stiffnessJacobian)->Name("flexible/pose and Jacobian by stiffnesses, base and joints");
 BENCHMARK(numbersJacobian)->Name("flexible/pose and Jacobian by all numbers");
 
+/// The usual table, then the medians as multiples of the rigid arm's.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs)
+      if (run.aggregate_name == "median") medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
+  }
+  void Finalize() override {
+    ConsoleReporter::Finalize();
+    print("flexible/pose", "rigid KDL/pose");
+    print("flexible/pose and Jacobian by joints", "rigid KDL/pose and Jacobian");
+  }
+
+ private:
+  void print(const std::string& ours, const std::string& theirs) {
+    if (medians_.count(ours) && medians_.count(theirs))
+      GetOutputStream() << ours << " / " << theirs << ": " << medians_[ours] / medians_[theirs] << "\n";
+  }
+
+  std::map<std::string, double> medians_;
+};
+
 }  // namespace
 }  // namespace tubeplan::benchmarks
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  tubeplan::benchmarks::RatioReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::Shutdown();
+  return 0;
+}

@@ -29,7 +29,7 @@ struct FlexibleElement {
   const ElementKind* kind = nullptr;
   Flexibility<double> flexibility;
   double weight = 0;  ///< along it [N]
-  int hinge = -1;  ///< the axis of a joint that turns by one axis only, by a linear law; else -1
+  int hinge = -1;     ///< the axis of a joint that turns by one axis only, by a linear law; else -1
   std::array<bool, 3> has_gap{};
   Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< rad
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "deflection/tip_differentiation.hpp"
+
 namespace tubeplan::deflection {
 
 namespace {
@@ -19,42 +21,42 @@ struct GoalResidual {
 };
 
 /// Position [m] and, scaled by the reach, the tilt about the last joint's axis h: h . (t x n) = 0.
-GoalResidual turretResidual(const Arm& arm, const ToolGoal& goal, const TipDerivatives& tip, double reach) {
+GoalResidual turretResidual(const Arm& arm, const ToolGoal& goal, const TipDifferentiation& tip, double reach) {
   GoalResidual out;
-  const auto& X = tip.kinematics.X_BD;
+  const auto& X = tip.arm().X_BD();
   const Vector3d t = X.R * arm.tool_axis_L, &n = goal.axis_B;
   // The axis of the last joint, which rides with the tool: the only turn left to that joint is about it.
-  const Vector3d h = tip.kinematics.rows[static_cast<std::size_t>(activeRows(arm).back())].X_BL.R.col(2);
+  const Vector3d h = tip.arm().X_BL(activeRows(arm).back()).R.col(2);
   const Vector3d off = X.p - goal.p_BT;
   out.position_error = off.norm();
   out.tilt = std::atan2(t.cross(n).norm(), t.dot(n));
   out.pitch = h.dot(t.cross(n));
   out.value.resize(4);
   out.value << off, reach * out.pitch;
-  out.jacobian.resize(4, tip.position_B.cols());
-  out.jacobian.topRows(3) = tip.position_B;
-  for (int k = 0; k < tip.position_B.cols(); ++k) {
-    const Vector3d w = tip.rotation_B.col(k);
+  out.jacobian.resize(4, tip.columns().cols());
+  out.jacobian.topRows(3) = tip.columns().topRows<3>();
+  for (int k = 0; k < tip.columns().cols(); ++k) {
+    const Vector3d w = tip.columns().col(k).tail<3>();
     out.jacobian(3, k) = reach * (w.cross(h).dot(t.cross(n)) + h.dot(w.cross(t).cross(n)));
   }
   return out;
 }
 
 /// Weighted position and axis error, for arms that cannot meet both.
-GoalResidual poseResidual(const Arm& arm, const ToolGoal& goal, const TipDerivatives& tip,
+GoalResidual poseResidual(const Arm& arm, const ToolGoal& goal, const TipDifferentiation& tip,
                           const InverseKinematicsOptions& options) {
   GoalResidual out;
-  const auto& X = tip.kinematics.X_BD;
+  const auto& X = tip.arm().X_BD();
   const Vector3d t = X.R * arm.tool_axis_L, &n = goal.axis_B;
   const Vector3d off = X.p - goal.p_BT;
   out.position_error = off.norm();
   out.tilt = std::atan2(t.cross(n).norm(), t.dot(n));
   out.value.resize(6);
   out.value << options.position_weight * off, options.axis_weight * (t - n);
-  out.jacobian.resize(6, tip.position_B.cols());
-  out.jacobian.topRows(3) = options.position_weight * tip.position_B;
-  for (int k = 0; k < tip.position_B.cols(); ++k)
-    out.jacobian.col(k).tail(3) = options.axis_weight * tip.rotation_B.col(k).cross(t);
+  out.jacobian.resize(6, tip.columns().cols());
+  out.jacobian.topRows(3) = options.position_weight * tip.columns().topRows<3>();
+  for (int k = 0; k < tip.columns().cols(); ++k)
+    out.jacobian.col(k).tail(3) = options.axis_weight * Vector3d(tip.columns().col(k).tail<3>()).cross(t);
   return out;
 }
 
@@ -69,14 +71,15 @@ class GoalProblem {
         options_(options),
         turret_(isTurretArm(arm)),
         reach_(reachOf(arm)),
-        variables_(jointVariables(arm)) {}
+        variables_(jointVariables(arm)),
+        tip_(arm) {}
 
   bool exact() const { return turret_; }
   double reach() const { return reach_; }
 
-  GoalResidual evaluate(const VectorXd& q) const {
-    const auto tip = differentiateTip(arm_, {q, load_, gravity_B_}, variables_, options_.kinematics);
-    return turret_ ? turretResidual(arm_, goal_, tip, reach_) : poseResidual(arm_, goal_, tip, options_);
+  GoalResidual evaluate(const VectorXd& q) {
+    tip_.solve({q, load_, gravity_B_}, variables_, options_.kinematics);
+    return turret_ ? turretResidual(arm_, goal_, tip_, reach_) : poseResidual(arm_, goal_, tip_, options_);
   }
 
  private:
@@ -88,6 +91,7 @@ class GoalProblem {
   bool turret_;
   double reach_;
   std::vector<Variable> variables_;
+  TipDifferentiation tip_;
 };
 
 double smallestSingularValue(const GoalResidual& r, double reach) {
@@ -101,7 +105,7 @@ bool reached(const GoalResidual& r, const VectorXd& step, bool exact, const Inve
 }
 
 /// Newton where square, Gauss-Newton otherwise; halved until the residual falls.
-Branch dampedNewton(const GoalProblem& problem, VectorXd q, const InverseKinematicsOptions& options) {
+Branch dampedNewton(GoalProblem& problem, VectorXd q, const InverseKinematicsOptions& options) {
   Branch branch;
   GoalResidual r = problem.evaluate(q);
   VectorXd step = VectorXd::Constant(q.size(), 1);
@@ -222,7 +226,7 @@ const char* nameOf(BranchStatus status) {
 
 Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B, const VectorXd& start,
                     const InverseKinematicsOptions& options) {
-  const GoalProblem problem(arm, goal, load, gravity_B, options);
+  GoalProblem problem(arm, goal, load, gravity_B, options);
   Branch branch = dampedNewton(problem, start, options);
   if (!arm.effects.empty()) {
     // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.

@@ -180,15 +180,16 @@ std::string PreparedArm::reason() const {
   return "";
 }
 
-void PreparedArm::linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const {
-  frames.resize(chain_.links.size() + 1);
-  frames[0] = {};
+/// Calls `visit(k, X)` with the near frame of every link and with the tip's, without any deflection where `rigid`.
+template <class Visit>
+void PreparedArm::walkLinks(bool rigid, Visit&& visit) const {
   const VectorXd& q = effectivePosture().q;
+  PoseOf<double> X;
   std::size_t element = 0;
   auto turn = turns_.begin();
   for (std::size_t k = 0; k < chain_.links.size(); ++k) {
+    visit(k, X);
     const ChainLink<double>& link = chain_.links[k];
-    PoseOf<double> X = frames[k];
     if (link.component >= 0) {
       const FlexibleElement& flexible = equilibrium_.elements[element++];
       X.p += X.R * (rigid ? link.p : flexible.chord());
@@ -197,12 +198,26 @@ void PreparedArm::linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) co
       X.p += X.R * link.p;
       if (link.type == ChainLinkType::kTurn) X.R = X.R * link.R;
     }
-    if (turn != turns_.end() && turn->link == k) {
-      turnAboutZ(q[turn->joint] + turn->offset, X.R);
-      ++turn;
-    }
-    frames[k + 1] = X;
+    if (turn == turns_.end() || turn->link != k) continue;
+    turnAboutZ(q[turn->joint] + turn->offset, X.R);
+    ++turn;
   }
+  visit(chain_.links.size(), X);
+}
+
+void PreparedArm::linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const {
+  frames.resize(chain_.links.size() + 1);
+  walkLinks(rigid, [&](std::size_t k, const PoseOf<double>& X) { frames[k] = X; });
+}
+
+PoseOf<double> PreparedArm::X_BL(int row) const {
+  PoseOf<double> found = X_BD_;  // where an effect is undefined
+  if (status_ == KinematicsStatus::kUndefined) return found;
+  walkLinks(false, [&](std::size_t k, const PoseOf<double>& X) {
+    if (k < chain_.links.size() && chain_.links[k].type == ChainLinkType::kFrame && chain_.links[k].row == row)
+      found = X;
+  });
+  return situation_ ? situation_->X_BM * found : found;
 }
 
 /// What everything from a row's origin outwards does there, on the deflected shape.

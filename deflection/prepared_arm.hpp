@@ -29,6 +29,9 @@ class PreparedArm {
   /// The tool frame at the deflected tip, in the base as named; not numbers where an effect is undefined.
   [[nodiscard]] const PoseOf<double>& X_BD() const { return X_BD_; }
 
+  /// A row's frame as deflected, in the base as named.
+  [[nodiscard]] PoseOf<double> X_BL(int row) const;
+
   /// All that is known of the shape.
   [[nodiscard]] FlexibleKinematics shape() const;
 
@@ -64,6 +67,8 @@ class PreparedArm {
   void pose(const Eigen::VectorXd& q);
   void load(const Arm& arm, const Posture& posture);
   void undefine();
+  template <class Visit>
+  void walkLinks(bool rigid, Visit&& visit) const;
   void linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const;
   void recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const;
 

@@ -84,8 +84,8 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
   for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
 }
 
-/// What changes of a row, of its reading `q` and, where it `leads_elsewhere`, of its way to the next row does; only what
-/// changes is built. Returns whether the row before leads elsewhere.
+/// What changes of a row, of its reading `q` and, where it `leads_elsewhere`, of its way to the next row does; only
+/// what changes is built. Returns whether the row before leads elsewhere.
 bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
                                           TipColumns& tip) {
   Row<Dual>& row = arm.rows[index];
@@ -116,8 +116,7 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
     TipColumns tip = TipColumns::Zero();
     const auto index = static_cast<std::size_t>(row);
     bool leads_elsewhere = row == rows && changes(dual_arm_.p_LT);
-    if (row < rows)
-      leads_elsewhere = differentiateRow(index, dual_arm_, readingOf(index, dual_posture_.q), false, tip);
+    if (row < rows) leads_elsewhere = differentiateRow(index, dual_arm_, readingOf(index, dual_posture_.q), false, tip);
     if (leads_elsewhere && row > 0)
       differentiateRow(index - 1, dual_arm_, readingOf(index - 1, dual_posture_.q), true, tip);
     direct_.addTipLoad(dual_posture_.load, {}, tip);

@@ -15,7 +15,8 @@ std::span<const ElementKind> elementKinds() {
                   joint_stiffness::deflect<Dual, double>, joint_stiffness::slopesOf},
       ElementKind{"beam", "cantilever under end force, end moment and its own weight (2.8 to 2.16)",
                   ElementPlace::kMember, beam::isFlexible, beam::segments, beam::flexibilityOf<double>,
-                  beam::flexibilityOf<Dual>, beam::deflect<double, double>, beam::deflect<Dual, double>, beam::slopesOf},
+                  beam::flexibilityOf<Dual>, beam::deflect<double, double>, beam::deflect<Dual, double>,
+                  beam::slopesOf},
   };
   return kKinds;
 }

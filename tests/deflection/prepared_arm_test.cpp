@@ -1,5 +1,5 @@
-// An arm made ready: the same shapes whatever was solved before, nothing from the heap, slopes of laws as their duals have
-// them.
+// An arm made ready: the same shapes whatever was solved before, nothing from the heap, slopes of laws as their duals
+// have them.
 #include "deflection/prepared_arm.hpp"
 
 #include <gtest/gtest.h>
@@ -94,8 +94,7 @@ void expectSlopes(const Flexibility<double>& flexibility, const Loading<double>&
     const Deflection<Dual> by = Deflect(constant, seeded);
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) {
-        EXPECT_NEAR(displacement[input](i, k), by.displacement[i].derivatives()[k],
-                    1e-13 * displacement[input].norm());
+        EXPECT_NEAR(displacement[input](i, k), by.displacement[i].derivatives()[k], 1e-13 * displacement[input].norm());
         EXPECT_NEAR(rotation[input](i, k), by.rotation[i].derivatives()[k], 1e-13 * rotation[input].norm());
       }
   }
