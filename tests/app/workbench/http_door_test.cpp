@@ -68,6 +68,11 @@ TEST_F(HttpDoor, thePageComesFromItsFolderAlone) {
     EXPECT_EQ(get(path).status, 404) << path;
 }
 
+TEST_F(HttpDoor, canBeShutBeforeItIsOpen) {
+  for (int k = 0; k < 20; ++k) serve("bench.yaml");
+  EXPECT_EQ(get("/api/state").status, 200);
+}
+
 TEST_F(HttpDoor, refusesOtherHosts) {
   serve("bench.yaml");
   EXPECT_TRUE(said("GET /api/state HTTP/1.1\r\nHost: evil.example\r\n\r\n").starts_with("HTTP/1.1 403"));
