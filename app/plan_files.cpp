@@ -27,11 +27,6 @@ json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension di
   return list;
 }
 
-json exactJoints(const Eigen::VectorXd& q, const Cell& cell) {
-  const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
-  return std::vector<double>(values.begin(), values.end());
-}
-
 json scoreJson(const std::optional<planner::Centring>& score, const Units& units) {
   if (!score) return nullptr;
   return {{"error", lengthOf(score->error, units)},
@@ -57,7 +52,7 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
                 {"column", tube.column},
                 {"name", tubesheets::tubeName(tube.row, tube.column)},
                 {"hole", exactVector(planner::holeCentre(tube), units, dimension::kLength)},
-                {"joints", exactJoints(visit.branch.q, outcome.cell)},
+                {"joints", jointValuesJson(visit.branch.q, outcome.cell)},
                 {"predicted_tip", exactVector(visit.branch.predicted_tip_W, units, dimension::kLength)},
                 {"centring_error", outcome.predicted[k].error / units.factor(dimension::kLength)},
                 {"tilt", angleOf(visit.branch.tilt, units)},

@@ -23,6 +23,11 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
   return work;
 }
 
+nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell) {
+  const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
+  return std::vector<double>(values.begin(), values.end());
+}
+
 nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units) {
   const Eigen::Vector3d rpy = deflection::fixedAnglesOf(X.linear());
   return {{"position", vectorJson(X.translation(), units, dimension::kLength)},

@@ -14,6 +14,9 @@ namespace tubeplan::app {
 /// {"position": [3], "rpy": [3]} in file units.
 [[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
 
+/// Joint readings in file units to the last bit: rounded ones would move the tip by more than a plan promises.
+[[nodiscard]] nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell);
+
 /// One number, a length unless said otherwise, in file units.
 [[nodiscard]] inline double lengthOf(double metres, const Units& units) {
   return units.toFile(metres, dimension::kLength);

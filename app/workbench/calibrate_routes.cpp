@@ -22,11 +22,6 @@ namespace {
 
 constexpr std::size_t kMostTouches = 200;
 
-nlohmann::json jointsJson(const Eigen::VectorXd& q, const Cell& cell) {
-  const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
-  return std::vector<double>(values.begin(), values.end());
-}
-
 Answer propose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   TouchRequest asked;
@@ -128,7 +123,7 @@ Answer touches(Workbench& workbench, const Request&) {
     list.push_back({{"id", made.touch.id},
                     {"hole", made.tube},
                     {"name", made.touch.hole},
-                    {"joints", jointsJson(made.touch.q, cell)},
+                    {"joints", jointValuesJson(made.touch.q, cell)},
                     {"load", cell.units.toFile(made.touch.load, dimension::kForce)},
                     {"sigma", lengthOf(made.touch.sigma, cell.units)},
                     {"simulated", made.is_simulated}});

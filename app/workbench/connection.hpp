@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 struct ConnectionLimits {
   std::size_t most_bytes = 9u << 20;              ///< of one request, headers included
-  std::chrono::milliseconds request_time{60000};  ///< to send one request in
+  std::chrono::milliseconds request_time{20000};  ///< to send one request in
   std::chrono::milliseconds idle_time{5000};      ///< between two bytes, and between two requests
   int most_requests = 1000;                       ///< on one connection
 };

@@ -5,7 +5,9 @@
 #include <sys/socket.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "app/input_error.hpp"
 #include "app/workbench/connection.hpp"
@@ -121,10 +123,17 @@ class HttpServer::Implementation : public httplib::Server {
     listenAtPort();
   }
 
+  void runUntilStopped() {
+    if (!is_closing_) listen_after_bind();
+    has_ended_ = true;
+  }
+
   void stopAll() {
     is_closing_ = true;
     workbench_.events().close();
-    stop();
+    // The library overlooks a stop that comes before it listens.
+    while (!is_running() && !has_ended_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (is_running()) stop();
   }
 
   [[nodiscard]] const DoorRules& door() const { return door_; }
@@ -244,7 +253,7 @@ class HttpServer::Implementation : public httplib::Server {
   Workbench& workbench_;
   DoorRules door_;
   PageFiles page_;
-  std::atomic<bool> is_closing_ = false;
+  std::atomic<bool> is_closing_ = false, has_ended_ = false;
 };
 
 HttpServer::HttpServer(Workbench& workbench, DoorRules door, const std::string& page_folder)
@@ -261,7 +270,7 @@ std::string HttpServer::address() const {
   return fmt::format("http://{}:{}/{}", host, door.port, door.token.empty() ? "" : "?token=" + door.token);
 }
 
-void HttpServer::run() { implementation_->listen_after_bind(); }
+void HttpServer::run() { implementation_->runUntilStopped(); }
 
 void HttpServer::stop() { implementation_->stopAll(); }
 

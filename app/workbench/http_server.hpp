@@ -25,7 +25,7 @@ class HttpServer {
   /// Answers until stop().
   void run();
 
-  /// From another thread: ends run(), all connections with it.
+  /// Ends run(), all connections with it; for another thread than the one that runs, or is about to run, it.
   void stop();
 
  private:

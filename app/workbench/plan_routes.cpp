@@ -23,11 +23,6 @@ using nlohmann::json;
 
 constexpr double kMostSamples = 20000;
 
-json exactJoints(const Eigen::VectorXd& q, const Cell& cell) {
-  const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
-  return std::vector<double>(values.begin(), values.end());
-}
-
 Answer reach(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   (void)workcellOf(currentModel(workbench.situation()).cell, "reach its holes");
@@ -58,7 +53,7 @@ json branchJson(const planner::TubeBranch& branch, const Model& model, double lo
   const bool is_found = branch.status == deflection::BranchStatus::kConverged;
   return {{"status", is_found ? "found" : "not-found"},
           {"reason", branch.reason},
-          {"joints", exactJoints(branch.q, model.cell)},
+          {"joints", jointValuesJson(branch.q, model.cell)},
           {"predicted_tip", vectorJson(branch.predicted_tip_W, units, dimension::kLength)},
           {"tilt", angleOf(branch.tilt, units)},
           {"clearance", is_found ? clearanceOf(model, branch.q, load) : json()}};

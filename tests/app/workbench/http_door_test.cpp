@@ -49,6 +49,30 @@ TEST_F(HttpDoor, everyAnswerForbidsWhatThePageDoesNotNeed) {
   EXPECT_EQ(get("/api/missing").status, 404);
 }
 
+TEST_F(HttpDoor, thePageComesFromItsFolderAlone) {
+  std::filesystem::create_directories(folder / "page/assets");
+  write("page/index.html", "the page");
+  write("page/assets/a.js", "the script");
+  write("secret.js", "secret");
+  std::filesystem::create_symlink(folder / "secret.js", folder / "page/out.js");
+  WorkbenchOptions options;
+  options.cell = (opened() / "bench.yaml").string();
+  server = std::make_unique<RunningServer>(options, "", (folder / "page").string());
+  client = server->client();
+  EXPECT_EQ(get("/").text, "the page");
+  EXPECT_EQ(get("/sheet").text, "the page");
+  EXPECT_EQ(get("/assets/a.js").text, "the script");
+  EXPECT_TRUE(get("/assets/a.js").headers.find("Content-Type")->second.starts_with("text/javascript"));
+  for (const char* path :
+       {"/out.js", "/../secret.js", "/assets/../../secret.js", "/%2e%2e/secret.js", "/assets/b.js", "/."})
+    EXPECT_EQ(get(path).status, 404) << path;
+}
+
+TEST_F(HttpDoor, canBeShutBeforeItIsOpen) {
+  for (int k = 0; k < 20; ++k) serve("bench.yaml");
+  EXPECT_EQ(get("/api/state").status, 200);
+}
+
 TEST_F(HttpDoor, refusesOtherHosts) {
   serve("bench.yaml");
   EXPECT_TRUE(said("GET /api/state HTTP/1.1\r\nHost: evil.example\r\n\r\n").starts_with("HTTP/1.1 403"));

@@ -147,9 +147,7 @@ class RandomCalls {
                                            "/api/calibrate",
                                            "/api/reach",
                                            "/api/field",
-                                           "/api/plan",
-                                           "/api/jobs/1/cancel",
-                                           "/api/jobs/2/cancel"};
+                                           "/api/plan"};
   static constexpr const char* kOthers[] = {"/api/results/%00",
                                             "/api/touch/0",
                                             "/api/export/../cell.yaml",
@@ -163,6 +161,7 @@ class RandomCalls {
 
   std::string path(const std::string& method) {
     if (draw() % 8 == 0) return draw() % 2 ? one(kOthers) : draw() % 2 ? one(kGets) : one(kPosts);
+    if (method == "POST" && draw() % 12 == 0) return "/api/jobs/" + std::to_string(draw() % 60) + "/cancel";
     return method == "POST" ? one(kPosts) : one(kGets);
   }
 

@@ -105,6 +105,11 @@ class WorkbenchTest : public FolderTest {
     return job;
   }
 
+  /// Readings of the bench with an offset that its model does not have.
+  void simulate(int readings = 30) {
+    done("/api/simulate", {{"design", "bench"}, {"readings", readings}, {"hide", {"joint-offset@theta3:0.3deg"}}});
+  }
+
   std::unique_ptr<RunningServer> server;
   std::unique_ptr<httplib::Client> client;
 };

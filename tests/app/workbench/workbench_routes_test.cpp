@@ -1,6 +1,4 @@
 // What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
-#include "app/comparison_job.hpp"
-#include "app/readers/measurements_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
@@ -9,13 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-class WorkbenchRoutes : public WorkbenchTest {
- protected:
-  /// Readings of the bench with a backlash that its model does not have.
-  void simulate(int readings = 30) {
-    done("/api/simulate", {{"design", "bench"}, {"readings", readings}, {"hide", {"joint-offset@theta3:0.3deg"}}});
-  }
-};
+class WorkbenchRoutes : public WorkbenchTest {};
 
 TEST_F(WorkbenchRoutes, theStateTellsWhatIsThere) {
   serve("mockup.yaml", "mockup-true.yaml");
@@ -150,91 +142,6 @@ TEST_F(WorkbenchRoutes, anotherCellCanBeOpened) {
   EXPECT_EQ(get("/api/state").body["cell"]["name"], "cobra-mockup");
 }
 
-TEST_F(WorkbenchRoutes, comparingGivesTheCommandsOwnDocument) {
-  serve("bench.yaml");
-  simulate();
-  done("/api/compare");
-  json document = get("/api/results/compare").body;
-  EXPECT_EQ(document["model"], 0);
-  write("readings.csv", get("/api/export/measurements.csv").text);
-  const std::string command = "'" TUBEPLAN_PROGRAM "' compare '" + (opened() / "bench.yaml").string() + "' '" +
-                              (folder / "readings.csv").string() + "' --json '" + (folder / "c.json").string() +
-                              "' >/dev/null";
-  (void)std::system(command.c_str());
-  document.erase("model");
-  document.erase("revision");
-  EXPECT_EQ(document.dump(2) + "\n", contentOf(folder / "c.json"));
-  EXPECT_NE(get("/api/export/compare.html").text.find("<html"), std::string::npos);
-}
-
-TEST_F(WorkbenchRoutes, addingFitsAndClimbsAndCanBeUndone) {
-  serve("bench.yaml");
-  simulate();
-  done("/api/identify");
-  done("/api/add", {{"effects", {{{"effect", "joint-offset"}, {"at", "theta3"}}}}});
-  json state = get("/api/state").body;
-  ASSERT_EQ(state["models"].size(), 3u);
-  EXPECT_EQ(state["models"][2]["origin"], "effect");
-  EXPECT_EQ(state["models"][2]["effects"][0]["effect"], "joint-offset");
-  const double offset = state["models"][2]["effects"][0]["parameters"]["offset"]["value"];
-  EXPECT_NEAR(offset, 0.3, 0.1);
-  const json ladder = get("/api/results/ladder").body["rungs"];
-  ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, fitted, with the offset
-  EXPECT_LT(ladder[3]["rms"]["heldout"], ladder[2]["rms"]["heldout"]);
-  EXPECT_EQ(get("/api/results/identify").body["model"], 2);
-
-  EXPECT_EQ(post("/api/undo").body["model"], 1);
-  EXPECT_EQ(get("/api/results/identify").body["model"], 1);
-  EXPECT_EQ(post("/api/undo").body["model"], 0);
-  EXPECT_EQ(post("/api/undo").status, 409);
-  EXPECT_EQ(post("/api/redo").body["model"], 1);
-  done("/api/add", {{"formula", "theta3 += c*sin(2*theta1)"}});
-  state = get("/api/state").body;
-  EXPECT_EQ(state["models"].size(), 3u);  // what could be done again is gone
-  EXPECT_EQ(state["models"][2]["origin"], "formula");
-  EXPECT_EQ(state["can_redo"], false);
-}
-
-TEST_F(WorkbenchRoutes, effectsThatCannotBeAreRefusedAtOnce) {
-  serve("bench.yaml");
-  simulate(12);
-  const auto status = [&](const json& body) { return post("/api/add", body).status; };
-  EXPECT_EQ(status(json::object()), 422);
-  EXPECT_EQ(status({{"effects", {{{"effect", "gremlin"}, {"at", "theta3"}}}}}), 422);
-  EXPECT_EQ(status({{"effects", {{{"effect", "backlash"}, {"at", "theta9"}}}}}), 422);
-  EXPECT_EQ(status({{"effects", "backlash"}}), 422);
-  EXPECT_EQ(status({{"formula", "theta3 += ((("}}), 422);
-  EXPECT_EQ(status({{"formula", "theta3 += system(\"ls\")"}}), 422);
-  EXPECT_EQ(post("/api/simulate", {{"design", "../bench.yaml"}}).status, 422);
-  EXPECT_EQ(post("/api/simulate", {{"hide", {"backlash@nowhere"}}}).status, 422);
-  EXPECT_EQ(post("/api/simulate", {{"readings", 1e9}}).status, 422);
-  EXPECT_EQ(post("/api/field", {{"of", "gold"}}).status, 422);
-}
-
-TEST_F(WorkbenchRoutes, anExportedModelIsTheModel) {
-  serve("bench.yaml");
-  simulate();
-  done("/api/identify");
-  done("/api/compare");
-  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).body["written"], json({"mine-arm.yaml", "mine.yaml"}));
-  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).status, 409);
-  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}, {"overwrite", true}}).status, 200);
-  EXPECT_EQ(post("/api/cell/save", {{"file", "../mine.yaml"}}).status, 422);
-  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.txt"}}).status, 422);
-  write("readings.csv", get("/api/export/measurements.csv").text);
-  const std::string command = "'" TUBEPLAN_PROGRAM "' compare '" + (opened() / "mine.yaml").string() + "' '" +
-                              (folder / "readings.csv").string() + "' --json '" + (folder / "c.json").string() +
-                              "' >/dev/null";
-  (void)std::system(command.c_str());
-  json document = get("/api/results/compare").body;
-  document.erase("model");
-  document.erase("revision");
-  EXPECT_EQ(document.dump(2) + "\n", contentOf(folder / "c.json"));
-  EXPECT_EQ(get("/api/export/cell-arm.yaml").text, contentOf(opened() / "mine-arm.yaml"));
-  EXPECT_EQ(get("/api/export/nothing.zip").status, 404);
-  EXPECT_EQ(get("/api/export/plan.json").status, 404);
-}
-
 TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   serve("mockup.yaml", "mockup-true.yaml");
   for (const int hole : {0, 11, 90}) EXPECT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
@@ -298,64 +205,6 @@ TEST_F(WorkbenchRoutes, aPlanStopsWhenItIsAskedTo) {
   EXPECT_EQ(post("/api/jobs/" + std::to_string(id) + "/cancel").body["id"], id);
   EXPECT_EQ(ended(id)["status"], "cancelled");
   EXPECT_EQ(get("/api/results/plan").status, 404);
-}
-
-TEST_F(WorkbenchRoutes, allBrowsersSeeTheSame) {
-  serve("bench.yaml");
-  std::mutex mutex;
-  std::string heard;
-  std::atomic<bool> stop = false;
-  std::thread listener([&] {
-    auto own = server->client();
-    (void)own->Get("/api/events", [&](const char* data, std::size_t length) {
-      const std::lock_guard lock(mutex);
-      heard.append(data, length);
-      return !stop.load();
-    });
-  });
-  simulate(12);
-  done("/api/compare");
-  const json state = get("/api/state").body;
-  const std::string revision = "\"revision\":" + std::to_string(state["revision"].get<int>());
-  bool is_told = false;
-  for (int k = 0; k < 400 && !is_told; ++k) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    const std::lock_guard lock(mutex);
-    const std::size_t last = heard.rfind("event: state");
-    is_told = last != std::string::npos && heard.find(revision, last) != std::string::npos;
-  }
-  EXPECT_TRUE(is_told) << revision;
-  {
-    const std::lock_guard lock(mutex);
-    EXPECT_NE(heard.find("event: job"), std::string::npos);
-    EXPECT_NE(heard.find("\"status\":\"done\""), std::string::npos);
-  }
-  EXPECT_EQ(replyOf(server->client()->Get("/api/state")).body, get("/api/state").body);
-  stop = true;
-  server->workbench().events().stateChanged();
-  listener.join();
-}
-
-class ServeCommand : public ProgramTest {};
-
-TEST_F(ServeCommand, refusesAnOpenDoorWithoutAToken) {
-  const auto outcome = run("serve " + shipped("bench.yaml") + " --host 0.0.0.0 --port 0");
-  EXPECT_EQ(outcome.exit_code, 2);
-  expectSays(outcome.err, "--token");
-  EXPECT_EQ(run("serve " + shipped("bench.yaml") + " --host 0.0.0.0 --token short").exit_code, 2);
-  EXPECT_EQ(run("serve missing.yaml").exit_code, 2);
-  EXPECT_EQ(run("serve " + shipped("bench.yaml") + " missing.csv").exit_code, 2);
-}
-
-TEST_F(ServeCommand, printsItsAddressAndEndsWhenAsked) {
-  const std::string command = "cd '" + folder.string() + "' && { '" TUBEPLAN_PROGRAM "' serve " +
-                              shipped("bench.yaml") +
-                              " --port 0 >address.txt 2>&1 & } && program=$! && for k in $(seq 100); do "
-                              "test -s address.txt && break; sleep 0.1; done; kill -TERM $program; wait $program";
-  const int status = std::system(command.c_str());
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 0);
-  expectSays(contentOf(folder / "address.txt"), "http://127.0.0.1:");
 }
 
 }  // namespace
