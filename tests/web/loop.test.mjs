@@ -22,7 +22,7 @@ after(async () => {
 
 /** Held-out error over the noise floor of the lowest rung, as the page shows it. */
 async function timesFloor(tab) {
-  const text = await tab.locator(".rung.now .bar-line").last().innerText();
+  const text = await tab.locator(".rung.now .bar-text").last().innerText();
   return Number(/([\d.]+) × floor/.exec(text)[1]);
 }
 
