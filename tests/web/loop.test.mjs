@@ -132,6 +132,27 @@ describe("the loop", () => {
   });
 });
 
+describe("practice readings", () => {
+  it("are made in the dialog, which says why it cannot", async () => {
+    const own = await serve(made.folder, "bench.yaml");
+    const tab = await openTab(browser, `${own.address}#error`);
+    await tab.click("button >> text=Open readings");
+    await tab.fill(".practice input >> nth=0", "backlash@no-such-place:0.15deg");
+    await tab.click("button >> text=Make readings");
+    await tab.click("dialog .notice .tool");
+    await tab.fill(".practice input >> nth=0", "backlash@tool.z:0.15deg");
+    await tab.fill(".practice .narrow input >> nth=0", "60");
+    await tab.click("button >> text=Make readings");
+    await tab.waitForSelector(".chip-more >> text=60 readings", {timeout: 60000});
+    await tab.waitForSelector(".verdict h1 >> text=The model falls short", {timeout: 60000});
+    await tab.waitForSelector(".next:not([disabled])", {timeout: 60000});
+    tab.errors.length = 0;  // the refusal above is a 4xx, which the browser notes
+    await own.stop();
+    await tab.waitForSelector(".silence >> text=does not answer");
+    await tab.context().close();
+  });
+});
+
 describe("by keys alone", () => {
   it("changes the view, opens and closes dialogs, and lists the keys", async () => {
     const tab = await openTab(browser, `${server.address}#error`);

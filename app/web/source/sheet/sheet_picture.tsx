@@ -171,7 +171,7 @@ class SheetDrawing {
 
   holeAt(x: number, y: number): number {
     const {sheet} = this.props;
-    const reach = Math.max(sheet.pitch * 0.55, 9 / this.camera.scale);
+    const reach = Math.max(sheet.pitch * 0.72, 9 / this.camera.scale);
     const [u, v] = toSheet(this.camera, this.size, x, y);
     return sheet.nearest(u, v, reach);
   }

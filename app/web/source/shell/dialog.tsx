@@ -2,6 +2,7 @@
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
+import {Notices} from "./notices";
 
 export function Dialog({isOpen, title, onClose, children}: {
   isOpen: boolean; title: string; onClose: () => void; children: ComponentChildren
@@ -24,6 +25,7 @@ export function Dialog({isOpen, title, onClose, children}: {
             <button class="tool" title="Close (Esc)" onClick={onClose}><Icon name="close" /></button>
           </header>
           {children}
+          <Notices />
         </div>
       )}
     </dialog>

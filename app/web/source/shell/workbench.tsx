@@ -10,7 +10,7 @@ import {Header} from "./header";
 import {KeysDialog, followKeys} from "./keys";
 import {Notices} from "./notices";
 import {OpenDialog} from "./open_dialog";
-import {view, type ViewName} from "./page_state";
+import {dialog, view, type ViewName} from "./page_state";
 import {Rail} from "./rail";
 import {Waiting} from "./states";
 
@@ -53,7 +53,10 @@ export function Workbench() {
           <CurrentView name={view.value} />
         </Suspense>
       </main>
-      <Notices />
+      {state.value !== null && connection.value === "lost" ? (
+        <p class="silence" role="alert">The program does not answer: what stands here is its last word. See whether <code>tubeplan serve</code> still
+          runs; the page goes on by itself.</p>) : null}
+      {dialog.value === "" ? <Notices /> : null}
       <OpenDialog />
       <KeysDialog />
       <DropTarget />
