@@ -4,8 +4,16 @@ import {useEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
 import {Notices} from "./notices";
 
-export function Dialog({isOpen, title, onClose, children}: {
-  isOpen: boolean; title: string; onClose: () => void; children: ComponentChildren
+export function Dialog({
+  isOpen,
+  title,
+  onClose,
+  children,
+}: {
+  isOpen: boolean;
+  title: string;
+  onClose: () => void;
+  children: ComponentChildren;
 }) {
   const element = useRef<HTMLDialogElement>(null);
   useEffect(() => {
@@ -15,14 +23,22 @@ export function Dialog({isOpen, title, onClose, children}: {
     else dialog.close();
   }, [isOpen]);
   return (
-    <dialog ref={element} class="dialog" aria-label={title} onClose={onClose} onClick={(event) => {
-      if (event.target === element.current) onClose();
-    }}>
+    <dialog
+      ref={element}
+      class="dialog"
+      aria-label={title}
+      onClose={onClose}
+      onClick={(event) => {
+        if (event.target === element.current) onClose();
+      }}
+    >
       {isOpen && (
         <div class="dialog-body">
           <header>
             <h1>{title}</h1>
-            <button class="tool" title="Close (Esc)" onClick={onClose}><Icon name="close" /></button>
+            <button class="tool" title="Close (Esc)" onClick={onClose}>
+              <Icon name="close" />
+            </button>
           </header>
           {children}
           <Notices />

@@ -48,6 +48,6 @@ export interface Practice {
 }
 
 export async function simulate(practice: Practice): Promise<void> {
-  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0;  // of the numbers that the cell sets free
+  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0; // of the numbers that the cell sets free
   if (await runJob("Practice readings", "/api/simulate", {...practice, spread})) await afterReadings();
 }
