@@ -1,21 +1,45 @@
 // Measures the page: frames per second with 15,529 holes, time to the first picture, slider latency, weight; with
 // --pictures DIR it also takes the screenshots. Figures are printed; nothing is asserted, machines differ.
-import {mkdirSync, readdirSync, readFileSync, statSync} from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
-import {gzipSync} from "node:zlib";
-import {launch, makeFolder, openTab, page as built, serve, simulate, writeDisc} from "./workbench.mjs";
+import { gzipSync } from "node:zlib";
+import {
+  launch,
+  makeFolder,
+  openTab,
+  page as built,
+  serve,
+  simulate,
+  writeDisc,
+} from "./workbench.mjs";
 
-const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
-const at = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
+const median = (values) =>
+  [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const at = (values, share) =>
+  [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
 
 function weigh() {
-  if (!built) return console.log("page weight: TUBEPLAN_PAGE names no folder with the built page");
-  const files = readdirSync(built, {recursive: true}).map((name) => path.join(built, name)).filter((name) => statSync(name).isFile());
-  const sizes = files.map((name) => ({name: path.relative(built, name), bytes: statSync(name).size, zipped: gzipSync(readFileSync(name)).length}));
-  const total = sizes.reduce((sum, file) => sum + file.bytes, 0), zipped = sizes.reduce((sum, file) => sum + file.zipped, 0);
-  console.log(`page weight: ${(total / 1024).toFixed(0)} KiB in ${files.length} files, ${(zipped / 1024).toFixed(0)} KiB compressed`);
+  if (!built)
+    return console.log(
+      "page weight: TUBEPLAN_PAGE names no folder with the built page",
+    );
+  const files = readdirSync(built, { recursive: true })
+    .map((name) => path.join(built, name))
+    .filter((name) => statSync(name).isFile());
+  const sizes = files.map((name) => ({
+    name: path.relative(built, name),
+    bytes: statSync(name).size,
+    zipped: gzipSync(readFileSync(name)).length,
+  }));
+  const total = sizes.reduce((sum, file) => sum + file.bytes, 0),
+    zipped = sizes.reduce((sum, file) => sum + file.zipped, 0);
+  console.log(
+    `page weight: ${(total / 1024).toFixed(0)} KiB in ${files.length} files, ${(zipped / 1024).toFixed(0)} KiB compressed`,
+  );
   const first = sizes.filter((file) => !/arm_|plan_|greek/.test(file.name));
-  console.log(`  before the first 3-D view: ${(first.reduce((sum, file) => sum + file.bytes, 0) / 1024).toFixed(0)} KiB`);
+  console.log(
+    `  before the first 3-D view: ${(first.reduce((sum, file) => sum + file.bytes, 0) / 1024).toFixed(0)} KiB`,
+  );
 }
 
 /** From the request to the first drawing of all holes. */
@@ -23,15 +47,22 @@ async function firstPicture(browser, address) {
   const times = [];
   for (let i = 0; i < 3; ++i) {
     const tab = await openTab(browser, "about:blank");
-    await tab.addInitScript(() => new PerformanceObserver((list) => {
-      window.firstSheet ??= list.getEntries()[0].startTime + list.getEntries()[0].duration;
-    }).observe({entryTypes: ["measure"]}));
+    await tab.addInitScript(() =>
+      new PerformanceObserver((list) => {
+        window.firstSheet ??=
+          list.getEntries()[0].startTime + list.getEntries()[0].duration;
+      }).observe({ entryTypes: ["measure"] }),
+    );
     await tab.goto(address);
-    await tab.waitForFunction(() => window.firstSheet, null, {timeout: 20000});
+    await tab.waitForFunction(() => window.firstSheet, null, {
+      timeout: 20000,
+    });
     times.push(await tab.evaluate(() => window.firstSheet));
     await tab.context().close();
   }
-  console.log(`load to first picture of 15,529 holes: ${times.map((time) => time.toFixed(0)).join(", ")} ms`);
+  console.log(
+    `load to first picture of 15,529 holes: ${times.map((time) => time.toFixed(0)).join(", ")} ms`,
+  );
 }
 
 async function framesPerSecond(browser, address) {
@@ -41,7 +72,9 @@ async function framesPerSecond(browser, address) {
   await tab.evaluate(() => {
     window.draws = [];
     window.ticks = [];
-    new PerformanceObserver((list) => list.getEntries().forEach((entry) => window.draws.push(entry.duration))).observe({entryTypes: ["measure"]});
+    new PerformanceObserver((list) =>
+      list.getEntries().forEach((entry) => window.draws.push(entry.duration)),
+    ).observe({ entryTypes: ["measure"] });
     const tick = (now) => {
       window.ticks.push(now);
       requestAnimationFrame(tick);
@@ -49,24 +82,38 @@ async function framesPerSecond(browser, address) {
     requestAnimationFrame(tick);
   });
   // The sheet is moved from inside the page, once for each frame: what is measured is the page, not the test's messages.
-  await tab.evaluate(() => new Promise((resolve) => {
-    const stage = document.querySelector(".stage");
-    const box = stage.getBoundingClientRect();
-    const start = performance.now();
-    const step = () => {
-      const t = (performance.now() - start) / 1000;
-      stage.dispatchEvent(new WheelEvent("wheel", {
-        clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, deltaY: 12 * Math.sin(3 * t), bubbles: true, cancelable: true
-      }));
-      if (t < 3) requestAnimationFrame(step);
-      else resolve();
-    };
-    step();
+  await tab.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const stage = document.querySelector(".stage");
+        const box = stage.getBoundingClientRect();
+        const start = performance.now();
+        const step = () => {
+          const t = (performance.now() - start) / 1000;
+          stage.dispatchEvent(
+            new WheelEvent("wheel", {
+              clientX: box.left + box.width / 2,
+              clientY: box.top + box.height / 2,
+              deltaY: 12 * Math.sin(3 * t),
+              bubbles: true,
+              cancelable: true,
+            }),
+          );
+          if (t < 3) requestAnimationFrame(step);
+          else resolve();
+        };
+        step();
+      }),
+  );
+  const { ticks, draws } = await tab.evaluate(() => ({
+    ticks: window.ticks,
+    draws: window.draws,
   }));
-  const {ticks, draws} = await tab.evaluate(() => ({ticks: window.ticks, draws: window.draws}));
   const gaps = ticks.slice(1).map((now, i) => now - ticks[i]);
-  console.log(`zooming 15,529 holes: ${(1000 * gaps.length / (ticks.at(-1) - ticks[0])).toFixed(1)} frames/s; ` +
-    `drawing takes ${median(draws).toFixed(2)} ms (95 %: ${at(draws, 0.95).toFixed(2)} ms); longest frame ${Math.max(...gaps).toFixed(0)} ms`);
+  console.log(
+    `zooming 15,529 holes: ${((1000 * gaps.length) / (ticks.at(-1) - ticks[0])).toFixed(1)} frames/s; ` +
+      `drawing takes ${median(draws).toFixed(2)} ms (95 %: ${at(draws, 0.95).toFixed(2)} ms); longest frame ${Math.max(...gaps).toFixed(0)} ms`,
+  );
   await tab.context().close();
 }
 
@@ -75,81 +122,133 @@ async function sliderLatency(browser, address) {
   const tab = await openTab(browser, `${address}#arm`);
   await tab.waitForSelector(".slider input[type=range]");
   await tab.waitForTimeout(2500);
-  const run = () => tab.evaluate(async () => {
-    const slider = document.querySelectorAll(".slider input[type=range]")[1], figure = document.querySelector(".readout .figure b");
-    const times = [];
-    for (let i = 0; i < 40; ++i) {
-      const before = figure.textContent, start = performance.now();
-      slider.value = String(40 + (i % 20));
-      slider.dispatchEvent(new Event("input", {bubbles: true}));
-      while (figure.textContent === before && performance.now() - start < 2000) await new Promise((resolve) => setTimeout(resolve, 0));
-      times.push(performance.now() - start);
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-    }
-    return times;
-  });
+  const run = () =>
+    tab.evaluate(async () => {
+      const slider = document.querySelectorAll(".slider input[type=range]")[1],
+        figure = document.querySelector(".readout .figure b");
+      const times = [];
+      for (let i = 0; i < 40; ++i) {
+        const before = figure.textContent,
+          start = performance.now();
+        slider.value = String(40 + (i % 20));
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+        while (
+          figure.textContent === before &&
+          performance.now() - start < 2000
+        )
+          await new Promise((resolve) => setTimeout(resolve, 0));
+        times.push(performance.now() - start);
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      }
+      return times;
+    });
   const withPicture = await run();
-  console.log(`slider to read-out: median ${median(withPicture).toFixed(1)} ms, 95 % ${at(withPicture, 0.95).toFixed(1)} ms (with the 3-D picture)`);
+  console.log(
+    `slider to read-out: median ${median(withPicture).toFixed(1)} ms, 95 % ${at(withPicture, 0.95).toFixed(1)} ms (with the 3-D picture)`,
+  );
   const alone = await tab.evaluate(async () => {
     const times = [];
     for (let i = 0; i < 60; ++i) {
       const start = performance.now();
-      await (await fetch("/api/pose", {
-        method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify({joints: [0, 40 + 0.3 * i, 0, 0]})
-      })).json();
+      await (
+        await fetch("/api/pose", {
+          method: "POST",
+          headers: { "Content-Type": "application/json" },
+          body: JSON.stringify({ joints: [0, 40 + 0.3 * i, 0, 0] }),
+        })
+      ).json();
       times.push(performance.now() - start);
     }
     return times;
   });
-  console.log(`the program's answer to a pose, as the page sees it: median ${median(alone).toFixed(1)} ms, 95 % ${at(alone, 0.95).toFixed(1)} ms`);
+  console.log(
+    `the program's answer to a pose, as the page sees it: median ${median(alone).toFixed(1)} ms, 95 % ${at(alone, 0.95).toFixed(1)} ms`,
+  );
   await tab.context().close();
 }
 
 async function pictures(browser, folder, into) {
-  mkdirSync(into, {recursive: true});
-  const shoot = (tab, name) => tab.screenshot({path: path.join(into, `${name}.png`)});
-  const {address, stop} = await serve(folder, "mockup.yaml", ["--truth", path.join(folder, "mockup-true.yaml")]);
-  const sizes = [["1280x720", 1280, 720, "light"], ["1280x720-dark", 1280, 720, "dark"], ["1920x1080", 1920, 1080, "light"],
-    ["1920x1080-dark", 1920, 1080, "dark"], ["1024x768-tablet", 1024, 768, "light"]];
+  mkdirSync(into, { recursive: true });
+  const shoot = (tab, name) =>
+    tab.screenshot({ path: path.join(into, `${name}.png`) });
+  const { address, stop } = await serve(folder, "mockup.yaml", [
+    "--truth",
+    path.join(folder, "mockup-true.yaml"),
+  ]);
+  const sizes = [
+    ["1280x720", 1280, 720, "light"],
+    ["1280x720-dark", 1280, 720, "dark"],
+    ["1920x1080", 1920, 1080, "light"],
+    ["1920x1080-dark", 1920, 1080, "dark"],
+    ["1024x768-tablet", 1024, 768, "light"],
+  ];
   const tabs = [];
   for (const [name, width, height, colorScheme] of sizes) {
-    tabs.push([name, await openTab(browser, address, {viewport: {width, height}, colorScheme, hasTouch: name.includes("tablet")})]);
+    tabs.push([
+      name,
+      await openTab(browser, address, {
+        viewport: { width, height },
+        colorScheme,
+        hasTouch: name.includes("tablet"),
+      }),
+    ]);
   }
   const [, first] = tabs[0];
   await first.waitForSelector(".stage");
   await first.click(".rail-entry >> nth=4");
   await first.click(".calibrate-view >> text=Suggest");
   for (let k = 1; k <= 3; ++k) {
-    await first.click(".touch-row:not(.done) >> text=Simulate >> nth=0", {timeout: 60000});
-    await first.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
+    await first.click(".touch-row:not(.done) >> text=Simulate >> nth=0", {
+      timeout: 60000,
+    });
+    await first.waitForFunction(
+      (n) => document.querySelectorAll(".touch-row.done").length === n,
+      k,
+    );
   }
   await first.click(".touch-list > .button.first");
-  await first.waitForSelector(".calibrate-view h3", {timeout: 60000});
-  await first.waitForSelector(".calibrate-view .stage-foot .mark", {timeout: 60000});
+  await first.waitForSelector(".calibrate-view h3", { timeout: 60000 });
+  await first.waitForSelector(".calibrate-view .stage-foot .mark", {
+    timeout: 60000,
+  });
   await first.click(".rail-entry >> nth=0");
   await first.fill(".select-box input", "spread:60");
   await first.click(".select-box button[type=submit]");
   await first.waitForSelector("text=60 holes");
   await first.click(".rail-entry >> nth=3");
   await first.click(".plan-head .button.first");
-  await first.waitForSelector(".tube-rows .tube-row", {timeout: 120000});
+  await first.waitForSelector(".tube-rows .tube-row", { timeout: 120000 });
   for (const view of ["sheet", "arm", "plan", "calibrate"]) {
     for (const [name, tab] of tabs) {
       await tab.bringToFront();
       await tab.evaluate((hash) => (location.hash = hash), view);
       await tab.waitForTimeout(1200);
-      await tab.waitForFunction(() => [...document.querySelectorAll(".arm-picture canvas")].every((canvas) => canvas.width >= canvas.clientWidth - 1),
-        null, {timeout: 10000});  // drawn sharp
+      await tab.waitForFunction(
+        () =>
+          [...document.querySelectorAll(".arm-picture canvas")].every(
+            (canvas) => canvas.width >= canvas.clientWidth - 1,
+          ),
+        null,
+        { timeout: 10000 },
+      ); // drawn sharp
       await tab.waitForTimeout(800);
       await shoot(tab, `${view}-${name}`);
     }
   }
   for (const [, tab] of tabs) await tab.context().close();
   await stop();
-  const bench = await serve(folder, "bench.yaml", [path.join(folder, "readings.csv")]);
+  const bench = await serve(folder, "bench.yaml", [
+    path.join(folder, "readings.csv"),
+  ]);
   const errorTabs = [];
   for (const [name, width, height, colorScheme] of sizes) {
-    errorTabs.push([name, await openTab(browser, `${bench.address}#error`, {viewport: {width, height}, colorScheme})]);
+    errorTabs.push([
+      name,
+      await openTab(browser, `${bench.address}#error`, {
+        viewport: { width, height },
+        colorScheme,
+      }),
+    ]);
   }
   const [, lead] = errorTabs[0];
   const all = async (step) => {
@@ -160,18 +259,24 @@ async function pictures(browser, folder, into) {
     }
   };
   await lead.click(".next:has-text('Compare')");
-  await lead.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000});
+  await lead.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {
+    timeout: 60000,
+  });
   await all("1-compared");
   await lead.click(".next");
-  await lead.waitForSelector(".next:has-text('Add'):not([disabled])", {timeout: 60000});
+  await lead.waitForSelector(".next:has-text('Add'):not([disabled])", {
+    timeout: 60000,
+  });
   await all("2-diagnosed");
   await lead.click(".next");
-  await lead.waitForSelector(".verdict h1 >> text=At the noise floor", {timeout: 60000});
+  await lead.waitForSelector(".verdict h1 >> text=At the noise floor", {
+    timeout: 60000,
+  });
   await all("3-added");
   await bench.stop();
 }
 
-const {folder, remove} = makeFolder();
+const { folder, remove } = makeFolder();
 const browser = await launch();
 try {
   weigh();
@@ -184,7 +289,7 @@ try {
   await mockup.stop();
   const into = process.argv[process.argv.indexOf("--pictures") + 1];
   if (process.argv.includes("--pictures")) {
-    simulate(folder, "readings", {hide: "hysteresis@theta4:0.06deg"});
+    simulate(folder, "readings", { hide: "hysteresis@theta4:0.06deg" });
     await pictures(browser, folder, into);
   }
 } finally {

@@ -17,7 +17,17 @@ describe("the ladder", () => {
 });
 
 describe("playing", () => {
-  const path = {time: [0, 1, 3], segment: [1, 1, 2], kind: ["approach", "approach", "travel"], joints: [[0, 10], [2, 20], [6, 0]], clearance: null};
+  const path = {
+    time: [0, 1, 3],
+    segment: [1, 1, 2],
+    kind: ["approach", "approach", "travel"],
+    joints: [
+      [0, 10],
+      [2, 20],
+      [6, 0],
+    ],
+    clearance: null,
+  };
   it("finds the sample at or before a time", () => {
     expect([-1, 0, 0.99, 1, 2.9, 3, 9].map((at) => sampleAt(path.time, at))).toEqual([0, 0, 0, 1, 1, 2, 2]);
   });

@@ -6,17 +6,40 @@ import {makeSheetModel, neighbour} from "../source/sheet/sheet_model";
 
 /** One leg of five rows and eleven columns, seen from below: u = -x. */
 function grid(): SheetDocument {
-  const row: number[] = [], column: number[] = [], x: number[] = [], y: number[] = [];
-  for (let r = 1; r <= 5; ++r) for (let c = 1; c <= 11; ++c) {
-    row.push(r);
-    column.push(c);
-    x.push(c - 6);
-    y.push(1 + r);
-  }
+  const row: number[] = [],
+    column: number[] = [],
+    x: number[] = [],
+    y: number[] = [];
+  for (let r = 1; r <= 5; ++r)
+    for (let c = 1; c <= 11; ++c) {
+      row.push(r);
+      column.push(c);
+      x.push(c - 6);
+      y.push(1 + r);
+    }
   return {
-    name: "grid", units: "in", pitch: 1, hole_diameter: 0.7, rows: 5, columns: 11, viewing_side: "below", leg: "hot", divider: null,
-    manway: null, outline: null,
-    holes: {row, column, x, y, z: x.map(() => 0), u: x.map((value) => -value), v: y, state: x.map(() => 0), states: ["open"]}
+    name: "grid",
+    units: "in",
+    pitch: 1,
+    hole_diameter: 0.7,
+    rows: 5,
+    columns: 11,
+    viewing_side: "below",
+    leg: "hot",
+    divider: null,
+    manway: null,
+    outline: null,
+    holes: {
+      row,
+      column,
+      x,
+      y,
+      z: x.map(() => 0),
+      u: x.map((value) => -value),
+      v: y,
+      state: x.map(() => 0),
+      states: ["open"],
+    },
   };
 }
 
@@ -66,7 +89,16 @@ describe("the camera", () => {
 
 describe("a lasso", () => {
   it("holds what lies inside, also where it is hollow", () => {
-    const hollow: [number, number][] = [[0, 0], [10, 0], [10, 10], [6, 10], [6, 4], [4, 4], [4, 10], [0, 10]];
+    const hollow: [number, number][] = [
+      [0, 0],
+      [10, 0],
+      [10, 10],
+      [6, 10],
+      [6, 4],
+      [4, 4],
+      [4, 10],
+      [0, 10],
+    ];
     expect(isInside(hollow, 2, 8)).toBe(true);
     expect(isInside(hollow, 5, 8)).toBe(false);
     expect(isInside(hollow, 5, 2)).toBe(true);

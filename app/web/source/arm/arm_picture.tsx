@@ -13,7 +13,12 @@ import {poseRequest} from "./pose_link";
 
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
-const VIEWS = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["below", "Below"]] as const;
+const VIEWS = [
+  ["corner", "Corner"],
+  ["side", "Side"],
+  ["front", "Front"],
+  ["below", "Below"],
+] as const;
 
 function makeStage(canvas: HTMLCanvasElement): ArmStage | string {
   try {
@@ -24,8 +29,10 @@ function makeStage(canvas: HTMLCanvasElement): ArmStage | string {
 }
 
 export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; isSmall?: boolean}) {
-  const canvas = useRef<HTMLCanvasElement>(null), figure = useRef<HTMLSpanElement>(null);
-  const stage = useRef<ArmStage | null>(null), refusal = useRef<HTMLParagraphElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null),
+    figure = useRef<HTMLSpanElement>(null);
+  const stage = useRef<ArmStage | null>(null),
+    refusal = useRef<HTMLParagraphElement>(null);
   useEffect(() => {
     const made = makeStage(canvas.current!);
     if (typeof made === "string") {
@@ -59,14 +66,30 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
   }, [poseRequest.answer.value, magnified.value, scene]);
   return (
     <div class="arm-picture">
-      <div class="fill"><canvas ref={canvas} aria-label="The arm, rigid and deflected, under the sheet" role="img" /></div>
+      <div class="fill">
+        <canvas ref={canvas} aria-label="The arm, rigid and deflected, under the sheet" role="img" />
+      </div>
       <span ref={figure} class="clearance-figure" />
       <p ref={refusal} class="refusal muted" />
       {sceneDocument.value.problem ? <ProblemWords problem={sceneDocument.value.problem} /> : null}
       <div class="stage-bar">
-        <Segments label="Deflection drawn" choices={TIMES} value={magnified.value} onChoose={(times) => (magnified.value = times)} />
-        <Segments label="View" choices={choicesOf(VIEWS)} value={undefined} onChoose={(from) => stage.current?.look(from)} />
-        {isSmall ? null : <span class="arm-legend"><i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected</span>}
+        <Segments
+          label="Deflection drawn"
+          choices={TIMES}
+          value={magnified.value}
+          onChoose={(times) => (magnified.value = times)}
+        />
+        <Segments
+          label="View"
+          choices={choicesOf(VIEWS)}
+          value={undefined}
+          onChoose={(from) => stage.current?.look(from)}
+        />
+        {isSmall ? null : (
+          <span class="arm-legend">
+            <i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected
+          </span>
+        )}
       </div>
     </div>
   );
@@ -74,8 +97,10 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
 
 function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
   const clearance = poseRequest.answer.peek()?.clearance;
-  const at = clearance?.to && magnified.peek() === 1 ?
-    stage.onScreen(new Vector3(...clearance.from).add(new Vector3(...clearance.to)).multiplyScalar(0.5)) : null;
+  const at =
+    clearance?.to && magnified.peek() === 1
+      ? stage.onScreen(new Vector3(...clearance.from).add(new Vector3(...clearance.to)).multiplyScalar(0.5))
+      : null;
   figure.style.display = at ? "" : "none";
   if (!at || !clearance) return;
   figure.textContent = `${fixed(clearance.distance, 2)} ${units.peek().length}`;

@@ -1,14 +1,29 @@
 // The 3-D picture: the sheet, the bowl and its obstacles, the rigid arm as a ghost, the deflected arm in front of it, and
 // the line to what is nearest. It draws only when something has changed.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, CapsuleGeometry, Color, DirectionalLight, DoubleSide, Group, Line, LineBasicMaterial,
-  LineDashedMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, PerspectiveCamera, Quaternion, SRGBColorSpace, Scene, Shape, ShapeGeometry, SphereGeometry, Vector3, WebGLRenderer
+  AmbientLight,
+  BufferGeometry,
+  DirectionalLight,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  PerspectiveCamera,
+  Scene,
+  SphereGeometry,
+  Vector3,
+  WebGLRenderer,
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Palette} from "../drawing/colours";
-import type {Frame, PoseDocument, SceneDocument} from "../server/documents";
+import type {PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
-import {bowlOf, disposeAll, layAlong, obstacleOf, solidOf, vector} from "./solids";
+import {magnifiedFrame, makeArm, placeArm, type ArmBodies} from "./arm_bodies";
+import {floorOf, plateOf} from "./sheet_plate";
+import {bowlOf, disposeAll, obstacleOf, vector} from "./solids";
 
 /** Whether pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
 const IS_SOFTWARE = (() => {
@@ -18,16 +33,6 @@ const IS_SOFTWARE = (() => {
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software|basic render/i.test(words);
 })();
-
-/** A member that the file gives no body: a slim rod from its frame to the next. */
-const ROD = 0.9;
-
-interface ArmBodies {
-  group: Group;
-  rows: Group[];
-  rods: (Mesh | null)[];
-  tip: Mesh;
-}
 
 export class ArmStage {
   readonly camera = new PerspectiveCamera(34, 1, 0.5, 4000);
@@ -105,7 +110,7 @@ export class ArmStage {
 
   /** Where the page waits for its picture (no graphics processor), motion is drawn coarser, and sharp once it rests. */
   private adapt(msWaited: number): void {
-    if (msWaited > 12) this.notBefore = performance.now() + 2 * msWaited;  // figures go before pictures
+    if (msWaited > 12) this.notBefore = performance.now() + 2 * msWaited; // figures go before pictures
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
     else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(this.fullRatio(), 1.1 * this.ratio);
   }
@@ -137,18 +142,32 @@ export class ArmStage {
       disposeAll(arm.group);
       this.scene.remove(arm.group);
     }
-    this.ghost = makeArm(document, new MeshStandardMaterial({
-      color: palette.case0, transparent: true, opacity: 0.2, depthWrite: false, roughness: 1
-    }));
+    this.ghost = makeArm(
+      document,
+      new MeshStandardMaterial({
+        color: palette.case0,
+        transparent: true,
+        opacity: 0.2,
+        depthWrite: false,
+        roughness: 1,
+      }),
+    );
     this.solid = makeArm(document, new MeshStandardMaterial({color: palette.accent, roughness: 0.55, metalness: 0.1}));
     this.scene.add(this.ghost.group, this.solid.group);
   }
 
   /** One of the ready-made views; a leg is looked into from the divider's side, where the bowl is cut open. */
   look(from: "corner" | "side" | "below" | "front"): void {
-    const directions = {corner: [-1.25, -2.35, -0.42], side: [-2.7, -0.02, -0.2], below: [0, -0.02, -2.7], front: [0.05, -2.7, -0.2]} as const;
+    const directions = {
+      corner: [-1.25, -2.35, -0.42],
+      side: [-2.7, -0.02, -0.2],
+      below: [0, -0.02, -2.7],
+      front: [0.05, -2.7, -0.2],
+    } as const;
     this.controls.target.copy(this.focus);
-    this.camera.position.copy(this.focus).add(new Vector3(...directions[from]).multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
+    this.camera.position
+      .copy(this.focus)
+      .add(new Vector3(...directions[from]).multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
     this.controls.update();
     this.ask();
   }
@@ -159,7 +178,8 @@ export class ArmStage {
     if (!this.ghost || !this.solid || !this.palette) return;
     placeArm(this.ghost, pose.frames.rigid, vector(pose.tip.rigid));
     const frames = pose.frames.flexible.map((frame, i) => magnifiedFrame(pose.frames.rigid[i], frame, magnified));
-    const rigidTip = vector(pose.tip.rigid), sag = vector(pose.tip.flexible).sub(rigidTip);
+    const rigidTip = vector(pose.tip.rigid),
+      sag = vector(pose.tip.flexible).sub(rigidTip);
     placeArm(this.solid, frames, rigidTip.addScaledVector(sag, magnified));
     this.drawClearance(pose, this.palette);
     this.ask();
@@ -171,12 +191,19 @@ export class ArmStage {
     this.marks.clear();
     const {clearance} = pose;
     if (!clearance || !clearance.to || this.magnified !== 1) return;
-    const a = vector(clearance.from), b = vector(clearance.to);
-    const line = new Line(new BufferGeometry().setFromPoints([a, b]), new LineBasicMaterial({color: palette.rose, depthTest: false}));
+    const a = vector(clearance.from),
+      b = vector(clearance.to);
+    const line = new Line(
+      new BufferGeometry().setFromPoints([a, b]),
+      new LineBasicMaterial({color: palette.rose, depthTest: false}),
+    );
     line.renderOrder = 5;
     this.marks.add(line);
     for (const end of [a, b]) {
-      const dot = new Mesh(new SphereGeometry(0.45, 12, 8), new MeshBasicMaterial({color: palette.rose, depthTest: false}));
+      const dot = new Mesh(
+        new SphereGeometry(0.45, 12, 8),
+        new MeshBasicMaterial({color: palette.rose, depthTest: false}),
+      );
       dot.position.copy(end);
       dot.renderOrder = 5;
       this.marks.add(dot);
@@ -191,7 +218,10 @@ export class ArmStage {
       this.statics.remove(old);
     }
     if (points && points.length > 1) {
-      const tour = new Line(new BufferGeometry().setFromPoints(points), new LineDashedMaterial({color: palette.violet, dashSize: 2, gapSize: 1.2}));
+      const tour = new Line(
+        new BufferGeometry().setFromPoints(points),
+        new LineDashedMaterial({color: palette.violet, dashSize: 2, gapSize: 1.2}),
+      );
       tour.computeLineDistances();
       tour.name = "tour";
       this.statics.add(tour);
@@ -205,122 +235,4 @@ export class ArmStage {
     if (seen.z > 1) return null;
     return [((seen.x + 1) / 2) * this.canvas.clientWidth, ((1 - seen.y) / 2) * this.canvas.clientHeight];
   }
-}
-
-function makeArm(document: SceneDocument, material: MeshStandardMaterial): ArmBodies {
-  const group = new Group(), rows: Group[] = [], rods: (Mesh | null)[] = [];
-  for (const row of document.arm) {
-    const frame = new Group();
-    for (const body of row.bodies) {
-      const solid = solidOf(body, material);
-      if (solid) frame.add(solid);
-    }
-    const rod = row.bodies.length === 0 ? new Mesh(new CapsuleGeometry(ROD, 1, 6, 16), material) : null;
-    if (rod) group.add(rod);
-    rows.push(frame);
-    rods.push(rod);
-    group.add(frame);
-  }
-  const tip = new Mesh(new SphereGeometry(0.7, 16, 12), material);
-  group.add(tip);
-  return {group, rows, rods, tip};
-}
-
-function placeArm(arm: ArmBodies, frames: Frame[], tip: Vector3): void {
-  frames.forEach((frame, i) => {
-    const row = arm.rows[i];
-    if (!row) return;
-    row.position.set(...frame.position);
-    const [w, x, y, z] = frame.quaternion;
-    row.quaternion.set(x, y, z, w);
-    const rod = arm.rods[i];
-    if (rod) placeRod(rod, vector(frame.position), i + 1 < frames.length ? vector(frames[i + 1].position) : tip);
-  });
-  arm.tip.position.copy(tip);
-}
-
-function placeRod(rod: Mesh, a: Vector3, b: Vector3): void {
-  const long = a.distanceTo(b);
-  rod.visible = long > 0.2;
-  layAlong(rod, a, b);
-  rod.scale.set(1, long / (1 + 2 * ROD), 1);
-}
-
-/** The deflected frame with its displacement and turn away from the rigid one taken several times. */
-function magnifiedFrame(rigid: Frame, flexible: Frame, times: number): Frame {
-  if (times === 1) return flexible;
-  const position = rigid.position.map((value, k) => value + times * (flexible.position[k] - value)) as Frame["position"];
-  const turn = (frame: Frame) => new Quaternion(frame.quaternion[1], frame.quaternion[2], frame.quaternion[3], frame.quaternion[0]);
-  const from = turn(rigid), change = turn(flexible).multiply(from.clone().invert());
-  if (change.w < 0) change.set(-change.x, -change.y, -change.z, -change.w);
-  const half = Math.acos(Math.min(1, change.w)), sine = Math.sin(half);
-  const axis = sine > 1e-12 ? new Vector3(change.x, change.y, change.z).divideScalar(sine) : new Vector3(1, 0, 0);
-  const result = new Quaternion().setFromAxisAngle(axis, 2 * half * times).multiply(from);
-  return {row: flexible.row, position, quaternion: [result.w, result.x, result.y, result.z]};
-}
-
-/** Pixels across the picture of the holes that lies on the sheet's face. */
-const FACE = 2048;
-
-/** The sheet's lower face; its holes are one picture laid on it, smooth at any angle and cheap for every processor. */
-function plateOf(sheet: SheetModel, palette: Palette): Object3D {
-  const group = new Group();
-  const isBelow = sheet.extent.top <= 0.25 * Math.abs(sheet.extent.bottom);
-  const outline = new Shape();
-  if (sheet.isOneLeg) outline.absarc(0, 0, sheet.radius, isBelow ? Math.PI : 0, isBelow ? 2 * Math.PI : Math.PI, false);
-  else outline.absarc(0, 0, sheet.radius, 0, 2 * Math.PI, false);
-  const face = new ShapeGeometry(outline, 64);
-  const places = face.getAttribute("position"), onPicture = face.getAttribute("uv");
-  for (let i = 0; i < places.count; ++i) {
-    onPicture.setXY(i, 0.5 + places.getX(i) / (2 * sheet.radius), 0.5 + places.getY(i) / (2 * sheet.radius));
-  }
-  const plate = new Mesh(face, new MeshBasicMaterial({map: pictureOf(sheet, palette), side: DoubleSide, transparent: true, depthWrite: false}));
-  plate.position.z = 0.05;
-  group.add(plate, divider(sheet, palette));
-  return group;
-}
-
-function pictureOf(sheet: SheetModel, palette: Palette): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = FACE;
-  const context = canvas.getContext("2d")!;
-  context.globalAlpha = 0.78;
-  context.fillStyle = palette.plate;
-  context.fillRect(0, 0, FACE, FACE);
-  context.globalAlpha = 1;
-  context.strokeStyle = palette.hole;
-  const scale = FACE / (2 * sheet.radius), r = sheet.holeRadius * scale;
-  context.lineWidth = Math.max(1, 0.3 * r);
-  context.beginPath();
-  for (let i = 0; i < sheet.count; ++i) {
-    const x = FACE / 2 + sheet.world[3 * i] * scale, y = FACE / 2 - sheet.world[3 * i + 1] * scale;
-    context.moveTo(x + r, y);
-    context.arc(x, y, r, 0, 2 * Math.PI);
-  }
-  context.stroke();
-  const texture = new CanvasTexture(canvas);
-  texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 8;
-  return texture;
-}
-
-function divider(sheet: SheetModel, palette: Palette): Object3D {
-  if (!sheet.isOneLeg) return new Group();
-  const r = sheet.radius;
-  const wall = new Shape();
-  wall.absarc(0, 0, r, Math.PI, 2 * Math.PI, false);
-  const plate = new Mesh(new ShapeGeometry(wall, 40), new MeshStandardMaterial({
-    color: palette.rim, side: DoubleSide, transparent: true, opacity: 0.16, depthWrite: false
-  }));
-  plate.rotation.x = Math.PI / 2;
-  return plate;
-}
-
-/** Without a sheet: the plane that the arm stands on, as a grid. */
-function floorOf(palette: Palette): Object3D {
-  const points: number[] = [];
-  for (let k = -10; k <= 10; ++k) points.push(k * 12, -120, 0, k * 12, 120, 0, -120, k * 12, 0, 120, k * 12, 0);
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
-  return new LineSegments(geometry, new LineBasicMaterial({color: new Color(palette.line)}));
 }

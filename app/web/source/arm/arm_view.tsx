@@ -14,7 +14,11 @@ import {ToolInset} from "./tool_inset";
 function beginUnderHole(): void {
   const model = sheet.value;
   if (!model || poseRequest.hole.peek() >= 0) return;
-  const middle = model.nearest(0.35 * model.radius, model.isOneLeg ? 0.5 * (model.extent.bottom + model.extent.top) : 0.35 * model.radius, model.radius);
+  const middle = model.nearest(
+    0.35 * model.radius,
+    model.isOneLeg ? 0.5 * (model.extent.bottom + model.extent.top) : 0.35 * model.radius,
+    model.radius,
+  );
   if (middle < 0) return;
   picked.value = middle;
   void showHole(middle);
@@ -42,25 +46,40 @@ function isFound(branch: {status: string}): boolean {
   return branch.status === "found";
 }
 
-const PLACES = ["x", "y", "z"], TURNS = ["γ", "β", "α"];
+const PLACES = ["x", "y", "z"],
+  TURNS = ["γ", "β", "α"];
 
 function ReadOut() {
   const answer = poseRequest.answer.value;
   const {length, angle} = units.value;
   return (
     <section class="panel readout" aria-live="off">
-      <header><h2>Tip, deflected</h2><div class="end"><span class="muted">in the base's frame</span></div></header>
+      <header>
+        <h2>Tip, deflected</h2>
+        <div class="end">
+          <span class="muted">in the base's frame</span>
+        </div>
+      </header>
       <div class="panel-body">
         <div class="readout-grid">
-          {PLACES.map((name, k) => <Figure name={name} value={answer?.flexible.position[k]} digits={3} unit={length} />)}
-          {TURNS.map((name, k) => <Figure name={name} value={answer?.flexible.fixed_angles[k]} digits={2} unit={angle} />)}
+          {PLACES.map((name, k) => (
+            <Figure name={name} value={answer?.flexible.position[k]} digits={3} unit={length} />
+          ))}
+          {TURNS.map((name, k) => (
+            <Figure name={name} value={answer?.flexible.fixed_angles[k]} digits={2} unit={angle} />
+          ))}
         </div>
         <dl class="figures">
-          <dt>sag</dt><dd>{answer ? `${fixed(sagOf(answer.change), 3)} ${length}` : "–"}</dd>
-          <dt>from rigid</dt><dd>{answer ? answer.change.position.map((value) => fixed(value, 3)).join("  ") : "–"}</dd>
+          <dt>sag</dt>
+          <dd>{answer ? `${fixed(sagOf(answer.change), 3)} ${length}` : "–"}</dd>
+          <dt>from rigid</dt>
+          <dd>{answer ? answer.change.position.map((value) => fixed(value, 3)).join("  ") : "–"}</dd>
           <dt>clearance</dt>
-          <dd class={(answer?.clearance?.distance ?? 1) < 0 ? "bad" : ""}>{answer?.clearance ? `${fixed(answer.clearance.distance, 3)} ${length}` : "–"}</dd>
-          <dt></dt><dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>
+          <dd class={(answer?.clearance?.distance ?? 1) < 0 ? "bad" : ""}>
+            {answer?.clearance ? `${fixed(answer.clearance.distance, 3)} ${length}` : "–"}
+          </dd>
+          <dt></dt>
+          <dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>
         </dl>
       </div>
     </section>
@@ -72,7 +91,13 @@ function sagOf(change: TipPose): number {
 }
 
 function Figure({name, value, digits, unit}: {name: string; value: number | undefined; digits: number; unit: string}) {
-  return <div class="figure"><span>{name}</span><b>{fixed(value, digits)}</b><small>{unit}</small></div>;
+  return (
+    <div class="figure">
+      <span>{name}</span>
+      <b>{fixed(value, digits)}</b>
+      <small>{unit}</small>
+    </div>
+  );
 }
 
 function Sliders() {
@@ -82,18 +107,31 @@ function Sliders() {
     <section class="panel grow">
       <header>
         <h2>Joints and load</h2>
-        <div class="end"><button class="link" onClick={() => (poseRequest.joints.value = joints.map((joint) => joint.home))}>home</button></div>
+        <div class="end">
+          <button class="link" onClick={() => (poseRequest.joints.value = joints.map((joint) => joint.home))}>
+            home
+          </button>
+        </div>
       </header>
       <div class="panel-body sliders">
         {cell.value?.has_sheet ? <HoleBox /> : null}
-        {joints.map((joint, index) => <JointSlider key={joint.name} joint={joint} index={index} />)}
+        {joints.map((joint, index) => (
+          <JointSlider key={joint.name} joint={joint} index={index} />
+        ))}
         <LoadSlider />
         {answer && answer.branches.filter(isFound).length > 1 ? (
           <div class="branches">
             <span class="muted">postures under this hole</span>
-            <Segments label="Posture" value={answer.branch} onChoose={(index) => showHole(poseRequest.hole.value, index)}
-              choices={answer.branches.flatMap((branch, index) => (isFound(branch) ? [{value: index, words: String(index + 1)}] : []))} />
-          </div>) : null}
+            <Segments
+              label="Posture"
+              value={answer.branch}
+              onChoose={(index) => showHole(poseRequest.hole.value, index)}
+              choices={answer.branches.flatMap((branch, index) =>
+                isFound(branch) ? [{value: index, words: String(index + 1)}] : [],
+              )}
+            />
+          </div>
+        ) : null}
         <p class="muted latency">answered in {fixed(poseRequest.latency.value, 1)} ms</p>
       </div>
     </section>
@@ -106,15 +144,26 @@ function HoleBox() {
   const go = (event: Event) => {
     event.preventDefault();
     const found = /R?\s*(\d+)\s*[C ,]\s*(\d+)/i.exec(text.value);
-    const hole = found ? sheet.value?.find(Number(found[1]), Number(found[2])) ?? -1 : -1;
-    if (hole < 0) return report("No such hole", {message: `found "${text.value}", expected a hole of this sheet, as R10C20`});
+    const hole = found ? (sheet.value?.find(Number(found[1]), Number(found[2])) ?? -1) : -1;
+    if (hole < 0)
+      return report("No such hole", {message: `found "${text.value}", expected a hole of this sheet, as R10C20`});
     picked.value = hole;
     void showHole(hole);
   };
   return (
     <form class="hole-box" onSubmit={go}>
-      <label class="field">under hole<input value={text.value} placeholder="R10C20" spellcheck={false} onInput={(event) => (text.value = event.currentTarget.value)} /></label>
-      <button class="button" type="submit">Go</button>
+      <label class="field">
+        under hole
+        <input
+          value={text.value}
+          placeholder="R10C20"
+          spellcheck={false}
+          onInput={(event) => (text.value = event.currentTarget.value)}
+        />
+      </label>
+      <button class="button" type="submit">
+        Go
+      </button>
       <span class="bad clip">{poseRequest.inverse.value ? whyNot(poseRequest.inverse.value) : ""}</span>
     </form>
   );
@@ -122,13 +171,25 @@ function HoleBox() {
 
 function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
   const value = poseRequest.joints.value[index] ?? joint.home;
-  const lower = joint.lower ?? -360, upper = joint.upper ?? 360;
+  const lower = joint.lower ?? -360,
+    upper = joint.upper ?? 360;
   return (
     <label class="slider">
       <span>{joint.name}</span>
-      <input type="range" min={lower} max={upper} step={(upper - lower) / 4000} value={value}
-        onInput={(event) => setJoint(index, Number(event.currentTarget.value))} />
-      <NumberBox value={value} digits={2} onChange={(next) => setJoint(index, Math.min(upper, Math.max(lower, next)))} label={joint.name} />
+      <input
+        type="range"
+        min={lower}
+        max={upper}
+        step={(upper - lower) / 4000}
+        value={value}
+        onInput={(event) => setJoint(index, Number(event.currentTarget.value))}
+      />
+      <NumberBox
+        value={value}
+        digits={2}
+        onChange={(next) => setJoint(index, Math.min(upper, Math.max(lower, next)))}
+        label={joint.name}
+      />
       <small>{joint.unit}</small>
     </label>
   );
@@ -140,7 +201,14 @@ function LoadSlider() {
   return (
     <label class="slider">
       <span>load</span>
-      <input type="range" min={0} max={most} step={most / 400} value={load.value} onInput={(event) => (load.value = Number(event.currentTarget.value))} />
+      <input
+        type="range"
+        min={0}
+        max={most}
+        step={most / 400}
+        value={load.value}
+        onInput={(event) => (load.value = Number(event.currentTarget.value))}
+      />
       <NumberBox value={load.value} digits={1} onChange={(next) => (load.value = Math.max(0, next))} label="load" />
       <small>{units.value.force}</small>
     </label>
@@ -148,12 +216,27 @@ function LoadSlider() {
 }
 
 /** A figure that can be typed: taken on Enter or when it is left. */
-function NumberBox({value, digits, onChange, label}: {value: number; digits: number; onChange: (next: number) => void; label: string}) {
+function NumberBox({
+  value,
+  digits,
+  onChange,
+  label,
+}: {
+  value: number;
+  digits: number;
+  onChange: (next: number) => void;
+  label: string;
+}) {
   return (
-    <input class="number-box" aria-label={`${label}, as a number`} value={value.toFixed(digits)} onChange={(event) => {
-      const next = Number(event.currentTarget.value.replace("−", "-").replace(",", "."));
-      if (Number.isFinite(next)) onChange(next);
-      else event.currentTarget.value = value.toFixed(digits);
-    }} />
+    <input
+      class="number-box"
+      aria-label={`${label}, as a number`}
+      value={value.toFixed(digits)}
+      onChange={(event) => {
+        const next = Number(event.currentTarget.value.replace("−", "-").replace(",", "."));
+        if (Number.isFinite(next)) onChange(next);
+        else event.currentTarget.value = value.toFixed(digits);
+      }}
+    />
   );
 }

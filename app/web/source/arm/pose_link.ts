@@ -41,7 +41,9 @@ export async function askPose(): Promise<void> {
       isWanted = false;
       const start = performance.now();
       answer.value = await post<PoseDocument>("/api/pose", {
-        joints: joints.peek(), load: load.peek(), ...(hole.peek() >= 0 ? {hole: hole.peek()} : {})
+        joints: joints.peek(),
+        load: load.peek(),
+        ...(hole.peek() >= 0 ? {hole: hole.peek()} : {}),
       });
       latency.value = performance.now() - start;
     }

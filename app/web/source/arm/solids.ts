@@ -1,7 +1,21 @@
 // Meshes of the shapes that a cell file knows, and of the arm's members.
 import {
-  BoxGeometry, BufferGeometry, CapsuleGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, Object3D, Quaternion, SphereGeometry, Vector3, type Material
+  BoxGeometry,
+  BufferGeometry,
+  CapsuleGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  Object3D,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+  type Material,
 } from "three";
 import type {SolidShape, Vector3 as Triple} from "../server/documents";
 
@@ -38,7 +52,8 @@ function geometryOf(shape: SolidShape): BufferGeometry | null {
     case "capsule":
     case "cylinder": {
       if (!shape.from || !shape.to) return null;
-      const long = vector(shape.to).distanceTo(vector(shape.from)), r = shape.radius ?? 1;
+      const long = vector(shape.to).distanceTo(vector(shape.from)),
+        r = shape.radius ?? 1;
       return shape.kind === "capsule" ? new CapsuleGeometry(r, long, 8, 22) : new CylinderGeometry(r, r, long, 28);
     }
     default:
@@ -48,7 +63,10 @@ function geometryOf(shape: SolidShape): BufferGeometry | null {
 
 /** An obstacle: filled, with its edges, so that it reads in any light. */
 export function obstacleOf(shape: SolidShape, colours: {fill: string; edge: string}): Object3D | null {
-  const solid = solidOf(shape, new MeshStandardMaterial({color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85}));
+  const solid = solidOf(
+    shape,
+    new MeshStandardMaterial({color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85}),
+  );
   if (!(solid instanceof Mesh)) return null;
   solid.add(new LineSegments(new EdgesGeometry(solid.geometry, 30), new LineBasicMaterial({color: colours.edge})));
   return solid;
@@ -59,14 +77,28 @@ export function obstacleOf(shape: SolidShape, colours: {fill: string; edge: stri
  * of positive or negative y; all round where `side` is 0. */
 export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: string; edge: string}): Object3D {
   const group = new Group();
-  const r = shape.radius ?? 1, start = side > 0 ? Math.PI : 0, turn = side === 0 ? 2 * Math.PI : Math.PI;
+  const r = shape.radius ?? 1,
+    start = side > 0 ? Math.PI : 0,
+    turn = side === 0 ? 2 * Math.PI : Math.PI;
   const geometry = new SphereGeometry(r, 40, 18, start, turn, Math.PI / 2, Math.PI / 2);
   geometry.rotateX(Math.PI / 2);
-  const skin = new MeshStandardMaterial({color: colours.fill, side: DoubleSide, transparent: true, opacity: 0.13, roughness: 1, depthWrite: false});
+  const skin = new MeshStandardMaterial({
+    color: colours.fill,
+    side: DoubleSide,
+    transparent: true,
+    opacity: 0.13,
+    roughness: 1,
+    depthWrite: false,
+  });
   group.add(new Mesh(geometry, skin));
   const coarse = new SphereGeometry(r, side === 0 ? 16 : 8, 6, start, turn, Math.PI / 2, Math.PI / 2);
   coarse.rotateX(Math.PI / 2);
-  group.add(new LineSegments(new EdgesGeometry(coarse, 1), new LineBasicMaterial({color: colours.edge, transparent: true, opacity: 0.4})));
+  group.add(
+    new LineSegments(
+      new EdgesGeometry(coarse, 1),
+      new LineBasicMaterial({color: colours.edge, transparent: true, opacity: 0.4}),
+    ),
+  );
   if (shape.center) group.position.set(...shape.center);
   return group;
 }

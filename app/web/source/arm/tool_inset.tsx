@@ -15,7 +15,9 @@ import {poseRequest} from "./pose_link";
 function stepShares(): number[] {
   const document = sheetDocument.peek().document;
   const diameters = document?.tool?.diameters;
-  return diameters && document.hole_diameter > 0 ? diameters.map((diameter) => diameter / document.hole_diameter) : [0.7, 0.8, 0.9];
+  return diameters && document.hole_diameter > 0
+    ? diameters.map((diameter) => diameter / document.hole_diameter)
+    : [0.7, 0.8, 0.9];
 }
 
 export function ToolInset() {
@@ -29,31 +31,48 @@ export function ToolInset() {
   const kind = centring?.steps !== null && centring?.steps !== undefined ? STEP_KINDS[centring.steps] : null;
   return (
     <section class="inset" aria-label="The tool under the hole">
-      <header><b>{name}</b><span class="muted">from below</span></header>
+      <header>
+        <b>{name}</b>
+        <span class="muted">from below</span>
+      </header>
       <canvas ref={canvas} width={2} height={2} />
       <dl class="figures">
-        <dt>off centre</dt><dd>{centring ? `${fixed(centring.distance, 4)} ${units.value.length}` : "–"}</dd>
-        <dt>tilt</dt><dd>{centring ? `${fixed(centring.tilt, 2)} ${units.value.angle}` : "–"}</dd>
-        <dt>height</dt><dd>{centring?.height !== undefined ? `${fixed(centring.height, 4)} ${units.value.length}` : "–"}</dd>
+        <dt>off centre</dt>
+        <dd>{centring ? `${fixed(centring.distance, 4)} ${units.value.length}` : "–"}</dd>
+        <dt>tilt</dt>
+        <dd>{centring ? `${fixed(centring.tilt, 2)} ${units.value.angle}` : "–"}</dd>
+        <dt>height</dt>
+        <dd>{centring?.height !== undefined ? `${fixed(centring.height, 4)} ${units.value.length}` : "–"}</dd>
       </dl>
-      <p class="inset-case">{kind ? <><MarkIcon mark={kind.mark} /> {kind.name}</> : "pick a hole on the sheet"}</p>
+      <p class="inset-case">
+        {kind ? (
+          <>
+            <MarkIcon mark={kind.mark} /> {kind.name}
+          </>
+        ) : (
+          "pick a hole on the sheet"
+        )}
+      </p>
     </section>
   );
 }
 
 function draw(canvas: HTMLCanvasElement, centring: PoseDocument["centring"], colours: Palette): void {
-  const ratio = Math.min(2, devicePixelRatio || 1), side = canvas.clientWidth;
+  const ratio = Math.min(2, devicePixelRatio || 1),
+    side = canvas.clientWidth;
   canvas.width = canvas.height = Math.max(1, Math.round(side * ratio));
   const context = canvas.getContext("2d")!;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, side, side);
-  const r = 0.36 * side, middle = side / 2;
+  const r = 0.36 * side,
+    middle = side / 2;
   const radius = sheet.peek()?.holeRadius ?? 0.38;
   circle(context, middle, middle, r, colours.ink, 2);
   cross(context, middle, middle, 5, colours.muted);
   if (!centring) return;
   const most = 0.62 * side;
-  const x = middle + clamp((centring.offset[0] / radius) * r, most), y = middle - clamp((centring.offset[1] / radius) * r, most);
+  const x = middle + clamp((centring.offset[0] / radius) * r, most),
+    y = middle - clamp((centring.offset[1] / radius) * r, most);
   stepShares().forEach((share, index) => {
     const isIn = (centring.steps ?? 0) > index;
     circle(context, x, y, share * r, isIn ? colours.accent : colours.case0, 1.3, isIn ? [] : [4, 3]);
@@ -70,7 +89,15 @@ function clamp(value: number, most: number): number {
   return Math.max(-most, Math.min(most, value));
 }
 
-function circle(context: CanvasRenderingContext2D, x: number, y: number, r: number, colour: string, width: number, dash: number[] = []): void {
+function circle(
+  context: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  r: number,
+  colour: string,
+  width: number,
+  dash: number[] = [],
+): void {
   context.beginPath();
   context.arc(x, y, r, 0, 2 * Math.PI);
   context.strokeStyle = colour;

@@ -2,8 +2,31 @@
 import {signal} from "@preact/signals";
 
 const NAMES = [
-  "paper", "panel", "ink", "muted", "line", "plate", "rim", "hole", "faint", "accent", "good", "bad", "warn",
-  "case0", "case1", "case2", "case3", "violet", "rose", "band0", "band1", "band2", "band3", "band4", "band5"
+  "paper",
+  "panel",
+  "ink",
+  "muted",
+  "line",
+  "plate",
+  "rim",
+  "hole",
+  "faint",
+  "accent",
+  "good",
+  "bad",
+  "warn",
+  "case0",
+  "case1",
+  "case2",
+  "case3",
+  "violet",
+  "rose",
+  "band0",
+  "band1",
+  "band2",
+  "band3",
+  "band4",
+  "band5",
 ] as const;
 
 export type ColourName = (typeof NAMES)[number];

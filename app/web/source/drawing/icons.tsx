@@ -29,9 +29,18 @@ export type IconName = keyof typeof PATHS;
 export function Icon({name, size = 18}: {name: IconName; size?: number}) {
   const isSolid = name === "play" || name === "back";
   return (
-    <svg class="icon" width={size} height={size} viewBox="0 0 20 20" aria-hidden="true"
-      fill={isSolid ? "currentColor" : "none"} stroke="currentColor" stroke-width="1.6" stroke-linecap="round"
-      stroke-linejoin="round">
+    <svg
+      class="icon"
+      width={size}
+      height={size}
+      viewBox="0 0 20 20"
+      aria-hidden="true"
+      fill={isSolid ? "currentColor" : "none"}
+      stroke="currentColor"
+      stroke-width="1.6"
+      stroke-linecap="round"
+      stroke-linejoin="round"
+    >
       <path d={PATHS[name]} />
     </svg>
   );

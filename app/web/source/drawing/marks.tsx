@@ -2,7 +2,7 @@
 import type {ColourName} from "./colours";
 
 export type Shape =
-  | "ring" | "dot" | "disc" | "square" | "diamond" | "triangle" | "cross" | "half" | "bar" | "target" | "none";
+  "ring" | "dot" | "disc" | "square" | "diamond" | "triangle" | "cross" | "half" | "bar" | "target" | "none";
 
 export interface Mark {
   shape: Shape;
@@ -98,8 +98,12 @@ export function MarkIcon({mark, size = 14}: {mark: Mark; size?: number}) {
   const isStroked = STROKED.has(mark.shape);
   return (
     <svg class="mark" width={size} height={size} viewBox="0 0 16 16" aria-hidden="true">
-      <path d={OUTLINES[mark.shape]} fill={isStroked ? "none" : colour} stroke={isStroked ? colour : "none"}
-        stroke-width={mark.shape === "cross" ? 2.6 : 1.7} />
+      <path
+        d={OUTLINES[mark.shape]}
+        fill={isStroked ? "none" : colour}
+        stroke={isStroked ? colour : "none"}
+        stroke-width={mark.shape === "cross" ? 2.6 : 1.7}
+      />
       {mark.shape === "target" && <circle cx="8" cy="8" r="2.2" fill={colour} />}
       {mark.shape === "half" && <path d="M8 2.6a5.4 5.4 0 0 0 0 10.8z" fill={colour} />}
     </svg>

@@ -8,8 +8,7 @@ export function isNumber(value: unknown): value is number {
 
 export function fixed(value: unknown, digits: number): string {
   if (!isNumber(value)) return MISSING;
-  return value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits})
-    .replace("-", "−");
+  return value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits}).replace("-", "−");
 }
 
 /** About three figures: 0.0302, 12.4, 4,674, 3.1e−8. */
@@ -84,8 +83,10 @@ export function roundDown125(value: number): number {
 /** Round values from `low` to `high`, about `count` of them. */
 export function roundTicks(low: number, high: number, count: number): number[] {
   if (!(high > low)) return [low];
-  const step = [1, 2, 5, 10].map((factor) => factor * roundDown125((high - low) / Math.max(1, count)))
-    .find((candidate) => (high - low) / candidate <= count + 0.5) ?? high - low;
+  const step =
+    [1, 2, 5, 10]
+      .map((factor) => factor * roundDown125((high - low) / Math.max(1, count)))
+      .find((candidate) => (high - low) / candidate <= count + 0.5) ?? high - low;
   const ticks: number[] = [];
   for (let value = Math.ceil(low / step - 1e-9) * step; value <= high + 1e-9 * step; value += step) {
     ticks.push(Number(value.toPrecision(12)));

@@ -14,8 +14,17 @@ const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
 
 export function axis(colours: Palette, label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
   return {
-    label, labelSize: 18, labelFont: FONT, font: FONT, stroke: colours.muted, size: more.side === 3 ? 54 : 26, gap: 4, labelGap: 0,
-    grid: {stroke: colours.line, width: 1}, ticks: {stroke: colours.line, width: 1, size: 4}, ...more
+    label,
+    labelSize: 18,
+    labelFont: FONT,
+    font: FONT,
+    stroke: colours.muted,
+    size: more.side === 3 ? 54 : 26,
+    gap: 4,
+    labelGap: 0,
+    grid: {stroke: colours.line, width: 1},
+    ticks: {stroke: colours.line, width: 1, size: 4},
+    ...more,
   };
 }
 

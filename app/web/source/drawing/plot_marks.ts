@@ -11,7 +11,8 @@ export function markPaths(mark: Mark, colour: string, radius = 2.6): uPlot.Serie
     paths: (plot, series, from, to) => {
       const path = new Path2D();
       const r = radius * uPlot.pxRatio;
-      const xs = plot.data[0], ys = plot.data[series];
+      const xs = plot.data[0],
+        ys = plot.data[series];
       for (let i = from; i <= to; ++i) {
         const value = ys[i];
         if (value === null || value === undefined) continue;

@@ -11,7 +11,9 @@ export function rove(event: KeyboardEvent): void {
   if (by === 0) return;
   event.preventDefault();
   event.stopPropagation();
-  const buttons = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLButtonElement>("button:not(:disabled)")];
+  const buttons = [
+    ...(event.currentTarget as HTMLElement).querySelectorAll<HTMLButtonElement>("button:not(:disabled)"),
+  ];
   const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
   const next = buttons[(at + by + buttons.length) % buttons.length];
   next?.focus();
@@ -19,15 +21,31 @@ export function rove(event: KeyboardEvent): void {
 }
 
 /** Without a value (`undefined`) the buttons are commands side by side. */
-export function Segments<T extends string | number>({label, choices, value, onChoose}: {
-  label: string; choices: readonly Choice<T>[]; value: T | undefined; onChoose: (value: T) => void
+export function Segments<T extends string | number>({
+  label,
+  choices,
+  value,
+  onChoose,
+}: {
+  label: string;
+  choices: readonly Choice<T>[];
+  value: T | undefined;
+  onChoose: (value: T) => void;
 }) {
   const hasValue = choices.some((choice) => choice.value === value);
   return (
     <div class="segments" role="group" aria-label={label} onKeyDown={rove}>
       {choices.map((choice, index) => (
-        <button key={choice.value} type="button" title={choice.hint} aria-pressed={value === undefined ? undefined : choice.value === value}
-          tabIndex={choice.value === value || (!hasValue && index === 0) ? 0 : -1} onClick={() => onChoose(choice.value)}>{choice.words}</button>
+        <button
+          key={choice.value}
+          type="button"
+          title={choice.hint}
+          aria-pressed={value === undefined ? undefined : choice.value === value}
+          tabIndex={choice.value === value || (!hasValue && index === 0) ? 0 : -1}
+          onClick={() => onChoose(choice.value)}
+        >
+          {choice.words}
+        </button>
       ))}
     </div>
   );

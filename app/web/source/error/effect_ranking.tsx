@@ -13,16 +13,32 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   return (
     <div class="ranking">
       {explanations.map((explanation, index) => (
-        <ExplanationCard key={explanationTitle(explanation)} explanation={explanation} document={document}
-          letter={explanations.length > 1 ? String.fromCharCode(65 + index) : ""} />
+        <ExplanationCard
+          key={explanationTitle(explanation)}
+          explanation={explanation}
+          document={document}
+          letter={explanations.length > 1 ? String.fromCharCode(65 + index) : ""}
+        />
       ))}
       <table>
-        <thead><tr><th>effect</th><th>probability</th><th class="number">chi² falls by</th><th>size</th><th /></tr></thead>
-        <tbody>{ranking.map((effect) => <RankedRow key={effectTitle(effect)} effect={effect} />)}</tbody>
+        <thead>
+          <tr>
+            <th>effect</th>
+            <th>probability</th>
+            <th class="number">chi² falls by</th>
+            <th>size</th>
+            <th />
+          </tr>
+        </thead>
+        <tbody>
+          {ranking.map((effect) => (
+            <RankedRow key={effectTitle(effect)} effect={effect} />
+          ))}
+        </tbody>
       </table>
       <p class="muted note">
-        {document.ranking.length} effects at places were tried, each alone; noise alone reaches a score
-        of {short(document.evidence.noise_reaches)}, the best here {short(document.evidence.best)}.
+        {document.ranking.length} effects at places were tried, each alone; noise alone reaches a score of{" "}
+        {short(document.evidence.noise_reaches)}, the best here {short(document.evidence.best)}.
       </p>
     </div>
   );
@@ -33,7 +49,15 @@ function hasEffect(effect: EffectAt): boolean {
   return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
 }
 
-function ExplanationCard({explanation, document, letter}: {explanation: Explanation; document: DiagnoseDocument; letter: string}) {
+function ExplanationCard({
+  explanation,
+  document,
+  letter,
+}: {
+  explanation: Explanation;
+  document: DiagnoseDocument;
+  letter: string;
+}) {
   const unit = document.units.length;
   const isAdded = explanation.effects.every(hasEffect);
   return (
@@ -41,12 +65,27 @@ function ExplanationCard({explanation, document, letter}: {explanation: Explanat
       {letter ? <b class="letter">{letter}</b> : null}
       <div class="explanation-words">
         <b>{explanationTitle(explanation)}</b>
-        <span class="muted">{isEnough(explanation) ? explanation.effects.map((effect) => effectWords(effect.effect)).join("; ") :
-          "the closest of the known effects, but not enough"}</span>
-        <span>{explanation.effects.map(sizeText).join("; ")} · leaves {short(explanation.heldout_rms ?? explanation.rms)} {unit} held out</span>
+        <span class="muted">
+          {isEnough(explanation)
+            ? explanation.effects.map((effect) => effectWords(effect.effect)).join("; ")
+            : "the closest of the known effects, but not enough"}
+        </span>
+        <span>
+          {explanation.effects.map(sizeText).join("; ")} · leaves {short(explanation.heldout_rms ?? explanation.rms)}{" "}
+          {unit} held out
+        </span>
       </div>
-      {isAdded ? <span class="done">✓ added</span> :
-        <button class="button first" disabled={runningJob("add") !== null} onClick={() => addEffects(explanation.effects)}>Add</button>}
+      {isAdded ? (
+        <span class="done">✓ added</span>
+      ) : (
+        <button
+          class="button first"
+          disabled={runningJob("add") !== null}
+          onClick={() => addEffects(explanation.effects)}
+        >
+          Add
+        </button>
+      )}
     </div>
   );
 }
@@ -56,15 +95,38 @@ function RankedRow({effect}: {effect: RankedEffect}) {
   const hint = [effectWords(effect.effect), keptText(effect.kept_fraction)].filter((text) => text !== "").join("; ");
   return (
     <tr title={hint}>
-      <td class="effect-name">{effect.effect}<small>{effect.at}</small></td>
+      <td class="effect-name">
+        {effect.effect}
+        <small>{effect.at}</small>
+      </td>
       <td>
-        <span class="chance"><span class="chance-bar"><i style={{width: `${100 * share}%`}} /></span>{probability(effect.probability)}</span>
+        <span class="chance">
+          <span class="chance-bar">
+            <i style={{width: `${100 * share}%`}} />
+          </span>
+          {probability(effect.probability)}
+        </span>
       </td>
       <td class="number">{short(effect.chi2_fall)}</td>
-      <td class="size">{effect.size ? `${effect.size.name.replaceAll("_", " ")} ${withSigma(effect.size.value, effect.size.sigma, effect.size.unit)}` : "–"}</td>
-      <td class="number">{hasEffect(effect) ? <span class="good">✓</span> :
-        <button class="button small" disabled={runningJob("add") !== null} aria-label={`Add ${effectTitle(effect)}`}
-          onClick={() => addEffects([effect])}>Add</button>}</td>
+      <td class="size">
+        {effect.size
+          ? `${effect.size.name.replaceAll("_", " ")} ${withSigma(effect.size.value, effect.size.sigma, effect.size.unit)}`
+          : "–"}
+      </td>
+      <td class="number">
+        {hasEffect(effect) ? (
+          <span class="good">✓</span>
+        ) : (
+          <button
+            class="button small"
+            disabled={runningJob("add") !== null}
+            aria-label={`Add ${effectTitle(effect)}`}
+            onClick={() => addEffects([effect])}
+          >
+            Add
+          </button>
+        )}
+      </td>
     </tr>
   );
 }

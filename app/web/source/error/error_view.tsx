@@ -10,7 +10,17 @@ import {EffectRanking} from "./effect_ranking";
 import {FormulaBox} from "./formula_box";
 import {ladderOf} from "./ladder";
 import {LadderBars} from "./ladder_bars";
-import {addEffects, compare, currentComparison, currentDiagnosis, diagnose, identify, ladder, startCompare, startDiagnose} from "./loop";
+import {
+  addEffects,
+  compare,
+  currentComparison,
+  currentDiagnosis,
+  diagnose,
+  identify,
+  ladder,
+  startCompare,
+  startDiagnose,
+} from "./loop";
 import {ParameterTable} from "./parameter_table";
 import {ResidualArrows} from "./residual_arrows";
 import {ResidualPlot} from "./residual_plot";
@@ -27,25 +37,33 @@ interface Answer {
 
 /** What the top of the view says: of the newest document about the model as it is now. */
 const answer = computed<Answer | null>(() => {
-  const diagnosed = currentDiagnosis.value, compared = currentComparison.value;
+  const diagnosed = currentDiagnosis.value,
+    compared = currentComparison.value;
   if (diagnosed) return {verdict: verdictOf(diagnosed.verdict), sentence: diagnosed.sentence};
   const fallen = fallOfError();
-  if (fallen) return {verdict: compared && compared.verdict !== "adequate" ? verdictOf(compared.verdict) : fallen.verdict, sentence: fallen.sentence};
+  if (fallen)
+    return {
+      verdict: compared && compared.verdict !== "adequate" ? verdictOf(compared.verdict) : fallen.verdict,
+      sentence: fallen.sentence,
+    };
   return compared ? {verdict: verdictOf(compared.verdict), sentence: compared.sentence} : null;
 });
 
 /** How the last change of the model has changed the error, where the ladder knows. */
 function fallOfError(): Answer | null {
   const document = ladder.value.document;
-  if (!document || document.model !== state.value?.model || document.rungs.length < 2 || !state.value.can_undo) return null;
+  if (!document || document.model !== state.value?.model || document.rungs.length < 2 || !state.value.can_undo)
+    return null;
   const {rungs, floor, unit} = ladderOf(document);
-  const before = rungs.at(-2)!, now = rungs.at(-1)!;
+  const before = rungs.at(-2)!,
+    now = rungs.at(-1)!;
   if (now.heldout === null || before.heldout === null) return null;
   const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
   const verb = now.heldout < before.heldout ? "fell" : "rose";
   return {
     verdict: isAtFloor ? {...verdictOf("adequate"), words: "At the noise floor"} : verdictOf("falls-short"),
-    sentence: `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${verb} from ${short(before.heldout)} to ` +
+    sentence:
+      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${verb} from ${short(before.heldout)} to ` +
       `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
   };
 }
@@ -55,17 +73,28 @@ export function ErrorView() {
   if (!readings) {
     return (
       <Nothing title="No readings yet">
-        <p>Drop a CSV of measurements anywhere on the page, open one of the folder, or make readings to practise on. They are
-          compared with the model at once.</p>
-        <div class="row"><button class="button first large" onClick={() => (dialog.value = "open")}>Open readings</button></div>
-      </Nothing>);
+        <p>
+          Drop a CSV of measurements anywhere on the page, open one of the folder, or make readings to practise on. They
+          are compared with the model at once.
+        </p>
+        <div class="row">
+          <button class="button first large" onClick={() => (dialog.value = "open")}>
+            Open readings
+          </button>
+        </div>
+      </Nothing>
+    );
   }
   return (
     <div class="error-view">
       <VerdictBand />
       <section class="panel">
-        <header><h2>Error of each model</h2></header>
-        <div class="panel-body"><LadderBars /></div>
+        <header>
+          <h2>Error of each model</h2>
+        </header>
+        <div class="panel-body">
+          <LadderBars />
+        </div>
       </section>
       <EffectsPanel />
       <ResidualArrows />
@@ -83,12 +112,20 @@ function VerdictBand() {
       {now ? <MarkIcon mark={now.verdict.mark} size={34} /> : <span class="verdict-space" />}
       <div class="verdict-words">
         <h1>{now?.verdict.words ?? (job ? "Working" : "Not compared yet")}</h1>
-        <p title={now?.sentence}>{now?.sentence ?? (job ? `${job.label || job.kind} …` : "Compare the readings with the model as it is now.")}</p>
+        <p title={now?.sentence}>
+          {now?.sentence ?? (job ? `${job.label || job.kind} …` : "Compare the readings with the model as it is now.")}
+        </p>
       </div>
       <dl class="verdict-figures">
-        <dt>readings</dt><dd>{state.value?.measurements?.readings}</dd>
-        <dt>chi² per degree of freedom</dt><dd>{short(document?.chi2_per_dof ?? ladder.value.document?.rungs.at(-1)?.chi2_per_dof)}</dd>
-        <dt>noise floor</dt><dd>{short(document?.rms.noise_floor ?? ladder.value.document?.rungs.at(-1)?.rms.noise_floor)} {units.value.length}</dd>
+        <dt>readings</dt>
+        <dd>{state.value?.measurements?.readings}</dd>
+        <dt>chi² per degree of freedom</dt>
+        <dd>{short(document?.chi2_per_dof ?? ladder.value.document?.rungs.at(-1)?.chi2_per_dof)}</dd>
+        <dt>noise floor</dt>
+        <dd>
+          {short(document?.rms.noise_floor ?? ladder.value.document?.rungs.at(-1)?.rms.noise_floor)}{" "}
+          {units.value.length}
+        </dd>
       </dl>
       <NextStep isBusy={job !== null} />
     </section>
@@ -100,38 +137,70 @@ function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const first = diagnosis?.explanations[0];
   if (diagnosis && diagnosis.explanations.length > 1 && diagnosis.next_readings.length > 0) {
-    return <button class="button first large next" onClick={() => (tab.value = "split")}>What would tell them apart</button>;
+    return (
+      <button class="button first large next" onClick={() => (tab.value = "split")}>
+        What would tell them apart
+      </button>
+    );
   }
   if (diagnosis && first && diagnosis.verdict !== "adequate") {
     return (
       <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}>
         <span>Add {explanationTitle(first)}</span>
-      </button>);
+      </button>
+    );
   }
-  if (!answer.value) return <button class="button first large next" disabled={isBusy} onClick={startCompare}>Compare</button>;
+  if (!answer.value)
+    return (
+      <button class="button first large next" disabled={isBusy} onClick={startCompare}>
+        Compare
+      </button>
+    );
   const isDone = answer.value.verdict.mark === verdictOf("adequate").mark;
   return (
-    <button class={`button large next ${isDone ? "" : "first"}`} disabled={isBusy || diagnosis !== null} onClick={startDiagnose}>
-      {isDone && state.value?.can_undo ? "Diagnose again" : "Diagnose"}</button>);
+    <button
+      class={`button large next ${isDone ? "" : "first"}`}
+      disabled={isBusy || diagnosis !== null}
+      onClick={startDiagnose}
+    >
+      {isDone && state.value?.can_undo ? "Diagnose again" : "Diagnose"}
+    </button>
+  );
 }
 
 function EffectsPanel() {
   const document = diagnose.value.document;
   const splits = document ? document.next_readings.length : 0;
   const tabs: [Tab, string][] = [
-    ["effects", "What is missing"], ["split", document && document.explanations.length > 1 ? `A or B${splits > 0 ? ` · ${splits}` : ""}` : "A or B"],
-    ["formula", "Formula"], ["numbers", "Numbers"]
+    ["effects", "What is missing"],
+    ["split", document && document.explanations.length > 1 ? `A or B${splits > 0 ? ` · ${splits}` : ""}` : "A or B"],
+    ["formula", "Formula"],
+    ["numbers", "Numbers"],
   ];
   return (
     <section class="panel">
       <header>
         <div class="tabs" role="tablist" onKeyDown={rove}>
           {tabs.map(([key, words]) => (
-            <button role="tab" aria-selected={tab.value === key} tabIndex={tab.value === key ? 0 : -1} onClick={() => (tab.value = key)}>{words}</button>))}
+            <button
+              role="tab"
+              aria-selected={tab.value === key}
+              tabIndex={tab.value === key ? 0 : -1}
+              onClick={() => (tab.value = key)}
+            >
+              {words}
+            </button>
+          ))}
         </div>
-        {document && document.model !== state.value?.model ? <div class="end"><span class="muted">of the model before</span></div> : null}
+        {document && document.model !== state.value?.model ? (
+          <div class="end">
+            <span class="muted">of the model before</span>
+          </div>
+        ) : null}
       </header>
-      <div class="panel-body" role="tabpanel"><TabBody /></div>
+      <div class="panel-body" role="tabpanel">
+        <TabBody />
+      </div>
     </section>
   );
 }
@@ -140,22 +209,31 @@ function TabBody() {
   const found = diagnose.value;
   if (tab.value === "formula") return <FormulaBox />;
   if (tab.value === "numbers") {
-    return identify.value.document ? <ParameterTable document={identify.value.document} /> :
-      <p class="muted">The fitted numbers stand here once an effect is added or the model is identified.</p>;
+    return identify.value.document ? (
+      <ParameterTable document={identify.value.document} />
+    ) : (
+      <p class="muted">The fitted numbers stand here once an effect is added or the model is identified.</p>
+    );
   }
   if (runningJob("diagnose")) return <Waiting words="Trying every effect at every place" isBusy />;
   if (found.problem) return <ProblemWords problem={found.problem} />;
   if (!found.document) {
     return (
       <div class="nothing">
-        <p>{plural(state.value?.measurements?.readings ?? 0, "reading")} are here. Diagnose tries every effect of the catalogue at every
-          place of the arm.</p>
-      </div>);
+        <p>
+          {plural(state.value?.measurements?.readings ?? 0, "reading")} are here. Diagnose tries every effect of the
+          catalogue at every place of the arm.
+        </p>
+      </div>
+    );
   }
   if (tab.value === "split") return <Splitting document={found.document} />;
   return (
     <>
-      {found.document.warnings.map((entry) => <p class="warning">{typeof entry === "string" ? entry : entry.sentence}</p>)}
+      {found.document.warnings.map((entry) => (
+        <p class="warning">{typeof entry === "string" ? entry : entry.sentence}</p>
+      ))}
       <EffectRanking document={found.document} />
-    </>);
+    </>
+  );
 }

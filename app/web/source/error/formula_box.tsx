@@ -12,20 +12,36 @@ export function FormulaBox() {
   const [a = "theta1", c = "theta3"] = [joints[0], joints[2] ?? joints[0]];
   const examples = [`${c} += c*sin(${a})`, `${c} += c*${c}_dir`, `tip.z += c*load`, `${c} += c*sin(k*${a}); k=3`];
   return (
-    <form class="formula" onSubmit={(event) => {
-      event.preventDefault();
-      if (text.value.trim() !== "") void addFormula(text.value.trim());
-    }}>
-      <label class="field">a law of your own: what it changes += its value
-        <input value={text.value} spellcheck={false} placeholder={examples[0]} onInput={(event) => (text.value = event.currentTarget.value)} />
+    <form
+      class="formula"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (text.value.trim() !== "") void addFormula(text.value.trim());
+      }}
+    >
+      <label class="field">
+        a law of your own: what it changes += its value
+        <input
+          value={text.value}
+          spellcheck={false}
+          placeholder={examples[0]}
+          onInput={(event) => (text.value = event.currentTarget.value)}
+        />
       </label>
       <div class="row">
-        <button class="button first" type="submit" disabled={runningJob("add") !== null || text.value.trim() === ""}>Try</button>
-        {examples.map((example) => <button type="button" class="link" onClick={() => (text.value = example)}>{example}</button>)}
+        <button class="button first" type="submit" disabled={runningJob("add") !== null || text.value.trim() === ""}>
+          Try
+        </button>
+        {examples.map((example) => (
+          <button type="button" class="link" onClick={() => (text.value = example)}>
+            {example}
+          </button>
+        ))}
       </div>
       <p class="muted">
-        Changes a joint, tip.x to tip.z, base.x to base.z or base.yaw. Knows {joints.join(", ")}, {a}_dir for the sense of its last motion,
-        load, temperature, time and moment_ROW_z. Other names are numbers that the fit finds. Undo takes it back.
+        Changes a joint, tip.x to tip.z, base.x to base.z or base.yaw. Knows {joints.join(", ")}, {a}_dir for the sense
+        of its last motion, load, temperature, time and moment_ROW_z. Other names are numbers that the fit finds. Undo
+        takes it back.
       </p>
       <CatalogueMenu />
     </form>
@@ -37,19 +53,39 @@ function CatalogueMenu() {
   const catalogue = useSignal<CatalogueDocument["effects"] | null>(null);
   const chosen = useSignal(-1);
   const load = () => {
-    if (!catalogue.value) get<CatalogueDocument>("/api/catalogue")
-      .then((found) => (catalogue.value = found.effects), (error) => report("The catalogue", error));
+    if (!catalogue.value)
+      get<CatalogueDocument>("/api/catalogue").then(
+        (found) => (catalogue.value = found.effects),
+        (error) => report("The catalogue", error),
+      );
   };
   const effect = catalogue.value?.[chosen.value];
   return (
     <div class="catalogue">
-      <label class="field">or any effect of the catalogue
-        <select onFocus={load} onPointerDown={load} value={chosen.value} onChange={(event) => (chosen.value = Number(event.currentTarget.value))}>
+      <label class="field">
+        or any effect of the catalogue
+        <select
+          onFocus={load}
+          onPointerDown={load}
+          value={chosen.value}
+          onChange={(event) => (chosen.value = Number(event.currentTarget.value))}
+        >
           <option value={-1}>choose …</option>
-          {(catalogue.value ?? []).map((entry, index) => <option value={index}>{entry.effect} at {entry.at}</option>)}
+          {(catalogue.value ?? []).map((entry, index) => (
+            <option value={index}>
+              {entry.effect} at {entry.at}
+            </option>
+          ))}
         </select>
       </label>
-      <button type="button" class="button" disabled={!effect || runningJob("add") !== null} onClick={() => effect && addEffects([{effect: effect.effect, at: effect.at}])}>Add</button>
+      <button
+        type="button"
+        class="button"
+        disabled={!effect || runningJob("add") !== null}
+        onClick={() => effect && addEffects([{effect: effect.effect, at: effect.at}])}
+      >
+        Add
+      </button>
       <p class="muted reserve">{effect ? `${effectWords(effect.effect)}. ${effect.law ?? ""}` : ""}</p>
     </div>
   );

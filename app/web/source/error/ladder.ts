@@ -20,7 +20,11 @@ export function rungName(name: string): string {
 
 export function ladderOf(document: LadderDocument): Ladder {
   return {
-    rungs: document.rungs.map((rung) => ({name: rungName(rung.name), fitted: rung.rms.fitted, heldout: rung.rms.heldout})),
+    rungs: document.rungs.map((rung) => ({
+      name: rungName(rung.name),
+      fitted: rung.rms.fitted,
+      heldout: rung.rms.heldout,
+    })),
     floor: document.rungs.at(-1)?.rms.noise_floor ?? null,
     unit: document.units.length,
   };

@@ -29,11 +29,18 @@ export function LadderBars() {
       <div class="ladder-rungs">
         {floor !== null && (
           <div class="ladder-floor">
-            <i style={{left: `${(100 * floor) / end}%`}}><span>noise floor {short(floor)} {unit}</span></i>
-          </div>)}
+            <i style={{left: `${(100 * floor) / end}%`}}>
+              <span>
+                noise floor {short(floor)} {unit}
+              </span>
+            </i>
+          </div>
+        )}
         {rungs.map((rung, index) => (
           <div class={`rung ${isCurrent(index) ? "now" : ""}`} key={`${index}`}>
-            <span class="rung-name" title={rung.name}>{rung.name}</span>
+            <span class="rung-name" title={rung.name}>
+              {rung.name}
+            </span>
             <div class="rung-bars">
               <Bar kind="fitted" value={rung.fitted} end={end} floor={floor} unit={unit} />
               <Bar kind="heldout" value={rung.heldout} end={end} floor={floor} unit={unit} />
@@ -48,7 +55,19 @@ export function LadderBars() {
   );
 }
 
-function Bar({kind, value, end, floor, unit}: {kind: string; value: number | null; end: number; floor: number | null; unit: string}) {
+function Bar({
+  kind,
+  value,
+  end,
+  floor,
+  unit,
+}: {
+  kind: string;
+  value: number | null;
+  end: number;
+  floor: number | null;
+  unit: string;
+}) {
   if (value === null || value === undefined) return null;
   const times = floor ? `${fixed(value / floor, value / floor < 10 ? 2 : 0)} × floor` : "";
   return (
@@ -56,7 +75,9 @@ function Bar({kind, value, end, floor, unit}: {kind: string; value: number | nul
       <div class="bar-line">
         <div class={`bar ${kind} ${value > end ? "cut" : ""}`} style={{width: `${100 * Math.min(1, value / end)}%`}} />
       </div>
-      <span class="bar-text">{short(value)} {unit} <small>{times}</small></span>
+      <span class="bar-text">
+        {short(value)} {unit} <small>{times}</small>
+      </span>
     </>
   );
 }

@@ -5,7 +5,16 @@ import type {IdentifyDocument} from "../server/documents";
 export function ParameterTable({document}: {document: IdentifyDocument}) {
   return (
     <table>
-      <thead><tr><th>number</th><th class="number">value</th><th class="number">± sigma</th><th class="number">start</th><th>unit</th><th>told</th></tr></thead>
+      <thead>
+        <tr>
+          <th>number</th>
+          <th class="number">value</th>
+          <th class="number">± sigma</th>
+          <th class="number">start</th>
+          <th>unit</th>
+          <th>told</th>
+        </tr>
+      </thead>
       <tbody>
         {document.parameters.map((parameter) => (
           <tr key={parameter.name}>
@@ -15,7 +24,8 @@ export function ParameterTable({document}: {document: IdentifyDocument}) {
             <td class="number">{exact(parameter.start)}</td>
             <td>{parameter.unit}</td>
             <td class={parameter.identifiable === "yes" ? "" : "bad"}>{parameter.identifiable}</td>
-          </tr>))}
+          </tr>
+        ))}
       </tbody>
     </table>
   );

@@ -12,7 +12,11 @@ import {readingErrors, type ReadingErrors} from "./series";
 import {SeriesLegend} from "./residual_plot";
 
 type Plane = "xy" | "xz" | "yz";
-const PLANES: [Plane, string][] = [["xy", "from above"], ["xz", "along y"], ["yz", "along x"]];
+const PLANES: [Plane, string][] = [
+  ["xy", "from above"],
+  ["xz", "along y"],
+  ["yz", "along x"],
+];
 const plane = signal<Plane>("xy");
 
 /** The length on screen of a typical error, in pixels. */
@@ -33,11 +37,22 @@ export function ResidualArrows() {
     <section class="panel">
       <header>
         <h2>Errors at their places</h2>
-        <div class="end"><Segments label="Seen" value={plane.value} onChoose={(next) => (plane.value = next)}
-          choices={PLANES.map(([value, words]) => ({value, words: value === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words}))} /></div>
+        <div class="end">
+          <Segments
+            label="Seen"
+            value={plane.value}
+            onChoose={(next) => (plane.value = next)}
+            choices={PLANES.map(([value, words]) => ({
+              value,
+              words: value === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words,
+            }))}
+          />
+        </div>
       </header>
       <div class="panel-body flush with-legend">
-        <div class="fill"><canvas ref={canvas} role="img" aria-label="Errors of the readings as arrows" /></div>
+        <div class="fill">
+          <canvas ref={canvas} role="img" aria-label="Errors of the readings as arrows" />
+        </div>
         <SeriesLegend errors={errors} />
       </div>
     </section>
@@ -49,8 +64,10 @@ function axesOf(which: Plane): [number, number] {
 }
 
 function drawArrows(canvas: HTMLCanvasElement, errors: ReadingErrors | null, which: Plane, colours: Palette): void {
-  const box = canvas.parentElement!, ratio = Math.min(2, devicePixelRatio || 1);
-  const width = box.clientWidth, height = box.clientHeight;
+  const box = canvas.parentElement!,
+    ratio = Math.min(2, devicePixelRatio || 1);
+  const width = box.clientWidth,
+    height = box.clientHeight;
   canvas.width = Math.max(1, Math.round(width * ratio));
   canvas.height = Math.max(1, Math.round(height * ratio));
   const context = canvas.getContext("2d")!;
@@ -70,7 +87,8 @@ function drawArrows(canvas: HTMLCanvasElement, errors: ReadingErrors | null, whi
     context.lineWidth = 1.3;
     errors.places.forEach((place, i) => {
       const error = series.errors[i];
-      if (place && error) drawArrow(context, ...frame.at(place), frame.sign * grow * error[frame.a], -grow * error[frame.b]);
+      if (place && error)
+        drawArrow(context, ...frame.at(place), frame.sign * grow * error[frame.a], -grow * error[frame.b]);
     });
   }
   drawScale(context, colours, typical, grow, width, height);
@@ -87,27 +105,35 @@ interface Frame {
 
 /** Fits the places, or the whole sheet where the cell has one. */
 function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, width: number, height: number): Frame {
-  const [a, b] = axesOf(which), sign = onSheet?.viewingSide === "below" ? -1 : 1;
+  const [a, b] = axesOf(which),
+    sign = onSheet?.viewingSide === "below" ? -1 : 1;
   const range = (of: (place: Vector3) => number) =>
     places.reduce(([low, high], place) => [Math.min(low, of(place)), Math.max(high, of(place))], [Infinity, -Infinity]);
   const r = onSheet?.radius ?? 0;
   const [left, right] = onSheet ? [-r, r] : range((place) => place[a]);
-  const [bottom, top] = onSheet ? [onSheet.isOneLeg && onSheet.extent.top > 0 ? 0 : -r, onSheet.isOneLeg && onSheet.extent.top <= 0 ? 0 : r] :
-    range((place) => place[b]);
+  const [bottom, top] = onSheet
+    ? [onSheet.isOneLeg && onSheet.extent.top > 0 ? 0 : -r, onSheet.isOneLeg && onSheet.extent.top <= 0 ? 0 : r]
+    : range((place) => place[b]);
   const [besideX, besideY] = onSheet ? [24, 24] : [90, 60];
   const scale = Math.min((width - besideX) / (right - left || 1), (height - besideY) / (top - bottom || 1));
   return {
-    a, b, sign, scale,
+    a,
+    b,
+    sign,
+    scale,
     at: (place) => [
-      width / 2 + sign * scale * (place[a] - (left + right) / 2), height / 2 - scale * (place[b] - (bottom + top) / 2)
-    ]
+      width / 2 + sign * scale * (place[a] - (left + right) / 2),
+      height / 2 - scale * (place[b] - (bottom + top) / 2),
+    ],
   };
 }
 
 function drawPlate(context: CanvasRenderingContext2D, colours: Palette, onSheet: SheetModel, frame: Frame): void {
-  const [x, y] = frame.at([0, 0, 0]), isBelow = onSheet.extent.top <= 0;
+  const [x, y] = frame.at([0, 0, 0]),
+    isBelow = onSheet.extent.top <= 0;
   context.beginPath();
-  if (onSheet.isOneLeg) context.arc(x, y, onSheet.radius * frame.scale, isBelow ? 0 : Math.PI, isBelow ? Math.PI : 2 * Math.PI);
+  if (onSheet.isOneLeg)
+    context.arc(x, y, onSheet.radius * frame.scale, isBelow ? 0 : Math.PI, isBelow ? Math.PI : 2 * Math.PI);
   else context.arc(x, y, onSheet.radius * frame.scale, 0, 2 * Math.PI);
   context.closePath();
   context.fillStyle = colours.plate;
@@ -119,7 +145,9 @@ function drawPlate(context: CanvasRenderingContext2D, colours: Palette, onSheet:
 
 function typicalSize(errors: (Vector3 | null)[]): number {
   const known = errors.filter((error): error is Vector3 => error !== null);
-  return Math.sqrt(known.reduce((sum, error) => sum + error[0] ** 2 + error[1] ** 2 + error[2] ** 2, 0) / Math.max(1, known.length));
+  return Math.sqrt(
+    known.reduce((sum, error) => sum + error[0] ** 2 + error[1] ** 2 + error[2] ** 2, 0) / Math.max(1, known.length),
+  );
 }
 
 function drawArrow(context: CanvasRenderingContext2D, x: number, y: number, dx: number, dy: number): void {
@@ -132,7 +160,9 @@ function drawArrow(context: CanvasRenderingContext2D, x: number, y: number, dx: 
   context.moveTo(x, y);
   context.lineTo(x + dx, y + dy);
   context.stroke();
-  const head = Math.min(6, 0.4 * long), ux = dx / long, uy = dy / long;
+  const head = Math.min(6, 0.4 * long),
+    ux = dx / long,
+    uy = dy / long;
   context.beginPath();
   context.moveTo(x + dx, y + dy);
   context.lineTo(x + dx - head * (ux + 0.45 * uy), y + dy - head * (uy - 0.45 * ux));
@@ -143,8 +173,15 @@ function drawArrow(context: CanvasRenderingContext2D, x: number, y: number, dx: 
 
 const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
 
-function drawAxes(context: CanvasRenderingContext2D, colours: Palette, which: Plane, sign: number, height: number): void {
-  const x = sign > 0 ? 16 : 46, y = height - 14;
+function drawAxes(
+  context: CanvasRenderingContext2D,
+  colours: Palette,
+  which: Plane,
+  sign: number,
+  height: number,
+): void {
+  const x = sign > 0 ? 16 : 46,
+    y = height - 14;
   context.strokeStyle = context.fillStyle = colours.muted;
   context.lineWidth = 1;
   drawArrow(context, x, y, sign * 26, 0);
@@ -154,9 +191,17 @@ function drawAxes(context: CanvasRenderingContext2D, colours: Palette, which: Pl
   context.fillText(which[1], x - 3, y - 31);
 }
 
-function drawScale(context: CanvasRenderingContext2D, colours: Palette, typical: number, grow: number, width: number, height: number): void {
+function drawScale(
+  context: CanvasRenderingContext2D,
+  colours: Palette,
+  typical: number,
+  grow: number,
+  width: number,
+  height: number,
+): void {
   if (!(typical > 0)) return;
-  const size = roundDown125(1.6 * typical), long = size * grow;
+  const size = roundDown125(1.6 * typical),
+    long = size * grow;
   context.strokeStyle = context.fillStyle = colours.ink;
   drawArrow(context, width - 14 - long, height - 12, long, 0);
   context.font = FONT;

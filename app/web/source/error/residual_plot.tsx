@@ -34,9 +34,18 @@ function partOf(error: Vector3 | null, which: Part): number | null {
 /** Only what differs between the readings. */
 export function variablesOf(errors: ReadingErrors, unit: Record<string, string | undefined>): Variable[] {
   const all: Variable[] = [
-    ...errors.joints.map((name, i) => ({key: name, name, unit: unit.angle ?? "", of: (reading: ErrorReading) => reading.joints[i]})),
     ...errors.joints.map((name, i) => ({
-      key: `${name}_dir`, name: `sense of ${name}`, unit: "", isSense: true, of: (reading: ErrorReading) => reading.senses?.[i]
+      key: name,
+      name,
+      unit: unit.angle ?? "",
+      of: (reading: ErrorReading) => reading.joints[i],
+    })),
+    ...errors.joints.map((name, i) => ({
+      key: `${name}_dir`,
+      name: `sense of ${name}`,
+      unit: "",
+      isSense: true,
+      of: (reading: ErrorReading) => reading.senses?.[i],
     })),
     {key: "load", name: "load", unit: unit.force ?? "", of: (reading) => reading.load},
     {key: "temperature", name: "temperature", unit: unit.temperature ?? "", of: (reading) => reading.temperature},
@@ -59,24 +68,44 @@ export function ResidualPlot({suggested}: {suggested?: string}) {
   const errors = readingErrors.value;
   const unit = units.value as unknown as Record<string, string | undefined>;
   const variables = useMemo(() => (errors ? variablesOf(errors, unit) : []), [errors, units.value]);
-  const variable = variables.find((entry) => entry.key === (chosen.value || suggestVariable(suggested, variables))) ?? variables[0];
+  const variable =
+    variables.find((entry) => entry.key === (chosen.value || suggestVariable(suggested, variables))) ?? variables[0];
   const wanted: Part = part.value === "size" && variable?.isSense && chosen.value === "" ? "y" : part.value;
-  const plot = useMemo(() => (errors && variable ? makePlot(errors, variable, wanted, units.value.length) : null),
-    [errors, variable, wanted, palette.value]);
+  const plot = useMemo(
+    () => (errors && variable ? makePlot(errors, variable, wanted, units.value.length) : null),
+    [errors, variable, wanted, palette.value],
+  );
   return (
     <section class="panel">
       <header>
         <h2>Error against</h2>
-        <select aria-label="Variable" value={variable?.key ?? ""} onChange={(event) => (chosen.value = event.currentTarget.value)}>
-          {variables.map((entry) => <option value={entry.key}>{entry.name}</option>)}
+        <select
+          aria-label="Variable"
+          value={variable?.key ?? ""}
+          onChange={(event) => (chosen.value = event.currentTarget.value)}
+        >
+          {variables.map((entry) => (
+            <option value={entry.key}>{entry.name}</option>
+          ))}
         </select>
-        <div class="end"><Segments label="Part of the error" choices={PARTS.map((name) => ({value: name, words: name}))} value={wanted} onChoose={(name) => {
-          part.value = name;
-          if (chosen.value === "") chosen.value = variable?.key ?? "";
-        }} /></div>
+        <div class="end">
+          <Segments
+            label="Part of the error"
+            choices={PARTS.map((name) => ({value: name, words: name}))}
+            value={wanted}
+            onChoose={(name) => {
+              part.value = name;
+              if (chosen.value === "") chosen.value = variable?.key ?? "";
+            }}
+          />
+        </div>
       </header>
       <div class="panel-body flush with-legend">
-        {plot ? <Plot {...plot} label="Errors of the readings" /> : <p class="muted pad">Readings are drawn here once they are compared.</p>}
+        {plot ? (
+          <Plot {...plot} label="Errors of the readings" />
+        ) : (
+          <p class="muted pad">Readings are drawn here once they are compared.</p>
+        )}
         <SeriesLegend errors={errors} />
       </div>
     </section>
@@ -86,12 +115,21 @@ export function ResidualPlot({suggested}: {suggested?: string}) {
 export function SeriesLegend({errors}: {errors: ReadingErrors | null}) {
   return (
     <p class="series-legend">
-      {(errors?.series ?? []).map((series) => <span><MarkIcon mark={series.mark} size={12} /> {series.name}</span>)}
+      {(errors?.series ?? []).map((series) => (
+        <span>
+          <MarkIcon mark={series.mark} size={12} /> {series.name}
+        </span>
+      ))}
     </p>
   );
 }
 
-function makePlot(errors: ReadingErrors, variable: Variable, which: Part, unit: string): {options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData} {
+function makePlot(
+  errors: ReadingErrors,
+  variable: Variable,
+  which: Part,
+  unit: string,
+): {options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData} {
   const rows = errors.readings
     .map((reading, index) => ({x: variable.of(reading, index), index}))
     .filter((row): row is {x: number; index: number} => isNumber(row.x))
@@ -114,10 +152,12 @@ function makePlot(errors: ReadingErrors, variable: Variable, which: Part, unit: 
       },
       axes: [
         axis(colours, name, {
-          values: (_plot: uPlot, splits: number[]) => splits.map((value) => exact(value)), ...(variable.isSense ? {splits: () => [-1, 0, 1]} : {})
+          values: (_plot: uPlot, splits: number[]) => splits.map((value) => exact(value)),
+          ...(variable.isSense ? {splits: () => [-1, 0, 1]} : {}),
         }),
         axis(colours, `${which === "size" ? "error" : `error along ${which}`}, ${unit}`, {
-          side: 3, splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
+          side: 3,
+          splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
           values: (_plot: uPlot, splits: number[]) => splits.map((value) => short(value)),
         }),
       ],

@@ -26,14 +26,20 @@ export const readingErrors = computed<ReadingErrors | null>(() => {
   const diagnosed = currentDiagnosis.value;
   if (diagnosed) {
     const first = diagnosed.explanations[0];
-    const series: ErrorSeries[] = [{name: "refitted, no effect", mark: BEFORE, errors: diagnosed.readings.map((reading) => reading.before)}];
-    if (first) series.push({
-      name: `with ${isEnough(first) ? "" : "the closest, "}${explanationTitle(first)}`, mark: AFTER,
-      errors: diagnosed.readings.map((reading) => reading.after)
-    });
+    const series: ErrorSeries[] = [
+      {name: "refitted, no effect", mark: BEFORE, errors: diagnosed.readings.map((reading) => reading.before)},
+    ];
+    if (first)
+      series.push({
+        name: `with ${isEnough(first) ? "" : "the closest, "}${explanationTitle(first)}`,
+        mark: AFTER,
+        errors: diagnosed.readings.map((reading) => reading.after),
+      });
     return {
-      readings: diagnosed.readings, places: diagnosed.readings.map((reading) => reading.position), series,
-      joints: diagnosed.joints.map((joint) => joint.name)
+      readings: diagnosed.readings,
+      places: diagnosed.readings.map((reading) => reading.position),
+      series,
+      joints: diagnosed.joints.map((joint) => joint.name),
     };
   }
   const compared = compare.value.document;
@@ -43,7 +49,11 @@ export const readingErrors = computed<ReadingErrors | null>(() => {
     readings: compared.readings,
     places: compared.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
     series: [
-      {name: `as the model stands${when}`, mark: BEFORE, errors: compared.readings.map((reading) => reading.error_before)},
+      {
+        name: `as the model stands${when}`,
+        mark: BEFORE,
+        errors: compared.readings.map((reading) => reading.error_before),
+      },
       {name: `refitted${when}`, mark: AFTER, errors: compared.readings.map((reading) => reading.error_after)},
     ],
     joints: compared.joint_columns.map((name) => name.replace(/_[^_]*$/, "")),

@@ -9,11 +9,11 @@ export interface Verdict {
 }
 
 export const VERDICTS: Record<string, Verdict> = {
-  "adequate": {words: "Adequate: nothing is missing", mark: {shape: "disc", colour: "case3"}},
-  "explained": {words: "Explained", mark: {shape: "square", colour: "accent"}},
-  "ambiguous": {words: "One of several: A or B", mark: {shape: "half", colour: "violet"}},
-  "unexplained": {words: "Unexplained: none of the known effects", mark: {shape: "cross", colour: "case0"}},
-  "inconclusive": {words: "Inconclusive: cannot be told yet", mark: {shape: "ring", colour: "muted"}},
+  adequate: {words: "Adequate: nothing is missing", mark: {shape: "disc", colour: "case3"}},
+  explained: {words: "Explained", mark: {shape: "square", colour: "accent"}},
+  ambiguous: {words: "One of several: A or B", mark: {shape: "half", colour: "violet"}},
+  unexplained: {words: "Unexplained: none of the known effects", mark: {shape: "cross", colour: "case0"}},
+  inconclusive: {words: "Inconclusive: cannot be told yet", mark: {shape: "ring", colour: "muted"}},
   "falls-short": {words: "The model falls short", mark: {shape: "triangle", colour: "case0"}},
 };
 
@@ -26,7 +26,7 @@ const EFFECT_WORDS: Record<string, string> = {
   "joint-scale": "a joint's gear ratio is off",
   "encoder-eccentricity": "a joint's encoder runs off centre",
   "transmission-error": "a joint's gear errs twice per turn",
-  "hysteresis": "a joint rests elsewhere by the sense of its last motion",
+  hysteresis: "a joint rests elsewhere by the sense of its last motion",
   "joint-coupling": "one joint's motion moves another",
   "link-length": "a link is longer or shorter than drawn",
   "link-twist": "a link is twisted",
@@ -40,13 +40,13 @@ const EFFECT_WORDS: Record<string, string> = {
   "joint-compliance": "a joint axis taken as rigid gives",
   "link-bending": "a beam taken as rigid bends",
   "link-torsion": "a beam taken as rigid twists",
-  "stiffening": "a joint is soft under small moments, stiffer beyond",
-  "backlash": "a clearance is crossed with the moment's sense",
+  stiffening: "a joint is soft under small moments, stiffer beyond",
+  backlash: "a clearance is crossed with the moment's sense",
   "thermal-growth": "lengths grow with temperature",
   "base-slip": "the base has slipped once",
   "base-drift": "the base creeps in time",
   "scale-error": "the measuring scale is off",
-  "formula": "a formula of one's own",
+  formula: "a formula of one's own",
 };
 
 export function effectWords(effect: string): string {
@@ -67,8 +67,9 @@ function isFigure(value: unknown): value is EffectNumber {
 
 /** The numbers that were fitted, with their sigmas; without any, those that are not zero. */
 export function sizeText(effect: EffectAt): string {
-  const all = Object.entries(effect.parameters ?? {})
-    .flatMap(([name, value]) => (isFigure(value) ? [{...value, name: name.replaceAll("_", " ")}] : []));
+  const all = Object.entries(effect.parameters ?? {}).flatMap(([name, value]) =>
+    isFigure(value) ? [{...value, name: name.replaceAll("_", " ")}] : [],
+  );
   const fitted = all.filter((number) => isNumber(number.sigma));
   const telling = fitted.length > 0 ? fitted : all.filter((number) => number.value !== 0);
   return telling.map((number) => `${number.name} ${withSigma(number.value, number.sigma, number.unit)}`).join(", ");

@@ -22,16 +22,26 @@ import {Transport} from "./transport";
 import {TubeTable} from "./tube_table";
 
 const EXPORTS = [
-  ["plan.json", "Plan"], ["path.csv", "Path"], ["worklist.csv", "Work list"], ["trajectory.yaml", "Trajectory for ROS 2"],
-  ["report.html", "Report"], ["cell.yaml", "Cell"]
+  ["plan.json", "Plan"],
+  ["path.csv", "Path"],
+  ["worklist.csv", "Work list"],
+  ["trajectory.yaml", "Trajectory for ROS 2"],
+  ["report.html", "Report"],
+  ["cell.yaml", "Cell"],
 ];
 const compensation = signal("via-point");
 const mode = signal("via_point");
-const MODES: [string, string][] = [["none", "none"], ["goal_point", "goal point"], ["via_point", "via point"], ["predicted", "predicted"]];
+const MODES: [string, string][] = [
+  ["none", "none"],
+  ["goal_point", "goal point"],
+  ["via_point", "via point"],
+  ["predicted", "predicted"],
+];
 
 /** The planned holes in the order of visiting. */
 const tour = computed<number[]>(() => {
-  const model = sheet.value, document = plan.value.document;
+  const model = sheet.value,
+    document = plan.value.document;
   return model && document ? document.tubes.map((tube) => model.find(tube.row, tube.column)) : [];
 });
 
@@ -43,23 +53,40 @@ export default function PlanView() {
     };
   }, []);
   wantPath();
-  const model = sheet.value, document = plan.value.document;
+  const model = sheet.value,
+    document = plan.value.document;
   const points = useMemo(() => tourPoints(model, tour.value), [model, tour.value]);
   if (cell.value && !cell.value.has_sheet) {
-    return <Nothing title={`${cell.value.name} has no tube sheet`}><p>There is nothing to visit. Open a cell with a sheet.</p></Nothing>;
+    return (
+      <Nothing title={`${cell.value.name} has no tube sheet`}>
+        <p>There is nothing to visit. Open a cell with a sheet.</p>
+      </Nothing>
+    );
   }
   if (!model) return <Waiting words="Reading the sheet" isBusy />;
   return (
     <div class="plan-view">
       <PlanSheet model={model} document={document} />
-      <section class="panel"><div class="panel-body flush"><ArmPicture tour={points} isSmall /></div></section>
+      <section class="panel">
+        <div class="panel-body flush">
+          <ArmPicture tour={points} isSmall />
+        </div>
+      </section>
       <Transport />
       <TourPlot />
       <section class="panel">
-        <header>{document ? <Outcome document={document} /> : <h2>Tubes</h2>}<Exports isHere={document !== null} /></header>
+        <header>
+          {document ? <Outcome document={document} /> : <h2>Tubes</h2>}
+          <Exports isHere={document !== null} />
+        </header>
         <div class="panel-body flush">
-          {plan.value.problem ? <ProblemWords problem={plan.value.problem} /> : document ? <TubeTable document={document} /> :
-            <p class="muted pad">Select holes on the sheet, or write them as ranges, and plan their visit.</p>}
+          {plan.value.problem ? (
+            <ProblemWords problem={plan.value.problem} />
+          ) : document ? (
+            <TubeTable document={document} />
+          ) : (
+            <p class="muted pad">Select holes on the sheet, or write them as ranges, and plan their visit.</p>
+          )}
         </div>
       </section>
     </div>
@@ -69,72 +96,109 @@ export default function PlanView() {
 /** Just under each hole, where the tool comes from. */
 function tourPoints(model: SheetModel | null, holes: number[]): Vector3[] | null {
   if (!model || holes.length < 2) return null;
-  return holes.filter((hole) => hole >= 0).map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
+  return holes
+    .filter((hole) => hole >= 0)
+    .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
 }
 
 function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument | null}) {
   const isScored = document?.tubes.some((tube) => tube.scored?.via_point ?? tube.scored?.goal_point) ?? false;
   const shownMode = isScored ? mode.value : "predicted";
-  const colouring = useMemo(() => (document ? bySteps(model, document, shownMode) : byState(model)), [model, document, shownMode]);
-  const paintOver = useCallback<PaintOver>((context, camera, size, colours) => {
-    const holes = tour.peek(), at = currentVisit.peek();
-    if (holes.length < 2) return;
-    const draw = (from: number, to: number, colour: string, width: number) => {
-      context.beginPath();
-      for (let i = from; i <= to; ++i) {
-        const [x, y] = toPixel(camera, size, model.u[holes[i]], model.v[holes[i]]);
-        if (i === from) context.moveTo(x, y);
-        else context.lineTo(x, y);
+  const colouring = useMemo(
+    () => (document ? bySteps(model, document, shownMode) : byState(model)),
+    [model, document, shownMode],
+  );
+  const paintOver = useCallback<PaintOver>(
+    (context, camera, size, colours) => {
+      const holes = tour.peek(),
+        at = currentVisit.peek();
+      if (holes.length < 2) return;
+      const draw = (from: number, to: number, colour: string, width: number) => {
+        context.beginPath();
+        for (let i = from; i <= to; ++i) {
+          const [x, y] = toPixel(camera, size, model.u[holes[i]], model.v[holes[i]]);
+          if (i === from) context.moveTo(x, y);
+          else context.lineTo(x, y);
+        }
+        context.strokeStyle = colour;
+        context.lineWidth = width;
+        context.stroke();
+      };
+      draw(0, holes.length - 1, colours.rim, 1);
+      if (at >= 0) draw(0, Math.min(at, holes.length - 1), colours.ink, 2);
+      const r = Math.max(4.2, model.holeRadius * camera.scale);
+      for (const hole of holes) {
+        if (hole < 0) continue;
+        const {mark} = colouring.kinds[colouring.of[hole]];
+        context.strokeStyle = context.fillStyle = colours[mark.colour];
+        drawMark(context, mark.shape, ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
       }
-      context.strokeStyle = colour;
-      context.lineWidth = width;
-      context.stroke();
-    };
-    draw(0, holes.length - 1, colours.rim, 1);
-    if (at >= 0) draw(0, Math.min(at, holes.length - 1), colours.ink, 2);
-    const r = Math.max(4.2, model.holeRadius * camera.scale);
-    for (const hole of holes) {
-      if (hole < 0) continue;
-      const {mark} = colouring.kinds[colouring.of[hole]];
-      context.strokeStyle = context.fillStyle = colours[mark.colour];
-      drawMark(context, mark.shape, ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
-    }
-    for (const tube of document?.unreachable ?? []) {
-      const hole = model.find(tube.row, tube.column);
-      context.fillStyle = colours.rose;
-      if (hole >= 0) drawMark(context, "diamond", ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
-    }
-    if (holes[at] !== undefined) {
-      const [x, y] = toPixel(camera, size, model.u[holes[at]], model.v[holes[at]]);
-      context.beginPath();
-      context.arc(x, y, 9, 0, 2 * Math.PI);
-      context.strokeStyle = colours.rose;
-      context.lineWidth = 3;
-      context.stroke();
-    }
-  }, [model, document, colouring, tour.value, currentVisit.value]);
+      for (const tube of document?.unreachable ?? []) {
+        const hole = model.find(tube.row, tube.column);
+        context.fillStyle = colours.rose;
+        if (hole >= 0) drawMark(context, "diamond", ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
+      }
+      if (holes[at] !== undefined) {
+        const [x, y] = toPixel(camera, size, model.u[holes[at]], model.v[holes[at]]);
+        context.beginPath();
+        context.arc(x, y, 9, 0, 2 * Math.PI);
+        context.strokeStyle = colours.rose;
+        context.lineWidth = 3;
+        context.stroke();
+      }
+    },
+    [model, document, colouring, tour.value, currentVisit.value],
+  );
   return (
     <section class="panel">
       <header class="plan-head">
         <SelectionBox />
-        <div class="end"><PlanButton /></div>
+        <div class="end">
+          <PlanButton />
+        </div>
       </header>
       <div class="panel-body flush">
-        <SheetPicture sheet={model} colouring={colouring} selection={document && tour.value.length > 0 ? unplanned.value : selection.value}
-          picked={picked} paintOver={paintOver} onLasso={(holes, isMore) => select(holes, isMore)}
+        <SheetPicture
+          sheet={model}
+          colouring={colouring}
+          selection={document && tour.value.length > 0 ? unplanned.value : selection.value}
+          picked={picked}
+          paintOver={paintOver}
+          onLasso={(holes, isMore) => select(holes, isMore)}
           onPick={(hole, event) => {
             const visit = tour.value.indexOf(hole);
             if (visit >= 0 && !event.shiftKey) goToVisit(visit);
             else toggleSelected(hole);
-          }} />
+          }}
+        />
       </div>
       <footer class="stage-foot">
         {document && isScored ? (
           <>
             <span class="muted">true arm, compensation</span>
-            <Segments label="Compensation of the true arm" choices={choicesOf(MODES)} value={shownMode} onChoose={(next) => (mode.value = next)} />
-          </>) : <span class="muted">{document ? "steps of the tool as predicted" : "lasso, ranges or clicks with Shift select; a plan proves the tour"}</span>}
-        {document ? <span class="counts">{colouring.kinds.slice(0, 4).map((kind, i) => <span title={kind.name}><MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}</span>)}</span> : null}
+            <Segments
+              label="Compensation of the true arm"
+              choices={choicesOf(MODES)}
+              value={shownMode}
+              onChoose={(next) => (mode.value = next)}
+            />
+          </>
+        ) : (
+          <span class="muted">
+            {document
+              ? "steps of the tool as predicted"
+              : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
+          </span>
+        )}
+        {document ? (
+          <span class="counts">
+            {colouring.kinds.slice(0, 4).map((kind, i) => (
+              <span title={kind.name}>
+                <MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}
+              </span>
+            ))}
+          </span>
+        ) : null}
       </footer>
     </section>
   );
@@ -147,14 +211,31 @@ const unplanned = computed<ReadonlySet<number>>(() => {
 });
 
 function PlanButton() {
-  const count = selection.value.size, job = runningJob("plan");
+  const count = selection.value.size,
+    job = runningJob("plan");
   return (
     <>
-      <select aria-label="Compensation" value={compensation.value} onChange={(event) => (compensation.value = event.currentTarget.value)}>
-        <option value="via-point">via point</option><option value="goal-point">goal point</option><option value="none">no compensation</option>
+      <select
+        aria-label="Compensation"
+        value={compensation.value}
+        onChange={(event) => (compensation.value = event.currentTarget.value)}
+      >
+        <option value="via-point">via point</option>
+        <option value="goal-point">goal point</option>
+        <option value="none">no compensation</option>
       </select>
-      <button class="button first" disabled={count === 0 || job !== null}
-        onClick={() => runJob("Plan", "/api/plan", {tubes: [...selection.value].sort((a, b) => a - b), compensation: compensation.value, load: 0, seed: 1})}>
+      <button
+        class="button first"
+        disabled={count === 0 || job !== null}
+        onClick={() =>
+          runJob("Plan", "/api/plan", {
+            tubes: [...selection.value].sort((a, b) => a - b),
+            compensation: compensation.value,
+            load: 0,
+            seed: 1,
+          })
+        }
+      >
         {job ? "Planning …" : `Plan ${plural(count, "tube")}`}
       </button>
     </>
@@ -162,16 +243,26 @@ function PlanButton() {
 }
 
 function Outcome({document}: {document: PlanDocument}) {
-
-
   const unit = units.value.length;
   return (
     <p class="outcome">
-      <span><b>{whole(document.tubes.length)}</b> planned</span>
-      {document.unreachable.length > 0 ? <span><b>{whole(document.unreachable.length)}</b> out of reach</span> : null}
-      <span>travel <b>{duration(document.travel_time_s)}</b></span>
-      <span title={`at best ${duration(document.lower_bound_s)}; row by row ${duration(document.row_by_row_time_s)}`}>gap <b>{percent(document.gap, 1)}</b></span>
-      <span title={document.tightest}>clearance <b>{short(document.min_clearance)}</b> {unit}</span>
+      <span>
+        <b>{whole(document.tubes.length)}</b> planned
+      </span>
+      {document.unreachable.length > 0 ? (
+        <span>
+          <b>{whole(document.unreachable.length)}</b> out of reach
+        </span>
+      ) : null}
+      <span>
+        travel <b>{duration(document.travel_time_s)}</b>
+      </span>
+      <span title={`at best ${duration(document.lower_bound_s)}; row by row ${duration(document.row_by_row_time_s)}`}>
+        gap <b>{percent(document.gap, 1)}</b>
+      </span>
+      <span title={document.tightest}>
+        clearance <b>{short(document.min_clearance)}</b> {unit}
+      </span>
     </p>
   );
 }
@@ -179,8 +270,20 @@ function Outcome({document}: {document: PlanDocument}) {
 function Exports({isHere}: {isHere: boolean}) {
   return (
     <details class="menu end">
-      <summary class={`button ${isHere ? "" : "off"}`}><Icon name="down" size={16} /> Export</summary>
-      {isHere ? <ul>{EXPORTS.map(([name, words]) => <li><a href={`/api/export/${name}`} download={name}>{words} <small>{name}</small></a></li>)}</ul> : null}
+      <summary class={`button ${isHere ? "" : "off"}`}>
+        <Icon name="down" size={16} /> Export
+      </summary>
+      {isHere ? (
+        <ul>
+          {EXPORTS.map(([name, words]) => (
+            <li>
+              <a href={`/api/export/${name}`} download={name}>
+                {words} <small>{name}</small>
+              </a>
+            </li>
+          ))}
+        </ul>
+      ) : null}
     </details>
   );
 }

@@ -27,14 +27,17 @@ export function wantPath(): void {
   if (mark < 0 || mark === fetchedMark) return;
   fetchedMark = mark;
   isPlaying.value = false;
-  get<PathDocument>("/api/plan/path").then((found) => {
-    if (planMark.peek() !== mark) return;
-    path.value = {...found, clearance: perSample(found)};
-    time.value = 0;
-  }, (error) => {
-    path.value = null;
-    if (!isMissing(error)) report("The path of the plan", error);
-  });
+  get<PathDocument>("/api/plan/path").then(
+    (found) => {
+      if (planMark.peek() !== mark) return;
+      path.value = {...found, clearance: perSample(found)};
+      time.value = 0;
+    },
+    (error) => {
+      path.value = null;
+      if (!isMissing(error)) report("The path of the plan", error);
+    },
+  );
 }
 
 /** Clearance is proved of whole segments: each sample has that of its own. */
@@ -52,7 +55,8 @@ export const visitOfSample = computed<Int32Array>(() => {
   if (!document) return new Int32Array(0);
   if (document.tube) return Int32Array.from(document.tube);
   const visits = new Int32Array(document.time.length);
-  let visit = -1, segment = NaN;
+  let visit = -1,
+    segment = NaN;
   document.time.forEach((_, i) => {
     if (document.segment[i] !== segment) {
       segment = document.segment[i];
@@ -65,7 +69,7 @@ export const visitOfSample = computed<Int32Array>(() => {
 
 export const currentVisit = computed(() => {
   const document = path.value;
-  return document ? visitOfSample.value[sampleAt(document.time, time.value)] ?? 0 : -1;
+  return document ? (visitOfSample.value[sampleAt(document.time, time.value)] ?? 0) : -1;
 });
 
 /** The time at which each tube is reached: the end of its approach. */

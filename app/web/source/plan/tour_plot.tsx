@@ -11,14 +11,21 @@ import {units} from "../server/workbench";
 import {arrivals, isPlaying, path, plan, time} from "./playback";
 
 type What = "clearance" | "travel" | "centring";
-const WHATS: [What, string][] = [["clearance", "Clearance"], ["travel", "Travel time"], ["centring", "Chance of three steps"]];
+const WHATS: [What, string][] = [
+  ["clearance", "Clearance"],
+  ["travel", "Travel time"],
+  ["centring", "Chance of three steps"],
+];
 const what = signal<What>("clearance");
 
 export function TourPlot() {
   const held = useRef<uPlot | null>(null);
-  const document = plan.value.document, along = path.value;
-  const made = useMemo(() => (document && along ? makePlot(what.value, document, along) : null),
-    [document, along, what.value, palette.value, units.value]);
+  const document = plan.value.document,
+    along = path.value;
+  const made = useMemo(
+    () => (document && along ? makePlot(what.value, document, along) : null),
+    [document, along, what.value, palette.value, units.value],
+  );
   useSignalEffect(() => {
     void time.value;
     held.current?.redraw(false, false);
@@ -27,18 +34,33 @@ export function TourPlot() {
     <section class="panel">
       <header>
         <h2>Along the tour</h2>
-        <div class="end"><Segments label="Plotted" choices={choicesOf(WHATS)} value={what.value} onChoose={(next) => (what.value = next)} /></div>
+        <div class="end">
+          <Segments
+            label="Plotted"
+            choices={choicesOf(WHATS)}
+            value={what.value}
+            onChoose={(next) => (what.value = next)}
+          />
+        </div>
       </header>
       <div class="panel-body flush">
-        {made ? <Plot {...made} label="Along the tour" onReady={(plot) => {
-          held.current = plot;
-          plot.over.addEventListener("click", () => {
-            if (plot.cursor.left !== undefined && plot.cursor.left >= 0) {
-              isPlaying.value = false;
-              time.value = plot.posToVal(plot.cursor.left, "x");
-            }
-          });
-        }} /> : <p class="muted pad">What a plan keeps clear and how long it travels stands here.</p>}
+        {made ? (
+          <Plot
+            {...made}
+            label="Along the tour"
+            onReady={(plot) => {
+              held.current = plot;
+              plot.over.addEventListener("click", () => {
+                if (plot.cursor.left !== undefined && plot.cursor.left >= 0) {
+                  isPlaying.value = false;
+                  time.value = plot.posToVal(plot.cursor.left, "x");
+                }
+              });
+            }}
+          />
+        ) : (
+          <p class="muted pad">What a plan keeps clear and how long it travels stands here.</p>
+        )}
       </div>
     </section>
   );
@@ -47,15 +69,23 @@ export function TourPlot() {
 function pointsOf(which: What, document: PlanDocument, along: PathDocument): [number[], (number | null)[]] {
   if (which === "clearance" && along.clearance) return [along.time, along.clearance];
   const times = arrivals.peek();
-  const known = document.tubes.map((tube, i) => ({tube, at: times[i], before: i > 0 ? times[i - 1] : 0})).filter((row) => Number.isFinite(row.at));
-  if (which === "centring") return [known.map((row) => row.at), known.map((row) => row.tube.probability_by_steps?.[3] ?? null)];
+  const known = document.tubes
+    .map((tube, i) => ({tube, at: times[i], before: i > 0 ? times[i - 1] : 0}))
+    .filter((row) => Number.isFinite(row.at));
+  if (which === "centring")
+    return [known.map((row) => row.at), known.map((row) => row.tube.probability_by_steps?.[3] ?? null)];
   return [known.map((row) => row.at), known.map((row) => row.at - (Number.isFinite(row.before) ? row.before : 0))];
 }
 
 function makePlot(which: What, document: PlanDocument, along: PathDocument) {
   const [x, y] = pointsOf(which, document, along);
-  const colours = palette.peek(), length = units.peek().length;
-  const names: Record<What, string> = {clearance: `clearance, ${length}`, travel: "to this tube, s", centring: "chance"};
+  const colours = palette.peek(),
+    length = units.peek().length;
+  const names: Record<What, string> = {
+    clearance: `clearance, ${length}`,
+    travel: "to this tube, s",
+    centring: "chance",
+  };
   const data: uPlot.AlignedData = [x, y];
   const isBars = which !== "clearance";
   const options: Omit<uPlot.Options, "width" | "height"> = {
@@ -67,22 +97,29 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument) {
         distr: which === "clearance" ? 100 : 1,
         fwd: (value: number) => Math.sqrt(Math.max(0, value)),
         bwd: (value: number) => value * value,
-        range: (_plot, _low, high) => [0, which === "centring" ? 1 : 1.08 * (high || 1)]
-      }
+        range: (_plot, _low, high) => [0, which === "centring" ? 1 : 1.08 * (high || 1)],
+      },
     },
     axes: [
       axis(colours, "time, s"),
       axis(colours, names[which], {
-        side: 3, values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
+        side: 3,
+        values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
         filter: (_plot: uPlot, splits: number[]) => splits,
-        splits: (_plot: uPlot, _axis: number, _low: number, high: number) => (which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5)),
+        splits: (_plot: uPlot, _axis: number, _low: number, high: number) =>
+          which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5),
       }),
     ],
-    series: [{}, {
-      stroke: colours.accent, width: 1.3, fill: isBars ? colours.accent : undefined,
-      points: {show: false},
-      ...(isBars ? {paths: uPlot.paths.bars!({size: [0.6, 8]})} : {}),
-    }],
+    series: [
+      {},
+      {
+        stroke: colours.accent,
+        width: 1.3,
+        fill: isBars ? colours.accent : undefined,
+        points: {show: false},
+        ...(isBars ? {paths: uPlot.paths.bars!({size: [0.6, 8]})} : {}),
+      },
+    ],
     hooks: {draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)]},
   };
   return {options, data};
@@ -92,7 +129,8 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument) {
 function rootTicks(high: number): number[] {
   const kept: number[] = [];
   for (const value of [0, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]) {
-    if (value <= high && (kept.length === 0 || Math.sqrt(value / high) - Math.sqrt(kept[kept.length - 1] / high) > 0.1)) kept.push(value);
+    if (value <= high && (kept.length === 0 || Math.sqrt(value / high) - Math.sqrt(kept[kept.length - 1] / high) > 0.1))
+      kept.push(value);
   }
   return kept;
 }

@@ -18,25 +18,47 @@ function keys(event: KeyboardEvent): void {
 }
 
 export function Transport() {
-  const document = path.value, tubes = plan.value.document?.tubes ?? [];
+  const document = path.value,
+    tubes = plan.value.document?.tubes ?? [];
   const tube = tubes[currentVisit.value];
   const sample = document ? sampleAt(document.time, time.value) : 0;
   return (
     <section class="panel transport" onKeyDown={keys}>
-      <button class="tool" title="To the start (Home)" disabled={!document} onClick={() => (time.value = 0)}><Icon name="back" /></button>
-      <button class="tool play" title="Play or pause (Space)" disabled={!document} aria-pressed={isPlaying.value} onClick={togglePlay}>
-        <Icon name={isPlaying.value ? "pause" : "play"} size={20} /><span class="hidden">{isPlaying.value ? "Pause" : "Play"}</span>
+      <button class="tool" title="To the start (Home)" disabled={!document} onClick={() => (time.value = 0)}>
+        <Icon name="back" />
+      </button>
+      <button
+        class="tool play"
+        title="Play or pause (Space)"
+        disabled={!document}
+        aria-pressed={isPlaying.value}
+        onClick={togglePlay}
+      >
+        <Icon name={isPlaying.value ? "pause" : "play"} size={20} />
+        <span class="hidden">{isPlaying.value ? "Pause" : "Play"}</span>
       </button>
       <Segments label="Speed" choices={SPEEDS} value={speed.value} onChoose={(factor) => (speed.value = factor)} />
       <span class="clock">{clock(time.value)}</span>
-      <input type="range" aria-label="Time along the tour" min={0} max={endTime.value || 1} step={0.05} value={time.value} disabled={!document}
-        onInput={(event) => (time.value = Number(event.currentTarget.value))} />
+      <input
+        type="range"
+        aria-label="Time along the tour"
+        min={0}
+        max={endTime.value || 1}
+        step={0.05}
+        value={time.value}
+        disabled={!document}
+        onInput={(event) => (time.value = Number(event.currentTarget.value))}
+      />
       <span class="clock muted">{clock(endTime.value)}</span>
       <span class="now-words">
         <b>{tube ? tube.name.replace("C", " C") : "–"}</b>
         <span class="muted">{tubes.length > 0 ? `${Math.max(0, currentVisit.value) + 1} / ${tubes.length}` : ""}</span>
         <span class="muted">{document?.kind[sample] ?? ""}</span>
-        <span class="muted">{typeof document?.clearance?.[sample] === "number" ? `${short(document.clearance[sample])} ${units.value.length}` : ""}</span>
+        <span class="muted">
+          {typeof document?.clearance?.[sample] === "number"
+            ? `${short(document.clearance[sample])} ${units.value.length}`
+            : ""}
+        </span>
       </span>
     </section>
   );

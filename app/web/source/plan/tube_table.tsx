@@ -13,7 +13,8 @@ const MORE = 8;
 
 export function TubeTable({document}: {document: PlanDocument}) {
   const box = useRef<HTMLDivElement>(null);
-  const top = useSignal(0), height = useSignal(400);
+  const top = useSignal(0),
+    height = useSignal(400);
   useEffect(() => {
     const element = box.current!;
     const observer = new ResizeObserver(() => (height.value = element.clientHeight));
@@ -21,25 +22,43 @@ export function TubeTable({document}: {document: PlanDocument}) {
     return () => observer.disconnect();
   }, []);
   useEffect(() => {
-    const element = box.current!, at = currentVisit.value * ROW;
-    if (isPlaying.peek() && (at < element.scrollTop || at > element.scrollTop + element.clientHeight - 3 * ROW)) element.scrollTop = at - ROW;
+    const element = box.current!,
+      at = currentVisit.value * ROW;
+    if (isPlaying.peek() && (at < element.scrollTop || at > element.scrollTop + element.clientHeight - 3 * ROW))
+      element.scrollTop = at - ROW;
   }, [currentVisit.value]);
   const total = document.tubes.length + document.unreachable.length;
-  const first = Math.max(0, Math.floor(top.value / ROW) - MORE), last = Math.min(total, first + Math.ceil(height.value / ROW) + 2 * MORE);
+  const first = Math.max(0, Math.floor(top.value / ROW) - MORE),
+    last = Math.min(total, first + Math.ceil(height.value / ROW) + 2 * MORE);
   const rows = [];
   for (let i = first; i < last; ++i) {
     const tube = document.tubes[i];
-    rows.push(tube ? <TubeRow key={i} tube={tube} index={i} /> :
-      <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}><span class="number">–</span>
-        <b>R{document.unreachable[i - document.tubes.length].row} C{document.unreachable[i - document.tubes.length].column}</b>
-        <span class="wide bad">{document.unreachable[i - document.tubes.length].reason}</span></div>);
+    rows.push(
+      tube ? (
+        <TubeRow key={i} tube={tube} index={i} />
+      ) : (
+        <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}>
+          <span class="number">–</span>
+          <b>
+            R{document.unreachable[i - document.tubes.length].row} C
+            {document.unreachable[i - document.tubes.length].column}
+          </b>
+          <span class="wide bad">{document.unreachable[i - document.tubes.length].reason}</span>
+        </div>
+      ),
+    );
   }
   const {length, angle} = units.value;
   return (
     <div class="tube-table" role="table" aria-rowcount={total} aria-label="Tubes in visiting order">
       <div class="tube-row head" role="row">
-        <span class="number">#</span><span>tube</span><span>tool goes in</span><span class="number">chance of 3</span>
-        <span class="number">true arm, {length}</span><span class="number">tilt, {angle}</span><span class="number">at</span>
+        <span class="number">#</span>
+        <span>tube</span>
+        <span>tool goes in</span>
+        <span class="number">chance of 3</span>
+        <span class="number">true arm, {length}</span>
+        <span class="number">tilt, {angle}</span>
+        <span class="number">at</span>
       </div>
       <div class="tube-rows" ref={box} onScroll={(event) => (top.value = event.currentTarget.scrollTop)} tabIndex={0}>
         <div style={{height: `${ROW * total}px`}}>{rows}</div>
@@ -52,14 +71,29 @@ function TubeRow({tube, index}: {tube: PlannedTube; index: number}) {
   const score = tube.scored?.via_point ?? tube.scored?.goal_point ?? null;
   const kind = STEP_KINDS[score?.steps ?? tube.steps];
   return (
-    <div class="tube-row" role="row" aria-current={currentVisit.value === index || undefined} style={{top: `${ROW * index}px`}}
+    <div
+      class="tube-row"
+      role="row"
+      aria-current={currentVisit.value === index || undefined}
+      style={{top: `${ROW * index}px`}}
       onClick={() => {
         isPlaying.value = false;
         goToVisit(index);
-      }}>
+      }}
+    >
       <span class="number">{index + 1}</span>
-      <b>R{tube.row} C{tube.column}</b>
-      <span>{kind ? <><MarkIcon mark={kind.mark} size={12} /> {kind.name}</> : "–"}</span>
+      <b>
+        R{tube.row} C{tube.column}
+      </b>
+      <span>
+        {kind ? (
+          <>
+            <MarkIcon mark={kind.mark} size={12} /> {kind.name}
+          </>
+        ) : (
+          "–"
+        )}
+      </span>
       <span class="number">{probability(tube.probability_by_steps?.[3])}</span>
       <span class="number">{score ? fixed(score.error, 4) : "–"}</span>
       <span class="number">{short(tube.tilt)}</span>

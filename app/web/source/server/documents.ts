@@ -303,7 +303,13 @@ export interface DiagnoseDocument {
     advice?: string;
     other_means?: {what: string}[];
     columns_to_add?: string[];
-    pairs?: {if_true: string; against: string; criterion_gap_now: number; criterion_gap_expected: number; probability_told: number}[];
+    pairs?: {
+      if_true: string;
+      against: string;
+      criterion_gap_now: number;
+      criterion_gap_expected: number;
+      probability_told: number;
+    }[];
   };
   warnings: (string | {sentence: string})[];
   set_aside: string[];

@@ -3,7 +3,10 @@ import type {Problem} from "./documents";
 
 /** A refusal of the server, or its silence. */
 export class ServerProblem extends Error {
-  constructor(readonly status: number, readonly problem: Problem) {
+  constructor(
+    readonly status: number,
+    readonly problem: Problem,
+  ) {
     super(problem.message);
   }
 }
@@ -27,7 +30,7 @@ async function ask<T>(path: string, options?: RequestInit): Promise<T> {
   } catch {
     throw new ServerProblem(0, {
       message: "The program does not answer.",
-      advice: "See whether `tubeplan serve` still runs in its terminal; this page goes on by itself once it does."
+      advice: "See whether `tubeplan serve` still runs in its terminal; this page goes on by itself once it does.",
     });
   }
   if (!response.ok) throw new ServerProblem(response.status, await problemOf(response));

@@ -11,7 +11,8 @@ export const cell = computed(() => state.value?.cell ?? null);
 export const units = computed<Units>(() => cell.value?.units ?? {length: "", angle: "", force: ""});
 export const runningJobs = computed(() => [...jobs.value.values()].filter((job) => job.status === "running"));
 export const currentModel = computed<Model | null>(
-  () => state.value?.models.find((model) => model.id === state.value?.model) ?? null);
+  () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
+);
 
 /** The running job of a kind, if one is. */
 export function runningJob(...kinds: string[]): Job | null {
@@ -91,12 +92,15 @@ function followResult(name: string, into: Signal<Loaded<unknown>>): void {
       return;
     }
     into.value = {status: "loading", document: into.peek().document, problem: null};
-    get<unknown>(`/api/results/${name}`).then((document) => {
-      if (mark.peek() === wanted) into.value = {status: "here", document, problem: null};
-    }, (error) => {
-      if (mark.peek() !== wanted) return;
-      into.value = isMissing(error) ? NOTHING : {status: "failed", document: null, problem: asProblem(error)};
-    });
+    get<unknown>(`/api/results/${name}`).then(
+      (document) => {
+        if (mark.peek() === wanted) into.value = {status: "here", document, problem: null};
+      },
+      (error) => {
+        if (mark.peek() !== wanted) return;
+        into.value = isMissing(error) ? NOTHING : {status: "failed", document: null, problem: asProblem(error)};
+      },
+    );
   });
 }
 
@@ -104,7 +108,9 @@ function followResult(name: string, into: Signal<Loaded<unknown>>): void {
 
 function perCell<T>(path: string, isThere: () => boolean): Signal<Loaded<T>> {
   const into = signal<Loaded<T>>(NOTHING);
-  const key = computed(() => (cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : ""));
+  const key = computed(() =>
+    cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : "",
+  );
   effect(() => {
     const wanted = key.value;
     if (wanted === "") {
@@ -112,11 +118,14 @@ function perCell<T>(path: string, isThere: () => boolean): Signal<Loaded<T>> {
       return;
     }
     into.value = {status: "loading", document: null, problem: null};
-    get<T>(path).then((document) => {
-      if (key.peek() === wanted) into.value = {status: "here", document, problem: null};
-    }, (error) => {
-      if (key.peek() === wanted) into.value = {status: "failed", document: null, problem: asProblem(error)};
-    });
+    get<T>(path).then(
+      (document) => {
+        if (key.peek() === wanted) into.value = {status: "here", document, problem: null};
+      },
+      (error) => {
+        if (key.peek() === wanted) into.value = {status: "failed", document: null, problem: asProblem(error)};
+      },
+    );
   });
   return into;
 }
@@ -179,10 +188,11 @@ function ended(id: string): Promise<boolean> {
       const job = jobs.value.get(id);
       if (job) wasSeen = true;
       const isOver = job ? job.status !== "running" : wasSeen;
-      if (isOver) queueMicrotask(() => {
-        stop();
-        resolve(job === undefined || job.status === "done");
-      });
+      if (isOver)
+        queueMicrotask(() => {
+          stop();
+          resolve(job === undefined || job.status === "done");
+        });
     });
   });
 }

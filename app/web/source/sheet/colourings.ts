@@ -22,7 +22,13 @@ export interface Colouring {
   words: (hole: number) => string[];
 }
 
-function finished(title: string, kinds: Kind[], of: Uint8Array, words: (hole: number) => string[] = () => [], meaning = ""): Colouring {
+function finished(
+  title: string,
+  kinds: Kind[],
+  of: Uint8Array,
+  words: (hole: number) => string[] = () => [],
+  meaning = "",
+): Colouring {
   const counts = kinds.map(() => 0);
   for (const kind of of) counts[kind] += 1;
   return {title, meaning, kinds, of, counts, words};
@@ -40,7 +46,9 @@ const STATE_MARKS: Record<string, Mark> = {
   unresolved: {shape: "bar", colour: "case2"},
 };
 const OTHER_MARKS: Mark[] = [
-  {shape: "diamond", colour: "rose"}, {shape: "bar", colour: "case2"}, {shape: "triangle", colour: "case3"}
+  {shape: "diamond", colour: "rose"},
+  {shape: "bar", colour: "case2"},
+  {shape: "triangle", colour: "case3"},
 ];
 
 export function byState(sheet: SheetModel): Colouring {
@@ -48,7 +56,7 @@ export function byState(sheet: SheetModel): Colouring {
   let others = 0;
   const kinds = names.map((name) => ({
     name,
-    mark: Object.hasOwn(STATE_MARKS, name) ? STATE_MARKS[name] : OTHER_MARKS[others++ % OTHER_MARKS.length]
+    mark: Object.hasOwn(STATE_MARKS, name) ? STATE_MARKS[name] : OTHER_MARKS[others++ % OTHER_MARKS.length],
   }));
   return finished("State", kinds, sheet.state);
 }
@@ -61,8 +69,10 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   const of = new Uint8Array(sheet.count);
   for (let i = 0; i < sheet.count; ++i) of[i] = reach.reachable[i] ? 0 : 1;
   return finished("Reach", kinds, of, (hole) =>
-    reach.reachable[hole] ? [`in reach by ${reach.branches[hole]} posture${reach.branches[hole] === 1 ? "" : "s"}`] :
-                            [`out of reach: ${reach.reason[hole]}`]);
+    reach.reachable[hole]
+      ? [`in reach by ${reach.branches[hole]} posture${reach.branches[hole] === 1 ? "" : "s"}`]
+      : [`out of reach: ${reach.reason[hole]}`],
+  );
 }
 
 export const STEP_KINDS: Kind[] = [
@@ -101,8 +111,12 @@ function tubeWords(plan: PlanDocument, index: number | undefined): string[] {
 }
 
 const BANDS: {shape: Shape; colour: ColourName}[] = [
-  {shape: "dot", colour: "band0"}, {shape: "ring", colour: "band1"}, {shape: "half", colour: "band2"},
-  {shape: "diamond", colour: "band3"}, {shape: "square", colour: "band4"}, {shape: "triangle", colour: "band5"},
+  {shape: "dot", colour: "band0"},
+  {shape: "ring", colour: "band1"},
+  {shape: "half", colour: "band2"},
+  {shape: "diamond", colour: "band3"},
+  {shape: "square", colour: "band4"},
+  {shape: "triangle", colour: "band5"},
 ];
 const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
 
@@ -110,21 +124,30 @@ const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
 export function byField(sheet: SheetModel, field: FieldDocument, title: string): Colouring {
   const known = field.values.filter(isNumber).sort((a, b) => a - b);
   const edges = bandEdges(known);
-  const kinds = BANDS.slice(0, edges.length + 1)
-    .map((band, i) => ({name: bandName(edges, i, field.unit), mark: band as Mark}));
+  const kinds = BANDS.slice(0, edges.length + 1).map((band, i) => ({
+    name: bandName(edges, i, field.unit),
+    mark: band as Mark,
+  }));
   const of = new Uint8Array(sheet.count);
   for (let i = 0; i < sheet.count; ++i) {
     const value = field.values[i];
     of[i] = isNumber(value) ? edges.filter((edge) => value >= edge).length : kinds.length;
   }
   const none = field.of === "residual" ? "not touched" : "out of reach";
-  return finished(title, [...kinds, {name: none, mark: field.of === "residual" ? {shape: "dot", colour: "faint"} : UNKNOWN}], of, (hole) =>
-    isNumber(field.values[hole]) ? [`${title.toLowerCase()} ${short(field.values[hole])} ${field.unit}`] : [none], field.meaning);
+  return finished(
+    title,
+    [...kinds, {name: none, mark: field.of === "residual" ? {shape: "dot", colour: "faint"} : UNKNOWN}],
+    of,
+    (hole) =>
+      isNumber(field.values[hole]) ? [`${title.toLowerCase()} ${short(field.values[hole])} ${field.unit}`] : [none],
+    field.meaning,
+  );
 }
 
 export function bandEdges(sorted: readonly number[]): number[] {
   if (sorted.length === 0 || sorted[0] === sorted[sorted.length - 1]) return [];
-  const edges = [0.1, 0.3, 0.6, 0.85, 0.97].map((share) => sorted[Math.floor(share * (sorted.length - 1))])
+  const edges = [0.1, 0.3, 0.6, 0.85, 0.97]
+    .map((share) => sorted[Math.floor(share * (sorted.length - 1))])
     .map((value) => Number(value.toPrecision(2)));
   return [...new Set(edges)].filter((edge) => edge > sorted[0]);
 }

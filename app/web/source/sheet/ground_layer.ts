@@ -5,8 +5,14 @@ import {legWords, type SheetModel, type Tick} from "./sheet_model";
 
 type Context = CanvasRenderingContext2D;
 
-export function drawGround(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette,
-                           manway: [number, number] | null): void {
+export function drawGround(
+  context: Context,
+  sheet: SheetModel,
+  camera: Camera,
+  size: Size,
+  palette: Palette,
+  manway: [number, number] | null,
+): void {
   context.clearRect(0, 0, size.width, size.height);
   drawPlate(context, sheet, camera, size, palette);
   if (manway) drawManway(context, sheet, camera, size, palette, manway);
@@ -40,8 +46,14 @@ function drawPlate(context: Context, sheet: SheetModel, camera: Camera, size: Si
 }
 
 /** The manway lies outside the plate: a door at the rim in its direction. */
-function drawManway(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette,
-                    manway: [number, number]): void {
+function drawManway(
+  context: Context,
+  sheet: SheetModel,
+  camera: Camera,
+  size: Size,
+  palette: Palette,
+  manway: [number, number],
+): void {
   const angle = Math.atan2(manway[1], manway[0]);
   const r = sheet.radius * camera.scale;
   const [x, y] = toPixel(camera, size, 0, 0);
@@ -50,7 +62,8 @@ function drawManway(context: Context, sheet: SheetModel, camera: Camera, size: S
   context.strokeStyle = palette.muted;
   context.lineWidth = 5;
   context.stroke();
-  const px = x + (r + 12) * Math.cos(angle), py = y - (r + 12) * Math.sin(angle);
+  const px = x + (r + 12) * Math.cos(angle),
+    py = y - (r + 12) * Math.sin(angle);
   context.fillStyle = palette.muted;
   context.font = FONT;
   context.textAlign = Math.cos(angle) > 0.3 ? "left" : Math.cos(angle) < -0.3 ? "right" : "center";
@@ -92,7 +105,8 @@ export function drawTicks(context: Context, sheet: SheetModel, camera: Camera, s
 /** One, five, ten or more apart, so that labels have about 34 pixels each. */
 function spaced(ticks: readonly Tick[], scale: number): Tick[] {
   if (ticks.length < 2) return [...ticks];
-  const first = ticks[0], last = ticks[ticks.length - 1];
+  const first = ticks[0],
+    last = ticks[ticks.length - 1];
   const each = Math.abs((last.place - first.place) / (last.value - first.value)) * scale;
   const every = [1, 2, 5, 10, 20, 50, 100].find((step) => step * each >= 34) ?? 200;
   return ticks.filter(({value}) => value % every === 0 || (every > 1 && value === first.value && every <= 2));

@@ -25,9 +25,18 @@ export class HoleLayer {
   constructor(private readonly context: CanvasRenderingContext2D) {}
 
   /** Draws the holes; `kinds[i]` says which of `marks` hole i has, and `shown[k]` whether such holes are drawn. */
-  draw(sheet: SheetModel, camera: Camera, size: Size, ratio: number, palette: Palette, marks: readonly Mark[],
-       kinds: Uint8Array, shown: readonly boolean[]): void {
-    const width = Math.round(size.width * ratio), height = Math.round(size.height * ratio);
+  draw(
+    sheet: SheetModel,
+    camera: Camera,
+    size: Size,
+    ratio: number,
+    palette: Palette,
+    marks: readonly Mark[],
+    kinds: Uint8Array,
+    shown: readonly boolean[],
+  ): void {
+    const width = Math.round(size.width * ratio),
+      height = Math.round(size.height * ratio);
     this.prepare(width, height);
     const radius = Number(Math.max(1.1, sheet.holeRadius * camera.scale * ratio).toPrecision(2));
     this.places = placesOf(radius);
@@ -37,7 +46,8 @@ export class HoleLayer {
     const scale = camera.scale * ratio;
     for (let i = 0; i < sheet.count; ++i) {
       const stamps = prepared[kinds[i]];
-      if (stamps) this.stamp(stamps, left * ratio + sheet.u[i] * scale, top * ratio - sheet.v[i] * scale, width, height);
+      if (stamps)
+        this.stamp(stamps, left * ratio + sheet.u[i] * scale, top * ratio - sheet.v[i] * scale, width, height);
     }
     this.context.putImageData(this.picture!, 0, 0);
   }
@@ -68,17 +78,22 @@ export class HoleLayer {
   }
 
   private stamp(stamps: Stamp[], x: number, y: number, width: number, height: number): void {
-    const px = Math.floor(x), py = Math.floor(y);
+    const px = Math.floor(x),
+      py = Math.floor(y);
     const place = Math.floor((y - py) * this.places) * this.places + Math.floor((x - px) * this.places);
     const {pixels, side} = stamps[place];
     const half = side >> 1;
-    const x0 = px - half, y0 = py - half;
+    const x0 = px - half,
+      y0 = py - half;
     if (x0 >= width || y0 >= height || x0 + side <= 0 || y0 + side <= 0) return;
-    const fromX = Math.max(0, -x0), toX = Math.min(side, width - x0);
-    const fromY = Math.max(0, -y0), toY = Math.min(side, height - y0);
+    const fromX = Math.max(0, -x0),
+      toX = Math.min(side, width - x0);
+    const fromY = Math.max(0, -y0),
+      toY = Math.min(side, height - y0);
     const target = this.target;
     for (let row = fromY; row < toY; ++row) {
-      let from = row * side + fromX, to = (y0 + row) * width + x0 + fromX;
+      let from = row * side + fromX,
+        to = (y0 + row) * width + x0 + fromX;
       for (const end = row * side + toX; from < end; ++from, ++to) {
         const pixel = pixels[from];
         if (pixel !== 0) target[to] = pixel;
@@ -96,7 +111,8 @@ function makeStamps(mark: Mark, radius: number, places: number, palette: Palette
   const stamps: Stamp[] = [];
   for (let place = 0; place < places * places; ++place) {
     context.clearRect(0, 0, side, side);
-    const dx = ((place % places) + 0.5) / places, dy = (Math.floor(place / places) + 0.5) / places;
+    const dx = ((place % places) + 0.5) / places,
+      dy = (Math.floor(place / places) + 0.5) / places;
     drawMark(context, mark.shape, (side >> 1) + dx, (side >> 1) + dy, radius);
     const data = context.getImageData(0, 0, side, side).data;
     stamps.push({pixels: new Uint32Array(data.buffer), side});

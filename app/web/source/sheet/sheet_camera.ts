@@ -41,7 +41,14 @@ export function toSheet(camera: Camera, size: Size, x: number, y: number): [numb
 }
 
 /** Zooms by a factor and keeps the place under a pixel where it is. */
-export function zoomed(camera: Camera, size: Size, x: number, y: number, factor: number, limits: [number, number]): Camera {
+export function zoomed(
+  camera: Camera,
+  size: Size,
+  x: number,
+  y: number,
+  factor: number,
+  limits: [number, number],
+): Camera {
   const scale = Math.min(limits[1], Math.max(limits[0], camera.scale * factor));
   const [u, v] = toSheet(camera, size, x, y);
   return {u: u - (x - size.width / 2) / scale, v: v + (y - size.height / 2) / scale, scale};
@@ -55,7 +62,8 @@ export function panned(camera: Camera, dx: number, dy: number): Camera {
 export function isInside(polygon: readonly [number, number][], x: number, y: number): boolean {
   let inside = false;
   for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
-    const [xi, yi] = polygon[i], [xj, yj] = polygon[j];
+    const [xi, yi] = polygon[i],
+      [xj, yj] = polygon[j];
     if (yi > y !== yj > y && x < ((xj - xi) * (y - yi)) / (yj - yi) + xi) inside = !inside;
   }
   return inside;

@@ -34,10 +34,12 @@ export interface SheetModel {
 
 export function makeSheetModel(document: SheetDocument): SheetModel {
   const {holes} = document;
-  const u = Float64Array.from(holes.u), v = Float64Array.from(holes.v);
+  const u = Float64Array.from(holes.u),
+    v = Float64Array.from(holes.v);
   const count = u.length;
   const extent = extentOf(u, v);
-  const row = Int32Array.from(holes.row), column = Int32Array.from(holes.column);
+  const row = Int32Array.from(holes.row),
+    column = Int32Array.from(holes.column);
   const world = new Float64Array(3 * count);
   for (let i = 0; i < count; ++i) world.set([holes.x[i], holes.y[i], holes.z[i]], 3 * i);
   const isOneLeg = extent.bottom > -0.25 * extent.top || extent.top < -0.25 * extent.bottom;
@@ -48,13 +50,15 @@ export function makeSheetModel(document: SheetDocument): SheetModel {
     name: document.name,
     leg: document.leg,
     viewingSide: document.viewing_side,
-    unit: typeof document.units === "string" ? document.units : document.units?.length ?? "",
+    unit: typeof document.units === "string" ? document.units : (document.units?.length ?? ""),
     pitch,
     holeRadius: document.hole_diameter > 0 ? document.hole_diameter / 2 : 0.35 * pitch,
     count,
     row,
     column,
-    legs: Array.from({length: count}, (_, i) => (typeof holes.leg?.[i] === "string" ? String(holes.leg[i]) : document.leg)),
+    legs: Array.from({length: count}, (_, i) =>
+      typeof holes.leg?.[i] === "string" ? String(holes.leg[i]) : document.leg,
+    ),
     u,
     v,
     world,
@@ -112,7 +116,8 @@ function finderOf(u: Float64Array, v: Float64Array, pitch: number, extent: Sheet
     else buckets.set(key, [i]);
   }
   return (x: number, y: number, reach: number): number => {
-    let best = -1, least = reach * reach;
+    let best = -1,
+      least = reach * reach;
     for (let dy = -1; dy <= 1; ++dy) {
       for (let dx = -1; dx <= 1; ++dx) {
         for (const i of buckets.get(bucketOf(x + dx * size, y + dy * size)) ?? []) {
@@ -136,10 +141,12 @@ export function legWords(leg: string): string {
 
 /** The hole next to another in a direction of the picture, for the arrow keys. */
 export function neighbour(sheet: SheetModel, from: number, du: number, dv: number): number {
-  let best = from, least = Infinity;
+  let best = from,
+    least = Infinity;
   const size = Math.hypot(du, dv);
   for (let i = 0; i < sheet.count; ++i) {
-    const x = sheet.u[i] - sheet.u[from], y = sheet.v[i] - sheet.v[from];
+    const x = sheet.u[i] - sheet.u[from],
+      y = sheet.v[i] - sheet.v[from];
     const along = (x * du + y * dv) / size;
     if (along < 0.2 * sheet.pitch) continue;
     const beside = Math.abs(x * dv - y * du) / size;

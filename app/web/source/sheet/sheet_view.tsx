@@ -18,7 +18,12 @@ import {SheetPicture} from "./sheet_picture";
 type Choice = "state" | "reach" | "steps" | "centring" | "residual" | "sag";
 
 const CHOICES: [Choice, string][] = [
-  ["state", "State"], ["reach", "Reach"], ["steps", "Steps"], ["centring", "Predicted error"], ["residual", "Residual"], ["sag", "Sag"]
+  ["state", "State"],
+  ["reach", "Reach"],
+  ["steps", "Steps"],
+  ["centring", "Predicted error"],
+  ["residual", "Residual"],
+  ["sag", "Sag"],
 ];
 const TITLES: Record<string, string> = {centring: "Predicted error", residual: "Residual", sag: "Sag"};
 
@@ -29,7 +34,9 @@ effect(() => {
   hiddenKinds.value = new Set();
 });
 
-const reach = result<ReachDocument>("reach"), field = result<FieldDocument>("field"), plan = result<PlanDocument>("plan");
+const reach = result<ReachDocument>("reach"),
+  field = result<FieldDocument>("field"),
+  plan = result<PlanDocument>("plan");
 
 const colouring = computed<Colouring | null>(() => {
   const model = sheet.value;
@@ -39,7 +46,8 @@ const colouring = computed<Colouring | null>(() => {
 
 function madeColouring(model: SheetModel, choice: Choice): Colouring | null {
   if (choice === "state") return byState(model);
-  if (choice === "reach") return fits(reach.value.document?.reachable, model) ? byReach(model, reach.value.document!) : null;
+  if (choice === "reach")
+    return fits(reach.value.document?.reachable, model) ? byReach(model, reach.value.document!) : null;
   if (choice === "steps") return plan.value.document ? bySteps(model, plan.value.document, "predicted") : null;
   const found = field.value.document;
   return found && found.of === choice && fits(found.values, model) ? byField(model, found, TITLES[choice]) : null;
@@ -51,7 +59,8 @@ function fits(values: unknown[] | undefined, model: SheetModel): boolean {
 
 /** Where the manway is seen from the sheet's middle, if the cell says so. */
 export function manwayOf(document: SheetDocument | null): [number, number] | null {
-  const manway = document?.manway as {u?: number; v?: number; direction?: number[]; position?: number[]} | null | undefined;
+  const manway = document?.manway as
+    {u?: number; v?: number; direction?: number[]; position?: number[]} | null | undefined;
   if (!manway) return null;
   if (typeof manway.u === "number" && typeof manway.v === "number") return [manway.u, manway.v];
   const at = manway.direction ?? manway.position;
@@ -77,28 +86,53 @@ export function SheetView() {
   if (cell.value && !cell.value.has_sheet) {
     return (
       <Nothing title={`${cell.value.name} has no tube sheet`}>
-        <p>Its arm stands on a bench. Open a cell with a sheet to see holes; the arm and the error are there all the same.</p>
-        <button class="button" onClick={() => (view.value = "error")}>To the error</button>
-      </Nothing>);
+        <p>
+          Its arm stands on a bench. Open a cell with a sheet to see holes; the arm and the error are there all the
+          same.
+        </p>
+        <button class="button" onClick={() => (view.value = "error")}>
+          To the error
+        </button>
+      </Nothing>
+    );
   }
-  if (loaded.problem) return <Nothing title="The sheet cannot be shown"><ProblemWords problem={loaded.problem} /></Nothing>;
+  if (loaded.problem)
+    return (
+      <Nothing title="The sheet cannot be shown">
+        <ProblemWords problem={loaded.problem} />
+      </Nothing>
+    );
   if (!sheet.value) return <Waiting words="Reading the sheet" isBusy />;
-  const model = sheet.value, shown = colouring.value ?? byState(model);
+  const model = sheet.value,
+    shown = colouring.value ?? byState(model);
   return (
     <div class="sheet-view">
       <section class="panel">
         <header>
           <h2>Colour by</h2>
-          <Segments label="Colour by" choices={choicesOf(CHOICES)} value={chosen.value} onChoose={(next) => (chosen.value = next)} />
+          <Segments
+            label="Colour by"
+            choices={choicesOf(CHOICES)}
+            value={chosen.value}
+            onChoose={(next) => (chosen.value = next)}
+          />
           <div class="end no-print">
-            <button class="tool" title="Print the map in black and white" onClick={() => window.print()}><Icon name="print" /></button>
+            <button class="tool" title="Print the map in black and white" onClick={() => window.print()}>
+              <Icon name="print" />
+            </button>
           </div>
         </header>
         <div class="panel-body flush">
-          <SheetPicture sheet={model} colouring={shown} hidden={colouring.value ? hiddenKinds.value : undefined}
-            selection={selection.value} picked={picked} manway={manwayOf(loaded.document)}
+          <SheetPicture
+            sheet={model}
+            colouring={shown}
+            hidden={colouring.value ? hiddenKinds.value : undefined}
+            selection={selection.value}
+            picked={picked}
+            manway={manwayOf(loaded.document)}
             onPick={(hole, event) => pick(hole, event.shiftKey || event.ctrlKey || event.metaKey)}
-            onLasso={(holes, isMore) => select(holes, isMore)} />
+            onLasso={(holes, isMore) => select(holes, isMore)}
+          />
           {colouring.value ? null : <ToCompute choice={chosen.value} />}
         </div>
       </section>
@@ -123,7 +157,9 @@ function ToCompute({choice}: {choice: Choice}) {
   return (
     <div class="to-compute">
       <p>{how.words}</p>
-      <button class="button first" disabled={job !== null} onClick={() => compute(choice)}>{job ? "Working …" : how.action}</button>
+      <button class="button first" disabled={job !== null} onClick={() => compute(choice)}>
+        {job ? "Working …" : how.action}
+      </button>
     </div>
   );
 }
@@ -137,21 +173,33 @@ function toggleKind(kind: number): void {
 function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; isReady: boolean}) {
   return (
     <section class="panel">
-      <header><h2>{isReady ? shown.title : "State"}</h2>
-        <div class="end"><span class="muted">{whole(shown.of.length)} holes</span></div></header>
+      <header>
+        <h2>{isReady ? shown.title : "State"}</h2>
+        <div class="end">
+          <span class="muted">{whole(shown.of.length)} holes</span>
+        </div>
+      </header>
       <ul class="legend">
-        {shown.kinds.map((kind, index) => (shown.counts[index] === 0 && shown.kinds.length > 6 ? null :
-          <li key={kind.name}>
-            <label>
-              <input type="checkbox" checked={!hiddenKinds.value.has(index)} onChange={() => toggleKind(index)} />
-              <MarkIcon mark={kind.mark} />
-              <span>{kind.name}</span>
-              <b>{whole(shown.counts[index])}</b>
-            </label>
-            <button class="link" title={`Select these ${whole(shown.counts[index])} holes`} disabled={shown.counts[index] === 0}
-              onClick={() => select(holesOf(shown, index))}>select</button>
-          </li>
-        ))}
+        {shown.kinds.map((kind, index) =>
+          shown.counts[index] === 0 && shown.kinds.length > 6 ? null : (
+            <li key={kind.name}>
+              <label>
+                <input type="checkbox" checked={!hiddenKinds.value.has(index)} onChange={() => toggleKind(index)} />
+                <MarkIcon mark={kind.mark} />
+                <span>{kind.name}</span>
+                <b>{whole(shown.counts[index])}</b>
+              </label>
+              <button
+                class="link"
+                title={`Select these ${whole(shown.counts[index])} holes`}
+                disabled={shown.counts[index] === 0}
+                onClick={() => select(holesOf(shown, index))}
+              >
+                select
+              </button>
+            </li>
+          ),
+        )}
       </ul>
       {shown.meaning ? <p class="meaning muted">{shown.meaning}</p> : null}
     </section>
@@ -176,20 +224,42 @@ export async function selectByText(text: string): Promise<void> {
 export function SelectionBox() {
   const text = useSignal("");
   return (
-    <form class="select-box" onSubmit={(event) => {
-      event.preventDefault();
-      void selectByText(text.value);
-    }}>
-      <input aria-label="Select holes by ranges" placeholder="R1-10C5-9  outer:2  -plugged" value={text.value} spellcheck={false}
-        onInput={(event) => (text.value = event.currentTarget.value)} />
-      <button class="button" type="submit">Select</button>
+    <form
+      class="select-box"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void selectByText(text.value);
+      }}
+    >
+      <input
+        aria-label="Select holes by ranges"
+        placeholder="R1-10C5-9  outer:2  -plugged"
+        value={text.value}
+        spellcheck={false}
+        onInput={(event) => (text.value = event.currentTarget.value)}
+      />
+      <button class="button" type="submit">
+        Select
+      </button>
       <div class="examples">
         {EXAMPLES.map((example) => (
-          <button key={example} type="button" class="link" onClick={() => {
-            text.value = example;
-            void selectByText(example);
-          }}>{example}</button>))}
-        {selection.value.size > 0 ? <button type="button" class="link" onClick={() => select([])}>none</button> : null}
+          <button
+            key={example}
+            type="button"
+            class="link"
+            onClick={() => {
+              text.value = example;
+              void selectByText(example);
+            }}
+          >
+            {example}
+          </button>
+        ))}
+        {selection.value.size > 0 ? (
+          <button type="button" class="link" onClick={() => select([])}>
+            none
+          </button>
+        ) : null}
       </div>
     </form>
   );
@@ -199,12 +269,21 @@ function SelectionPanel({model}: {model: SheetModel}) {
   const count = selection.value.size;
   return (
     <section class="panel no-print">
-      <header><h2>Selection</h2><div class="end"><b>{plural(count, "hole")}</b></div></header>
+      <header>
+        <h2>Selection</h2>
+        <div class="end">
+          <b>{plural(count, "hole")}</b>
+        </div>
+      </header>
       <div class="panel-body">
         <SelectionBox />
         <div class="row">
-          <button class="button" disabled={count === 0} onClick={() => (view.value = "plan")}>Plan these</button>
-          <button class="button" disabled={count === model.count} onClick={() => select(invert(model))}>Invert</button>
+          <button class="button" disabled={count === 0} onClick={() => (view.value = "plan")}>
+            Plan these
+          </button>
+          <button class="button" disabled={count === model.count} onClick={() => select(invert(model))}>
+            Invert
+          </button>
         </div>
       </div>
     </section>
@@ -220,23 +299,40 @@ function HolePanel({model, colouring: shown}: {model: SheetModel; colouring: Col
   if (hole < 0 || hole >= model.count) {
     return (
       <section class="panel grow no-print">
-        <header><h2>Hole</h2></header>
-        <div class="panel-body"><p class="muted">Pick a hole: the arm goes under it. Shift adds it to the selection.</p></div>
-      </section>);
+        <header>
+          <h2>Hole</h2>
+        </header>
+        <div class="panel-body">
+          <p class="muted">Pick a hole: the arm goes under it. Shift adds it to the selection.</p>
+        </div>
+      </section>
+    );
   }
   return (
     <section class="panel grow">
       <header>
-        <h2>{holeName(model, hole)}</h2><span class="muted">{legWords(model.legs[hole])}</span>
-        <div class="end no-print"><button class="button" aria-pressed={selection.value.has(hole)} onClick={() => toggleSelected(hole)}>
-          {selection.value.has(hole) ? "Drop" : "Select"}</button></div>
+        <h2>{holeName(model, hole)}</h2>
+        <span class="muted">{legWords(model.legs[hole])}</span>
+        <div class="end no-print">
+          <button class="button" aria-pressed={selection.value.has(hole)} onClick={() => toggleSelected(hole)}>
+            {selection.value.has(hole) ? "Drop" : "Select"}
+          </button>
+        </div>
       </header>
       <div class="panel-body">
         <dl class="figures">
           <dt>x, y, z</dt>
-          <dd>{[0, 1, 2].map((k) => fixed(model.world[3 * hole + k], 3)).join("  ")} {units.value.length}</dd>
-          <dt>state</dt><dd>{model.states[model.state[hole]] ?? "open"}</dd>
-          {shown.words(hole).map((line) => <><dt></dt><dd>{line}</dd></>)}
+          <dd>
+            {[0, 1, 2].map((k) => fixed(model.world[3 * hole + k], 3)).join("  ")} {units.value.length}
+          </dd>
+          <dt>state</dt>
+          <dd>{model.states[model.state[hole]] ?? "open"}</dd>
+          {shown.words(hole).map((line) => (
+            <>
+              <dt></dt>
+              <dd>{line}</dd>
+            </>
+          ))}
         </dl>
         <Posture inverse={poseRequest.inverse.value} />
       </div>
@@ -252,9 +348,18 @@ function Posture({inverse}: {inverse: InverseDocument | null}) {
   return (
     <>
       <dl class="figures">
-        {inverse.joints.map((value, i) => <><dt>{joints[i]?.name}</dt><dd>{fixed(value, 3)} {joints[i]?.unit}</dd></>)}
+        {inverse.joints.map((value, i) => (
+          <>
+            <dt>{joints[i]?.name}</dt>
+            <dd>
+              {fixed(value, 3)} {joints[i]?.unit}
+            </dd>
+          </>
+        ))}
       </dl>
-      <button class="button no-print" onClick={() => (view.value = "arm")}>See the arm</button>
+      <button class="button no-print" onClick={() => (view.value = "arm")}>
+        See the arm
+      </button>
     </>
   );
 }

@@ -34,5 +34,9 @@ export function DropTarget() {
       window.removeEventListener("drop", drop);
     };
   }, []);
-  return isOver.value ? <div class="drop"><p>Drop the readings (CSV) here</p></div> : null;
+  return isOver.value ? (
+    <div class="drop">
+      <p>Drop the readings (CSV) here</p>
+    </div>
+  ) : null;
 }

@@ -9,13 +9,21 @@ import {dialog} from "./page_state";
 function ModelStack() {
   const now = state.value;
   if (!now) return <div class="models" />;
-  const models = now.models, current = models.find((model) => model.id === now.model);
+  const models = now.models,
+    current = models.find((model) => model.id === now.model);
   return (
     <div class="models" title={models.map((model) => model.label).join(" → ")}>
-      <button class="tool" title="Undo (Ctrl+Z)" disabled={!now.can_undo}
-        onClick={() => order("Undo", "/api/undo")}><Icon name="undo" /></button>
-      <button class="tool" title="Redo (Ctrl+Shift+Z)" disabled={!now.can_redo}
-        onClick={() => order("Redo", "/api/redo")}><Icon name="redo" /></button>
+      <button class="tool" title="Undo (Ctrl+Z)" disabled={!now.can_undo} onClick={() => order("Undo", "/api/undo")}>
+        <Icon name="undo" />
+      </button>
+      <button
+        class="tool"
+        title="Redo (Ctrl+Shift+Z)"
+        disabled={!now.can_redo}
+        onClick={() => order("Redo", "/api/redo")}
+      >
+        <Icon name="redo" />
+      </button>
       <span class="label">model</span>
       <b class="model-name">{current?.label ?? "as given"}</b>
     </div>
@@ -36,7 +44,8 @@ function JobProgress({job}: {job: Job}) {
       </div>
       <progress max={1} value={share ?? undefined} aria-label={job.label || job.kind} />
       <button class="tool" title="Stop" onClick={() => order("Stop", `/api/jobs/${job.id}/cancel`)}>
-        <Icon name="close" size={16} /><span class="hidden">Stop {job.label || job.kind}</span>
+        <Icon name="close" size={16} />
+        <span class="hidden">Stop {job.label || job.kind}</span>
       </button>
     </div>
   );
@@ -44,7 +53,11 @@ function JobProgress({job}: {job: Job}) {
 
 function Connection() {
   const words = {live: "connected", connecting: "connecting", lost: "the program does not answer"}[connection.value];
-  return <span class={`connection ${connection.value}`} role="status" title={words}><span class="hidden">{words}</span></span>;
+  return (
+    <span class={`connection ${connection.value}`} role="status" title={words}>
+      <span class="hidden">{words}</span>
+    </span>
+  );
 }
 
 function SchemeSwitch() {
@@ -66,14 +79,18 @@ export function Header() {
       <button class="chip" title="Open a cell or readings (O)" onClick={() => (dialog.value = "open")}>
         <Icon name="open" size={16} />
         <b>{cell.value?.name ?? "–"}</b>
-        <span class="chip-more">{readings ? `${readings.name} · ${plural(readings.readings, "reading")}` : "no readings"}</span>
+        <span class="chip-more">
+          {readings ? `${readings.name} · ${plural(readings.readings, "reading")}` : "no readings"}
+        </span>
       </button>
       <ModelStack />
       <div class="header-space" />
       {job ? <JobProgress key={job.id} job={job} /> : null}
       <Connection />
       <SchemeSwitch />
-      <button class="tool" title="Keys (?)" onClick={() => (dialog.value = "keys")}><Icon name="help" /></button>
+      <button class="tool" title="Keys (?)" onClick={() => (dialog.value = "keys")}>
+        <Icon name="help" />
+      </button>
     </header>
   );
 }

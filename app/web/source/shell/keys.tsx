@@ -5,21 +5,53 @@ import {Dialog} from "./dialog";
 import {dialog, view, VIEWS} from "./page_state";
 
 const LIST: [string, [string, string][]][] = [
-  ["Everywhere", [
-    ["1 … 5", "sheet, arm, error, plan, calibrate"], ["O", "open a cell or readings"], ["Ctrl Z", "undo the last change of the model"],
-    ["Ctrl Shift Z", "redo"], ["D", "dark or light"], ["?", "this list"], ["Esc", "close, or put a message away"],
-  ]],
-  ["On a sheet", [
-    ["arrows", "from hole to hole"], ["Enter", "pick the hole"], ["Shift arrows, drag", "move the sheet"],
-    ["+  −  wheel, pinch", "larger, smaller"], ["0", "whole sheet"], ["L, Shift drag", "lasso (with Ctrl: add to the selection)"],
-  ]],
-  ["Playing a plan", [["Space", "play or pause"], ["← →", "a tube back or on"], ["Home", "to the start"]]],
-  ["Sliders", [["← →", "a small step"], ["Page up, down", "a large one"], ["Home, End", "to the limits"]]],
+  [
+    "Everywhere",
+    [
+      ["1 … 5", "sheet, arm, error, plan, calibrate"],
+      ["O", "open a cell or readings"],
+      ["Ctrl Z", "undo the last change of the model"],
+      ["Ctrl Shift Z", "redo"],
+      ["D", "dark or light"],
+      ["?", "this list"],
+      ["Esc", "close, or put a message away"],
+    ],
+  ],
+  [
+    "On a sheet",
+    [
+      ["arrows", "from hole to hole"],
+      ["Enter", "pick the hole"],
+      ["Shift arrows, drag", "move the sheet"],
+      ["+  −  wheel, pinch", "larger, smaller"],
+      ["0", "whole sheet"],
+      ["L, Shift drag", "lasso (with Ctrl: add to the selection)"],
+    ],
+  ],
+  [
+    "Playing a plan",
+    [
+      ["Space", "play or pause"],
+      ["← →", "a tube back or on"],
+      ["Home", "to the start"],
+    ],
+  ],
+  [
+    "Sliders",
+    [
+      ["← →", "a small step"],
+      ["Page up, down", "a large one"],
+      ["Home, End", "to the limits"],
+    ],
+  ],
 ];
 
 function isTyping(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement | null;
-  return target !== null && (target.matches("input:not([type=range]):not([type=checkbox]), textarea, select") || target.isContentEditable);
+  return (
+    target !== null &&
+    (target.matches("input:not([type=range]):not([type=checkbox]), textarea, select") || target.isContentEditable)
+  );
 }
 
 function onKey(event: KeyboardEvent): void {
@@ -27,7 +59,8 @@ function onKey(event: KeyboardEvent): void {
   const key = event.key.toLowerCase();
   if ((event.ctrlKey || event.metaKey) && key === "z") {
     event.preventDefault();
-    if (event.shiftKey ? state.value?.can_redo : state.value?.can_undo) void order("Undo", event.shiftKey ? "/api/redo" : "/api/undo");
+    if (event.shiftKey ? state.value?.can_redo : state.value?.can_undo)
+      void order("Undo", event.shiftKey ? "/api/redo" : "/api/undo");
     return;
   }
   if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -52,7 +85,16 @@ export function KeysDialog() {
         {LIST.map(([title, keys]) => (
           <section>
             <h2>{title}</h2>
-            <dl>{keys.map(([key, words]) => <><dt><kbd>{key}</kbd></dt><dd>{words}</dd></>)}</dl>
+            <dl>
+              {keys.map(([key, words]) => (
+                <>
+                  <dt>
+                    <kbd>{key}</kbd>
+                  </dt>
+                  <dd>{words}</dd>
+                </>
+              ))}
+            </dl>
           </section>
         ))}
       </div>

@@ -2,7 +2,7 @@
 import type {WorkbenchState} from "../server/documents";
 import {post, postText} from "../server/requests";
 import {startCompare} from "../error/loop";
-import {report, runJob, takeState} from "../server/workbench";
+import {cell, report, runJob, takeState} from "../server/workbench";
 import {dialog, view} from "./page_state";
 
 async function afterReadings(): Promise<void> {
@@ -48,5 +48,6 @@ export interface Practice {
 }
 
 export async function simulate(practice: Practice): Promise<void> {
-  if (await runJob("Practice readings", "/api/simulate", {...practice, spread: 0.1})) await afterReadings();
+  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0; // of the numbers that the cell sets free
+  if (await runJob("Practice readings", "/api/simulate", {...practice, spread})) await afterReadings();
 }

@@ -27,7 +27,10 @@ function OpenBody() {
   const files = useSignal<Files | null>(null);
   const problem = useSignal<Problem | null>(null);
   useEffect(() => {
-    get<Files>("/api/files").then((found) => (files.value = found), (error) => (problem.value = asProblem(error)));
+    get<Files>("/api/files").then(
+      (found) => (files.value = found),
+      (error) => (problem.value = asProblem(error)),
+    );
   }, []);
   if (problem.value) return <ProblemWords problem={problem.value} />;
   if (!files.value) return <Waiting words="Looking into the folder" isBusy />;
@@ -35,16 +38,26 @@ function OpenBody() {
     <div class="open">
       <p class="lead">{files.value.folder}</p>
       <div class="open-lists">
-        <FileList title="Readings" names={files.value.measurements} now={state.value?.measurements?.name ?? ""} onOpen={openReadings} />
+        <FileList
+          title="Readings"
+          names={files.value.measurements}
+          now={state.value?.measurements?.name ?? ""}
+          onOpen={openReadings}
+        />
         <FileList title="Cells" names={files.value.cells} now={cell.value?.file ?? ""} onOpen={openCell} />
       </div>
       <div class="open-foot">
         <label class="button">
           A file of your own …
-          <input class="hidden" type="file" accept=".csv,text/csv" onChange={(event) => {
-            const file = event.currentTarget.files?.[0];
-            if (file) void loadFile(file);
-          }} />
+          <input
+            class="hidden"
+            type="file"
+            accept=".csv,text/csv"
+            onChange={(event) => {
+              const file = event.currentTarget.files?.[0];
+              if (file) void loadFile(file);
+            }}
+          />
         </label>
         <span class="muted">or drop a CSV anywhere on the page</span>
       </div>
@@ -53,16 +66,33 @@ function OpenBody() {
   );
 }
 
-function FileList({title, names, now, onOpen}: {title: string; names: string[]; now: string; onOpen: (name: string) => void}) {
+function FileList({
+  title,
+  names,
+  now,
+  onOpen,
+}: {
+  title: string;
+  names: string[];
+  now: string;
+  onOpen: (name: string) => void;
+}) {
   return (
     <section>
       <h2>{title}</h2>
-      {names.length === 0 ? <p class="muted">none in this folder</p> : (
+      {names.length === 0 ? (
+        <p class="muted">none in this folder</p>
+      ) : (
         <ul class="files">
           {names.map((name) => (
-            <li key={name}><button class="file" aria-current={name === now || undefined} onClick={() => onOpen(name)}>{name}</button></li>
+            <li key={name}>
+              <button class="file" aria-current={name === now || undefined} onClick={() => onOpen(name)}>
+                {name}
+              </button>
+            </li>
           ))}
-        </ul>)}
+        </ul>
+      )}
     </section>
   );
 }
@@ -70,30 +100,66 @@ function FileList({title, names, now, onOpen}: {title: string; names: string[]; 
 /** Readings of an arm that hides an effect, to practise on. */
 function PracticeForm() {
   const catalogue = useSignal<string[]>([]);
-  const hide = useSignal(""), readings = useSignal(120), seed = useSignal(1);
+  const hide = useSignal(""),
+    readings = useSignal(120),
+    seed = useSignal(1);
   const design = cell.value?.base_known ? "bench" : "bowl";
   useEffect(() => {
     get<CatalogueDocument>("/api/catalogue").then(
-      (found) => (catalogue.value = [...new Set(found.effects.map((entry) => `${entry.effect}@${entry.at}`))]), () => {});
+      (found) => (catalogue.value = [...new Set(found.effects.map((entry) => `${entry.effect}@${entry.at}`))]),
+      () => {},
+    );
   }, []);
   return (
-    <form class="practice" onSubmit={(event) => {
-      event.preventDefault();
-      void simulate({design, readings: readings.value, seed: seed.value, hide: hide.value.trim() === "" ? [] : [hide.value.trim()]});
-    }}>
+    <form
+      class="practice"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void simulate({
+          design,
+          readings: readings.value,
+          seed: seed.value,
+          hide: hide.value.trim() === "" ? [] : [hide.value.trim()],
+        });
+      }}
+    >
       <h2>Practise</h2>
-      <label class="field">hidden effect
-        <input list="practice-effects" placeholder="none, or backlash@tool.z:0.15deg" value={hide.value}
-          onInput={(event) => (hide.value = event.currentTarget.value)} />
+      <label class="field">
+        hidden effect
+        <input
+          list="practice-effects"
+          placeholder="none, or backlash@tool.z:0.15deg"
+          value={hide.value}
+          onInput={(event) => (hide.value = event.currentTarget.value)}
+        />
       </label>
-      <datalist id="practice-effects">{catalogue.value.map((name) => <option value={name} />)}</datalist>
-      <label class="field narrow">readings
-        <input type="number" min={6} max={2000} value={readings.value} onInput={(event) => (readings.value = Number(event.currentTarget.value))} />
+      <datalist id="practice-effects">
+        {catalogue.value.map((name) => (
+          <option value={name} />
+        ))}
+      </datalist>
+      <label class="field narrow">
+        readings
+        <input
+          type="number"
+          min={6}
+          max={2000}
+          value={readings.value}
+          onInput={(event) => (readings.value = Number(event.currentTarget.value))}
+        />
       </label>
-      <label class="field narrow">seed
-        <input type="number" min={1} value={seed.value} onInput={(event) => (seed.value = Number(event.currentTarget.value))} />
+      <label class="field narrow">
+        seed
+        <input
+          type="number"
+          min={1}
+          value={seed.value}
+          onInput={(event) => (seed.value = Number(event.currentTarget.value))}
+        />
       </label>
-      <button class="button" type="submit">Make readings</button>
+      <button class="button" type="submit">
+        Make readings
+      </button>
     </form>
   );
 }

@@ -25,7 +25,11 @@ export function ProblemWords({problem}: {problem: Problem}) {
   const isSplit = problem.where || problem.found || problem.expected;
   return (
     <div class="problem-words">
-      {problem.where ? <p><b>{problem.where}</b></p> : null}
+      {problem.where ? (
+        <p>
+          <b>{problem.where}</b>
+        </p>
+      ) : null}
       {problem.found ? <p>found {problem.found}</p> : null}
       {problem.expected ? <p>expected {problem.expected}</p> : null}
       {isSplit ? null : <p>{problem.message}</p>}

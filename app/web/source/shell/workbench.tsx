@@ -10,7 +10,7 @@ import {Header} from "./header";
 import {KeysDialog, followKeys} from "./keys";
 import {Notices} from "./notices";
 import {OpenDialog} from "./open_dialog";
-import {view, type ViewName} from "./page_state";
+import {dialog, view, type ViewName} from "./page_state";
 import {Rail} from "./rail";
 import {Waiting} from "./states";
 
@@ -20,9 +20,11 @@ const PlanView = lazy(() => import("../plan/plan_view"));
 
 function CurrentView({name}: {name: ViewName}) {
   if (state.value === null) {
-    return connection.value === "lost" ?
-      <Waiting words="The program does not answer. See whether `tubeplan serve` still runs; this page goes on by itself." /> :
-      <Waiting words="Asking the program for its cell" isBusy />;
+    return connection.value === "lost" ? (
+      <Waiting words="The program does not answer. See whether `tubeplan serve` still runs; this page goes on by itself." />
+    ) : (
+      <Waiting words="Asking the program for its cell" isBusy />
+    );
   }
   switch (name) {
     case "arm":
@@ -42,10 +44,16 @@ export function Workbench() {
   useEffect(followKeys, []);
   return (
     <div class="workbench">
-      <a class="skip" href="#view" onClick={(event) => {
-        event.preventDefault();
-        document.getElementById("view")?.focus();
-      }}>To the view</a>
+      <a
+        class="skip"
+        href="#view"
+        onClick={(event) => {
+          event.preventDefault();
+          document.getElementById("view")?.focus();
+        }}
+      >
+        To the view
+      </a>
       <Header />
       <Rail />
       <main id="view" class={`view view-${view.value}`} tabIndex={-1}>
@@ -53,7 +61,13 @@ export function Workbench() {
           <CurrentView name={view.value} />
         </Suspense>
       </main>
-      <Notices />
+      {state.value !== null && connection.value === "lost" ? (
+        <p class="silence" role="alert">
+          The program does not answer: what stands here is its last word. See whether <code>tubeplan serve</code> still
+          runs; the page goes on by itself.
+        </p>
+      ) : null}
+      {dialog.value === "" ? <Notices /> : null}
       <OpenDialog />
       <KeysDialog />
       <DropTarget />

@@ -1,0 +1,73 @@
+// The arm's members as meshes, and where they stand at a posture, rigid or deflected, or with the deflection magnified.
+import {CapsuleGeometry, Group, Mesh, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3} from "three";
+import type {Frame, SceneDocument} from "../server/documents";
+import {layAlong, solidOf, vector} from "./solids";
+
+/** A member that the file gives no body: a slim rod from its frame to the next. */
+const ROD = 0.9;
+
+export interface ArmBodies {
+  group: Group;
+  rows: Group[];
+  rods: (Mesh | null)[];
+  tip: Mesh;
+}
+
+export function makeArm(document: SceneDocument, material: MeshStandardMaterial): ArmBodies {
+  const group = new Group(),
+    rows: Group[] = [],
+    rods: (Mesh | null)[] = [];
+  for (const row of document.arm) {
+    const frame = new Group();
+    for (const body of row.bodies) {
+      const solid = solidOf(body, material);
+      if (solid) frame.add(solid);
+    }
+    const rod = row.bodies.length === 0 ? new Mesh(new CapsuleGeometry(ROD, 1, 6, 16), material) : null;
+    if (rod) group.add(rod);
+    rows.push(frame);
+    rods.push(rod);
+    group.add(frame);
+  }
+  const tip = new Mesh(new SphereGeometry(0.7, 16, 12), material);
+  group.add(tip);
+  return {group, rows, rods, tip};
+}
+
+export function placeArm(arm: ArmBodies, frames: Frame[], tip: Vector3): void {
+  frames.forEach((frame, i) => {
+    const row = arm.rows[i];
+    if (!row) return;
+    row.position.set(...frame.position);
+    const [w, x, y, z] = frame.quaternion;
+    row.quaternion.set(x, y, z, w);
+    const rod = arm.rods[i];
+    if (rod) placeRod(rod, vector(frame.position), i + 1 < frames.length ? vector(frames[i + 1].position) : tip);
+  });
+  arm.tip.position.copy(tip);
+}
+
+function placeRod(rod: Mesh, a: Vector3, b: Vector3): void {
+  const long = a.distanceTo(b);
+  rod.visible = long > 0.2;
+  layAlong(rod, a, b);
+  rod.scale.set(1, long / (1 + 2 * ROD), 1);
+}
+
+/** The deflected frame with its displacement and turn away from the rigid one taken several times. */
+export function magnifiedFrame(rigid: Frame, flexible: Frame, times: number): Frame {
+  if (times === 1) return flexible;
+  const position = rigid.position.map(
+    (value, k) => value + times * (flexible.position[k] - value),
+  ) as Frame["position"];
+  const turn = (frame: Frame) =>
+    new Quaternion(frame.quaternion[1], frame.quaternion[2], frame.quaternion[3], frame.quaternion[0]);
+  const from = turn(rigid),
+    change = turn(flexible).multiply(from.clone().invert());
+  if (change.w < 0) change.set(-change.x, -change.y, -change.z, -change.w);
+  const half = Math.acos(Math.min(1, change.w)),
+    sine = Math.sin(half);
+  const axis = sine > 1e-12 ? new Vector3(change.x, change.y, change.z).divideScalar(sine) : new Vector3(1, 0, 0);
+  const result = new Quaternion().setFromAxisAngle(axis, 2 * half * times).multiply(from);
+  return {row: flexible.row, position, quaternion: [result.w, result.x, result.y, result.z]};
+}

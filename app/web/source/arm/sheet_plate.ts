@@ -1,0 +1,99 @@
+// What the arm works under or stands on: the sheet's face with the divider, or a plain floor.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  Color,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  Object3D,
+  SRGBColorSpace,
+  Shape,
+  ShapeGeometry,
+} from "three";
+import type {Palette} from "../drawing/colours";
+import type {SheetModel} from "../sheet/sheet_model";
+
+/** Pixels across the picture of the holes that lies on the sheet's face. */
+const FACE = 2048;
+
+/** The sheet's lower face; its holes are one picture laid on it, smooth at any angle and cheap for every processor. */
+export function plateOf(sheet: SheetModel, palette: Palette): Object3D {
+  const group = new Group();
+  const isBelow = sheet.extent.top <= 0.25 * Math.abs(sheet.extent.bottom);
+  const outline = new Shape();
+  if (sheet.isOneLeg) outline.absarc(0, 0, sheet.radius, isBelow ? Math.PI : 0, isBelow ? 2 * Math.PI : Math.PI, false);
+  else outline.absarc(0, 0, sheet.radius, 0, 2 * Math.PI, false);
+  const face = new ShapeGeometry(outline, 64);
+  const places = face.getAttribute("position"),
+    onPicture = face.getAttribute("uv");
+  for (let i = 0; i < places.count; ++i) {
+    onPicture.setXY(i, 0.5 + places.getX(i) / (2 * sheet.radius), 0.5 + places.getY(i) / (2 * sheet.radius));
+  }
+  const plate = new Mesh(
+    face,
+    new MeshBasicMaterial({map: pictureOf(sheet, palette), side: DoubleSide, transparent: true, depthWrite: false}),
+  );
+  plate.position.z = 0.05;
+  group.add(plate, divider(sheet, palette));
+  return group;
+}
+
+function pictureOf(sheet: SheetModel, palette: Palette): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = FACE;
+  const context = canvas.getContext("2d")!;
+  context.globalAlpha = 0.78;
+  context.fillStyle = palette.plate;
+  context.fillRect(0, 0, FACE, FACE);
+  context.globalAlpha = 1;
+  context.strokeStyle = palette.hole;
+  const scale = FACE / (2 * sheet.radius),
+    r = sheet.holeRadius * scale;
+  context.lineWidth = Math.max(1, 0.3 * r);
+  context.beginPath();
+  for (let i = 0; i < sheet.count; ++i) {
+    const x = FACE / 2 + sheet.world[3 * i] * scale,
+      y = FACE / 2 - sheet.world[3 * i + 1] * scale;
+    context.moveTo(x + r, y);
+    context.arc(x, y, r, 0, 2 * Math.PI);
+  }
+  context.stroke();
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.anisotropy = 8;
+  return texture;
+}
+
+function divider(sheet: SheetModel, palette: Palette): Object3D {
+  if (!sheet.isOneLeg) return new Group();
+  const r = sheet.radius;
+  const wall = new Shape();
+  wall.absarc(0, 0, r, Math.PI, 2 * Math.PI, false);
+  const plate = new Mesh(
+    new ShapeGeometry(wall, 40),
+    new MeshStandardMaterial({
+      color: palette.rim,
+      side: DoubleSide,
+      transparent: true,
+      opacity: 0.16,
+      depthWrite: false,
+    }),
+  );
+  plate.rotation.x = Math.PI / 2;
+  return plate;
+}
+
+/** Without a sheet: the plane that the arm stands on, as a grid. */
+export function floorOf(palette: Palette): Object3D {
+  const points: number[] = [];
+  for (let k = -10; k <= 10; ++k) points.push(k * 12, -120, 0, k * 12, 120, 0, -120, k * 12, 0, 120, k * 12, 0);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+  return new LineSegments(geometry, new LineBasicMaterial({color: new Color(palette.line)}));
+}
