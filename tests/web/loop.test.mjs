@@ -1,10 +1,10 @@
 // From data to an error at the noise floor in four clicks, and what surrounds the loop: undo, reload, two browsers,
 // files that are wrong or hostile.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { readFileSync } from "node:fs";
+import {after, before, describe, it} from "node:test";
+import {readFileSync} from "node:fs";
 import path from "node:path";
-import { launch, makeFolder, openTab, serve, simulate } from "./workbench.mjs";
+import {launch, makeFolder, openTab, serve, simulate} from "./workbench.mjs";
 
 let made, server, browser;
 
@@ -34,12 +34,12 @@ async function drop(tab, name, text) {
   const data = await tab.evaluateHandle(
     ([file, content]) => {
       const transfer = new DataTransfer();
-      transfer.items.add(new File([content], file, { type: "text/csv" }));
+      transfer.items.add(new File([content], file, {type: "text/csv"}));
       return transfer;
     },
     [name, text],
   );
-  await tab.dispatchEvent("main", "drop", { dataTransfer: data });
+  await tab.dispatchEvent("main", "drop", {dataTransfer: data});
 }
 
 describe("the loop", () => {
@@ -50,13 +50,8 @@ describe("the loop", () => {
     await tab.waitForSelector(".verdict h1 >> text=The model falls short", {
       timeout: 60000,
     });
-    await tab.waitForFunction(
-      () => document.querySelectorAll(".rung").length >= 2,
-    );
-    assert.ok(
-      (await timesFloor(tab)) > 2,
-      "before, the error must stand well above the floor",
-    );
+    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 2);
+    assert.ok((await timesFloor(tab)) > 2, "before, the error must stand well above the floor");
     await tab.click(".next:has-text('Diagnose')"); // 3
     await tab.click(".next:has-text('Add hysteresis at theta4')", {
       timeout: 60000,
@@ -64,18 +59,10 @@ describe("the loop", () => {
     await tab.waitForSelector(".verdict h1 >> text=At the noise floor", {
       timeout: 60000,
     });
-    await tab.waitForFunction(
-      () => document.querySelectorAll(".rung").length >= 3,
-    );
+    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 3);
     const times = await timesFloor(tab);
-    assert.ok(
-      times < 1.15,
-      `after, the held-out error is ${times} times the floor`,
-    );
-    assert.match(
-      await tab.innerText(".verdict p"),
-      /fell from 0\.0\d+ to 0\.00\d+ in/,
-    );
+    assert.ok(times < 1.15, `after, the held-out error is ${times} times the floor`);
+    assert.match(await tab.innerText(".verdict p"), /fell from 0\.0\d+ to 0\.00\d+ in/);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
   });
@@ -85,17 +72,14 @@ describe("the loop", () => {
       openTab(browser, `${server.address}#error`),
       openTab(browser, `${server.address}#error`),
     ]);
-    for (const tab of [one, other])
-      await tab.waitForSelector(".models >> text=hysteresis@theta4");
+    for (const tab of [one, other]) await tab.waitForSelector(".models >> text=hysteresis@theta4");
     await one.click("button[title^='Undo']");
     await other.waitForSelector(".models >> text=as given");
     await other.click("button[title^='Redo']");
     await one.waitForSelector(".models >> text=hysteresis@theta4");
     await one.reload();
     await one.waitForSelector(".models >> text=hysteresis@theta4");
-    await one.waitForFunction(
-      () => document.querySelectorAll(".rung").length >= 3,
-    );
+    await one.waitForFunction(() => document.querySelectorAll(".rung").length >= 3);
     assert.equal(await one.evaluate(() => location.hash), "#error");
     assert.deepEqual([...one.errors, ...other.errors], []);
     await one.context().close();
@@ -105,24 +89,14 @@ describe("the loop", () => {
   it("tries a formula, tells what is wrong with another, and takes it back", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.click(".tabs >> text=Formula");
-    await tab.fill(
-      ".formula input",
-      "theta3 += c*sin(nothing_of_the_kind(theta1))",
-    );
+    await tab.fill(".formula input", "theta3 += c*sin(nothing_of_the_kind(theta1))");
     await tab.click(".formula >> text=Try");
-    await tab.waitForSelector(".notice", { timeout: 60000 });
-    assert.ok(
-      (await tab.innerText(".notice")).length > 30,
-      "the program's own words are shown",
-    );
+    await tab.waitForSelector(".notice", {timeout: 60000});
+    assert.ok((await tab.innerText(".notice")).length > 30, "the program's own words are shown");
     await tab.keyboard.press("Escape");
     await tab.fill(".formula input", "theta3 += c*sin(theta1)");
     await tab.click(".formula >> text=Try");
-    await tab.waitForFunction(
-      () => document.querySelectorAll(".rung").length >= 4,
-      null,
-      { timeout: 60000 },
-    );
+    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 4, null, {timeout: 60000});
     await tab.waitForFunction(() => !document.querySelector(".job"));
     await tab.click("button[title^='Undo']");
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
@@ -137,10 +111,7 @@ describe("the loop", () => {
   it("shows the program's own words for a bad file, and keeps what was there", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".error-view");
-    const lines = readFileSync(
-      path.join(made.folder, "readings.csv"),
-      "utf8",
-    ).split("\n");
+    const lines = readFileSync(path.join(made.folder, "readings.csv"), "utf8").split("\n");
     lines[3] = lines[3].replace(/,(\d)/, ",not-a-number$1");
     await drop(tab, "bad.csv", lines.join("\n"));
     await tab.waitForSelector(".notice");
@@ -154,35 +125,21 @@ describe("the loop", () => {
 
   it("never runs what a file says", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
-    const evil =
-      '<img src=x onerror="window.ran=1"><script>window.ran=1</script>';
-    const lines = readFileSync(path.join(made.folder, "readings.csv"), "utf8")
-      .trim()
-      .split("\n");
+    const evil = '<img src=x onerror="window.ran=1"><script>window.ran=1</script>';
+    const lines = readFileSync(path.join(made.folder, "readings.csv"), "utf8").trim().split("\n");
     const point = lines[0].split(",").indexOf("point");
     const told = lines.map((line, i) =>
       i === 0
         ? line
         : line
             .split(",")
-            .map((field, k) =>
-              k === point ? `"${evil.replaceAll('"', "'")}${i}"` : field,
-            )
+            .map((field, k) => (k === point ? `"${evil.replaceAll('"', "'")}${i}"` : field))
             .join(","),
     );
-    await drop(
-      tab,
-      `${evil.replaceAll("/", "").replaceAll('"', "")}.csv`,
-      told.join("\n"),
-    );
+    await drop(tab, `${evil.replaceAll("/", "").replaceAll('"', "")}.csv`, told.join("\n"));
     await tab.waitForTimeout(2500);
     assert.equal(await tab.evaluate(() => window.ran), undefined);
-    assert.equal(
-      await tab
-        .locator("#view img, .header img, .notices img, #view script")
-        .count(),
-      0,
-    );
+    assert.equal(await tab.locator("#view img, .header img, .notices img, #view script").count(), 0);
     await tab.context().close();
   });
 
@@ -205,10 +162,7 @@ describe("practice readings", () => {
     const own = await serve(made.folder, "bench.yaml");
     const tab = await openTab(browser, `${own.address}#error`);
     await tab.click("button >> text=Open readings");
-    await tab.fill(
-      ".practice input >> nth=0",
-      "backlash@no-such-place:0.15deg",
-    );
+    await tab.fill(".practice input >> nth=0", "backlash@no-such-place:0.15deg");
     await tab.click("button >> text=Make readings");
     await tab.click("dialog .notice .tool");
     await tab.fill(".practice input >> nth=0", "backlash@tool.z:0.15deg");
@@ -220,7 +174,7 @@ describe("practice readings", () => {
     await tab.waitForSelector(".verdict h1 >> text=The model falls short", {
       timeout: 60000,
     });
-    await tab.waitForSelector(".next:not([disabled])", { timeout: 60000 });
+    await tab.waitForSelector(".next:not([disabled])", {timeout: 60000});
     tab.errors.length = 0; // the refusal above is a 4xx, which the browser notes
     await own.stop();
     await tab.waitForSelector(".silence >> text=does not answer");
@@ -237,20 +191,15 @@ describe("by keys alone", () => {
     await tab.keyboard.press("?");
     await tab.waitForSelector("dialog[open] kbd");
     await tab.keyboard.press("Escape");
-    await tab.waitForSelector("dialog[open]", { state: "detached" });
+    await tab.waitForSelector("dialog[open]", {state: "detached"});
     await tab.keyboard.press("o");
     await tab.waitForSelector("dialog[open] .file");
     await tab.keyboard.press("Escape");
     await tab.keyboard.press("3");
     await tab.waitForSelector(".error-view");
-    const before = await tab.evaluate(
-      () => document.documentElement.dataset.scheme,
-    );
+    const before = await tab.evaluate(() => document.documentElement.dataset.scheme);
     await tab.keyboard.press("d");
-    assert.notEqual(
-      await tab.evaluate(() => document.documentElement.dataset.scheme),
-      before,
-    );
+    assert.notEqual(await tab.evaluate(() => document.documentElement.dataset.scheme), before);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
   });

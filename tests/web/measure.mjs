@@ -1,29 +1,16 @@
 // Measures the page: frames per second with 15,529 holes, time to the first picture, slider latency, weight; with
 // --pictures DIR it also takes the screenshots. Figures are printed; nothing is asserted, machines differ.
-import { mkdirSync, readdirSync, readFileSync, statSync } from "node:fs";
+import {mkdirSync, readdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
-import { gzipSync } from "node:zlib";
-import {
-  launch,
-  makeFolder,
-  openTab,
-  page as built,
-  serve,
-  simulate,
-  writeDisc,
-} from "./workbench.mjs";
+import {gzipSync} from "node:zlib";
+import {launch, makeFolder, openTab, page as built, serve, simulate, writeDisc} from "./workbench.mjs";
 
-const median = (values) =>
-  [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
-const at = (values, share) =>
-  [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const at = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
 
 function weigh() {
-  if (!built)
-    return console.log(
-      "page weight: TUBEPLAN_PAGE names no folder with the built page",
-    );
-  const files = readdirSync(built, { recursive: true })
+  if (!built) return console.log("page weight: TUBEPLAN_PAGE names no folder with the built page");
+  const files = readdirSync(built, {recursive: true})
     .map((name) => path.join(built, name))
     .filter((name) => statSync(name).isFile());
   const sizes = files.map((name) => ({
@@ -49,9 +36,8 @@ async function firstPicture(browser, address) {
     const tab = await openTab(browser, "about:blank");
     await tab.addInitScript(() =>
       new PerformanceObserver((list) => {
-        window.firstSheet ??=
-          list.getEntries()[0].startTime + list.getEntries()[0].duration;
-      }).observe({ entryTypes: ["measure"] }),
+        window.firstSheet ??= list.getEntries()[0].startTime + list.getEntries()[0].duration;
+      }).observe({entryTypes: ["measure"]}),
     );
     await tab.goto(address);
     await tab.waitForFunction(() => window.firstSheet, null, {
@@ -60,9 +46,7 @@ async function firstPicture(browser, address) {
     times.push(await tab.evaluate(() => window.firstSheet));
     await tab.context().close();
   }
-  console.log(
-    `load to first picture of 15,529 holes: ${times.map((time) => time.toFixed(0)).join(", ")} ms`,
-  );
+  console.log(`load to first picture of 15,529 holes: ${times.map((time) => time.toFixed(0)).join(", ")} ms`);
 }
 
 async function framesPerSecond(browser, address) {
@@ -72,9 +56,9 @@ async function framesPerSecond(browser, address) {
   await tab.evaluate(() => {
     window.draws = [];
     window.ticks = [];
-    new PerformanceObserver((list) =>
-      list.getEntries().forEach((entry) => window.draws.push(entry.duration)),
-    ).observe({ entryTypes: ["measure"] });
+    new PerformanceObserver((list) => list.getEntries().forEach((entry) => window.draws.push(entry.duration))).observe({
+      entryTypes: ["measure"],
+    });
     const tick = (now) => {
       window.ticks.push(now);
       requestAnimationFrame(tick);
@@ -105,7 +89,7 @@ async function framesPerSecond(browser, address) {
         step();
       }),
   );
-  const { ticks, draws } = await tab.evaluate(() => ({
+  const {ticks, draws} = await tab.evaluate(() => ({
     ticks: window.ticks,
     draws: window.draws,
   }));
@@ -131,11 +115,8 @@ async function sliderLatency(browser, address) {
         const before = figure.textContent,
           start = performance.now();
         slider.value = String(40 + (i % 20));
-        slider.dispatchEvent(new Event("input", { bubbles: true }));
-        while (
-          figure.textContent === before &&
-          performance.now() - start < 2000
-        )
+        slider.dispatchEvent(new Event("input", {bubbles: true}));
+        while (figure.textContent === before && performance.now() - start < 2000)
           await new Promise((resolve) => setTimeout(resolve, 0));
         times.push(performance.now() - start);
         await new Promise((resolve) => requestAnimationFrame(resolve));
@@ -153,8 +134,8 @@ async function sliderLatency(browser, address) {
       await (
         await fetch("/api/pose", {
           method: "POST",
-          headers: { "Content-Type": "application/json" },
-          body: JSON.stringify({ joints: [0, 40 + 0.3 * i, 0, 0] }),
+          headers: {"Content-Type": "application/json"},
+          body: JSON.stringify({joints: [0, 40 + 0.3 * i, 0, 0]}),
         })
       ).json();
       times.push(performance.now() - start);
@@ -168,13 +149,9 @@ async function sliderLatency(browser, address) {
 }
 
 async function pictures(browser, folder, into) {
-  mkdirSync(into, { recursive: true });
-  const shoot = (tab, name) =>
-    tab.screenshot({ path: path.join(into, `${name}.png`) });
-  const { address, stop } = await serve(folder, "mockup.yaml", [
-    "--truth",
-    path.join(folder, "mockup-true.yaml"),
-  ]);
+  mkdirSync(into, {recursive: true});
+  const shoot = (tab, name) => tab.screenshot({path: path.join(into, `${name}.png`)});
+  const {address, stop} = await serve(folder, "mockup.yaml", ["--truth", path.join(folder, "mockup-true.yaml")]);
   const sizes = [
     ["1280x720", 1280, 720, "light"],
     ["1280x720-dark", 1280, 720, "dark"],
@@ -187,7 +164,7 @@ async function pictures(browser, folder, into) {
     tabs.push([
       name,
       await openTab(browser, address, {
-        viewport: { width, height },
+        viewport: {width, height},
         colorScheme,
         hasTouch: name.includes("tablet"),
       }),
@@ -201,13 +178,10 @@ async function pictures(browser, folder, into) {
     await first.click(".touch-row:not(.done) >> text=Simulate >> nth=0", {
       timeout: 60000,
     });
-    await first.waitForFunction(
-      (n) => document.querySelectorAll(".touch-row.done").length === n,
-      k,
-    );
+    await first.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
   }
   await first.click(".touch-list > .button.first");
-  await first.waitForSelector(".calibrate-view h3", { timeout: 60000 });
+  await first.waitForSelector(".calibrate-view h3", {timeout: 60000});
   await first.waitForSelector(".calibrate-view .stage-foot .mark", {
     timeout: 60000,
   });
@@ -217,7 +191,7 @@ async function pictures(browser, folder, into) {
   await first.waitForSelector("text=60 holes");
   await first.click(".rail-entry >> nth=3");
   await first.click(".plan-head .button.first");
-  await first.waitForSelector(".tube-rows .tube-row", { timeout: 120000 });
+  await first.waitForSelector(".tube-rows .tube-row", {timeout: 120000});
   for (const view of ["sheet", "arm", "plan", "calibrate"]) {
     for (const [name, tab] of tabs) {
       await tab.bringToFront();
@@ -229,7 +203,7 @@ async function pictures(browser, folder, into) {
             (canvas) => canvas.width >= canvas.clientWidth - 1,
           ),
         null,
-        { timeout: 10000 },
+        {timeout: 10000},
       ); // drawn sharp
       await tab.waitForTimeout(800);
       await shoot(tab, `${view}-${name}`);
@@ -237,15 +211,13 @@ async function pictures(browser, folder, into) {
   }
   for (const [, tab] of tabs) await tab.context().close();
   await stop();
-  const bench = await serve(folder, "bench.yaml", [
-    path.join(folder, "readings.csv"),
-  ]);
+  const bench = await serve(folder, "bench.yaml", [path.join(folder, "readings.csv")]);
   const errorTabs = [];
   for (const [name, width, height, colorScheme] of sizes) {
     errorTabs.push([
       name,
       await openTab(browser, `${bench.address}#error`, {
-        viewport: { width, height },
+        viewport: {width, height},
         colorScheme,
       }),
     ]);
@@ -276,7 +248,7 @@ async function pictures(browser, folder, into) {
   await bench.stop();
 }
 
-const { folder, remove } = makeFolder();
+const {folder, remove} = makeFolder();
 const browser = await launch();
 try {
   weigh();
@@ -289,7 +261,7 @@ try {
   await mockup.stop();
   const into = process.argv[process.argv.indexOf("--pictures") + 1];
   if (process.argv.includes("--pictures")) {
-    simulate(folder, "readings", { hide: "hysteresis@theta4:0.06deg" });
+    simulate(folder, "readings", {hide: "hysteresis@theta4:0.06deg"});
     await pictures(browser, folder, into);
   }
 } finally {

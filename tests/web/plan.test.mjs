@@ -1,17 +1,14 @@
 // Sixty tubes of the mock-up: touched, calibrated, planned, played and taken away as files; a job is stopped on the way.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import {after, before, describe, it} from "node:test";
 import path from "node:path";
-import { launch, makeFolder, openTab, serve } from "./workbench.mjs";
+import {launch, makeFolder, openTab, serve} from "./workbench.mjs";
 
 let made, server, browser, tab;
 
 before(async () => {
   made = makeFolder();
-  server = await serve(made.folder, "mockup.yaml", [
-    "--truth",
-    path.join(made.folder, "mockup-true.yaml"),
-  ]);
+  server = await serve(made.folder, "mockup.yaml", ["--truth", path.join(made.folder, "mockup-true.yaml")]);
   browser = await launch();
   tab = await openTab(browser, server.address);
 });
@@ -35,10 +32,7 @@ describe("the mock-up", () => {
     await tab.fill(".select-box input", "R1-10C5-9");
     await tab.keyboard.press("Enter");
     await tab.waitForFunction(() =>
-      /\d+ holes/.test(
-        document.querySelector(".side .panel:nth-child(2) header b")
-          .textContent,
-      ),
+      /\d+ holes/.test(document.querySelector(".side .panel:nth-child(2) header b").textContent),
     );
     await tab.fill(".select-box input", "R1-C");
     await tab.keyboard.press("Enter");
@@ -60,31 +54,21 @@ describe("the mock-up", () => {
       [-60, 40],
       [-60, -35],
     ])
-      await tab.mouse.move(x + dx, y + dy, { steps: 4 });
+      await tab.mouse.move(x + dx, y + dy, {steps: 4});
     await tab.mouse.up();
-    const count = Number(
-      (await tab.innerText(".side .panel:nth-child(2) header b")).replace(
-        /\D/g,
-        "",
-      ),
-    );
+    const count = Number((await tab.innerText(".side .panel:nth-child(2) header b")).replace(/\D/g, ""));
     assert.ok(count > 20 && count < 1500, `${count} holes lie in the lasso`);
   });
 
   it("is calibrated by three simulated touches", async () => {
     await tab.click(".rail-entry >> text=Calibrate");
     await tab.click(".calibrate-view >> text=Suggest");
-    await tab.waitForFunction(
-      () => document.querySelectorAll(".touch-row:not(.done)").length === 3,
-      null,
-      { timeout: 60000 },
-    );
+    await tab.waitForFunction(() => document.querySelectorAll(".touch-row:not(.done)").length === 3, null, {
+      timeout: 60000,
+    });
     for (let k = 1; k <= 3; ++k) {
       await tab.click(".touch-row:not(.done) >> text=Simulate >> nth=0");
-      await tab.waitForFunction(
-        (n) => document.querySelectorAll(".touch-row.done").length === n,
-        k,
-      );
+      await tab.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
     }
     await tab.click(".touch-list > .button.first");
     await tab.waitForSelector(".calibrate-view h3 >> text=Left at each touch", {
@@ -99,12 +83,8 @@ describe("the mock-up", () => {
     await tab.keyboard.press("Enter");
     await tab.waitForSelector(".plan-head .button.first >> text=Plan 60 tubes");
     await tab.click(".plan-head .button.first");
-    await tab.waitForSelector(".tube-rows .tube-row", { timeout: 120000 });
-    await tab.waitForFunction(
-      () => !document.querySelector("button.play").disabled,
-      null,
-      { timeout: 20000 },
-    );
+    await tab.waitForSelector(".tube-rows .tube-row", {timeout: 120000});
+    await tab.waitForFunction(() => !document.querySelector("button.play").disabled, null, {timeout: 20000});
     const clock = () => tab.innerText(".clock >> nth=0");
     await tab.click(".segments >> text=×16");
     const before = await clock();
@@ -113,10 +93,7 @@ describe("the mock-up", () => {
     await tab.click("button.play");
     assert.notEqual(await clock(), before, "playing moves the clock");
     await tab.click(".menu summary");
-    const [download] = await Promise.all([
-      tab.waitForEvent("download"),
-      tab.click(".menu a[download='worklist.csv']"),
-    ]);
+    const [download] = await Promise.all([tab.waitForEvent("download"), tab.click(".menu a[download='worklist.csv']")]);
     assert.equal(download.suggestedFilename(), "worklist.csv");
     assert.deepEqual(tab.errors, []);
   });
@@ -125,21 +102,18 @@ describe("the mock-up", () => {
     await tab.fill(".select-box input", "outer:4");
     await tab.keyboard.press("Enter");
     await tab.waitForFunction(
-      () =>
-        !/Plan (0|60) tubes/.test(
-          document.querySelector(".plan-head .button.first").textContent,
-        ),
+      () => !/Plan (0|60) tubes/.test(document.querySelector(".plan-head .button.first").textContent),
     );
     await tab.click(".plan-head .button.first");
-    await tab.click(".job button[title='Stop']", { timeout: 20000 });
-    await tab.waitForSelector(".job", { state: "detached", timeout: 30000 });
+    await tab.click(".job button[title='Stop']", {timeout: 20000});
+    await tab.waitForSelector(".job", {state: "detached", timeout: 30000});
     await tab.waitForSelector(".plan-head .button.first:not([disabled])");
     assert.deepEqual(tab.errors, []);
   });
 
   it("keeps plan and selection over a reload", async () => {
     await tab.reload();
-    await tab.waitForSelector(".tube-rows .tube-row", { timeout: 20000 });
+    await tab.waitForSelector(".tube-rows .tube-row", {timeout: 20000});
     assert.equal(await tab.evaluate(() => location.hash), "#plan");
     assert.deepEqual(tab.errors, []);
   });

@@ -1,27 +1,18 @@
 // Starts the real server with the built page, and a browser to look at it: what every test here and the measuring
 // script share.
-import { spawn, execFileSync } from "node:child_process";
-import {
-  cpSync,
-  mkdtempSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import {spawn, execFileSync} from "node:child_process";
+import {cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {createRequire} from "node:module";
+import {tmpdir} from "node:os";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
+import {fileURLToPath} from "node:url";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const source = path.resolve(here, "../..");
 const web = process.env.TUBEPLAN_WEB ?? path.join(source, "app/web");
-const { chromium } = createRequire(path.join(web, "package.json"))(
-  "playwright-core",
-);
+const {chromium} = createRequire(path.join(web, "package.json"))("playwright-core");
 
-export const program =
-  process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
+export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
 /** The built page as a folder; without one the server shows the page that it was built with. */
 export const page = process.env.TUBEPLAN_PAGE ?? "";
 const browserPath = process.env.TUBEPLAN_CHROMIUM ?? "/usr/bin/chromium";
@@ -29,10 +20,10 @@ const browserPath = process.env.TUBEPLAN_CHROMIUM ?? "/usr/bin/chromium";
 /** A folder of its own with the shipped cells, gone at the end. */
 export function makeFolder() {
   const folder = mkdtempSync(path.join(tmpdir(), "tubeplan-web-"));
-  cpSync(path.join(source, "app/cells"), folder, { recursive: true });
+  cpSync(path.join(source, "app/cells"), folder, {recursive: true});
   return {
     folder,
-    remove: () => rmSync(folder, { recursive: true, force: true }),
+    remove: () => rmSync(folder, {recursive: true, force: true}),
   };
 }
 
@@ -56,21 +47,18 @@ export function simulate(folder, name, options) {
       "--out",
       out,
     ],
-    { stdio: "pipe" },
+    {stdio: "pipe"},
   );
   const file = path.join(folder, `${name}.csv`);
   cpSync(path.join(out, "measurements.csv"), file);
-  rmSync(out, { recursive: true });
+  rmSync(out, {recursive: true});
   return file;
 }
 
 /** The mock-up with another sheet: a full disc of 15,529 holes. */
 export function writeDisc(folder) {
   const text = readFileSync(path.join(folder, "mockup.yaml"), "utf8")
-    .replace(
-      /layout: \{[^}]*\}/,
-      "layout: {type: disc, pitch: 0.875, radius: 57.25}",
-    )
+    .replace(/layout: \{[^}]*\}/, "layout: {type: disc, pitch: 0.875, radius: 57.25}")
     .replace(/hole_diameter: .*/, "hole_diameter: 0.635")
     .replace(/leg: hot/, "leg: full")
     .replace(/^name: .*/m, "name: disc-mockup")
@@ -83,17 +71,8 @@ export function writeDisc(folder) {
 export async function serve(folder, cell, more = []) {
   const child = spawn(
     program,
-    [
-      "serve",
-      path.join(folder, cell),
-      "--port",
-      "0",
-      "--folder",
-      folder,
-      ...(page ? ["--page", page] : []),
-      ...more,
-    ],
-    { stdio: ["ignore", "pipe", "pipe"] },
+    ["serve", path.join(folder, cell), "--port", "0", "--folder", folder, ...(page ? ["--page", page] : []), ...more],
+    {stdio: ["ignore", "pipe", "pipe"]},
   );
   let said = "";
   const address = await new Promise((resolve, reject) => {
@@ -104,13 +83,8 @@ export async function serve(folder, cell, more = []) {
     };
     child.stdout.on("data", listen);
     child.stderr.on("data", listen);
-    child.on("exit", (code) =>
-      reject(new Error(`tubeplan serve ended with ${code}: ${said}`)),
-    );
-    setTimeout(
-      () => reject(new Error(`tubeplan serve printed no address: ${said}`)),
-      20000,
-    ).unref();
+    child.on("exit", (code) => reject(new Error(`tubeplan serve ended with ${code}: ${said}`)));
+    setTimeout(() => reject(new Error(`tubeplan serve printed no address: ${said}`)), 20000).unref();
   });
   child.removeAllListeners("exit");
   return {
@@ -134,15 +108,12 @@ export function launch() {
 /** A tab whose console errors are kept: a test ends by asserting that there are none. */
 export async function openTab(browser, address, options = {}) {
   const context = await browser.newContext({
-    viewport: { width: 1280, height: 720 },
+    viewport: {width: 1280, height: 720},
     ...options,
   });
   const tab = await context.newPage();
   tab.errors = [];
-  tab.on(
-    "console",
-    (message) => message.type() === "error" && tab.errors.push(message.text()),
-  );
+  tab.on("console", (message) => message.type() === "error" && tab.errors.push(message.text()));
   tab.on("pageerror", (error) => tab.errors.push(error.stack ?? error.message));
   await tab.goto(address);
   return tab;

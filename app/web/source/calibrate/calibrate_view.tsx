@@ -187,7 +187,7 @@ function TouchPanel({model}: {model: SheetModel}) {
           <div class="touch-row done" key={`${index}-${touch.hole}`}>
             <b>T{index + 1}</b>
             <span>{holeName(model, touch.hole)}</span>
-            <span class="joint-list">{touch.joints.map((value) => fixed(value, 3)).join("  ")}</span>
+            <span class="joint-list">{touch.joints.map((value) => fixed(value, 2)).join("  ")}</span>
             <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>
               <Icon name="close" size={14} />
             </button>
