@@ -16,6 +16,7 @@ void requireCompared(const calibration::Comparison& result, const CellReadings& 
   if (result.verdict != calibration::Adequacy::kNotRun) return;
   if (!result.problems.empty())
     throw InputError(input.cell.path + " (identify)", result.problems.front().found, result.problems.front().expected);
+  if (const auto& problem = result.refit.reading_problem) throw inputErrorOf(*problem, input.readings, input.file);
   throw InputError(input.file, result.reason, "readings that tell the free parameters", "");
 }
 

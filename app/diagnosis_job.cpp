@@ -37,8 +37,10 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   DiagnosisOutcome outcome;
   beginStep(step, "diagnosis");
   outcome.diagnosis = calibration::diagnose(start, readings, options);
-  if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)
+  if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun) {
+    if (const auto& problem = outcome.diagnosis.baseline.reading_problem) throw inputErrorOf(*problem, readings, file);
     throw InputError(file, outcome.diagnosis.reason, "readings that tell the free parameters", "");
+  }
   beginStep(step, "next readings");
   proposeNext(input, request, outcome);
   beginStep(step, "warnings");

@@ -36,19 +36,11 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// Where a reading problem is: the file, with the line where one reading is to blame.
-std::string placeOf(const calibration::ReadingProblem& problem, const std::vector<calibration::Measurement>& readings,
-                    const std::string& file) {
-  if (problem.reading < 0) return file;
-  return fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
-}
-
 /// A refusal is bad input: names that are no parameters, readings that tell nothing.
 void requireAccepted(const Identification& result, const std::vector<calibration::Measurement>& readings,
                      const IdentificationRequest& request, const Cell& cell, const std::string& file) {
   if (result.status != IdentificationStatus::kRefused) return;
-  if (const auto& problem = result.reading_problem)
-    throw InputError(placeOf(*problem, readings, file), problem->found, problem->expected, problem->advice);
+  if (const auto& problem = result.reading_problem) throw inputErrorOf(*problem, readings, file);
   if (result.problems.empty())
     throw InputError(cell.path, result.reason, "something to find",
                      "`tubeplan identify --help` says what may be freed");

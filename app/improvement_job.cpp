@@ -61,6 +61,7 @@ Improvement improveModel(const CellReadings& input, const ImprovementRequest& re
     result.last = fitOf(result.cell, readings, request.seed);
     result.rungs.push_back(rungOf(fmt::format("+ {}", fmt::join(result.steps.back().added, " + ")), result.last));
   }
+  if (const auto& problem = result.last.reading_problem) throw inputErrorOf(*problem, readings, input.file);
   if (result.last.status == calibration::IdentificationStatus::kRefused)
     throw InputError(input.file, result.last.reason, "readings that tell the free parameters", "");
   return result;

@@ -151,6 +151,14 @@ std::vector<Measurement> readingsAt(const calibration::PlacedArm& placed, const 
 
 }  // namespace
 
+InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::vector<Measurement>& readings,
+                        const std::string& file) {
+  const std::string where =
+      problem.reading < 0 ? file
+                          : fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
+  return InputError(where, problem.found, problem.expected, problem.advice);
+}
+
 std::vector<std::string> readingWarnings(const Identification& result, const std::vector<Measurement>& readings,
                                          const Cell& cell) {
   std::vector<std::string> warnings;

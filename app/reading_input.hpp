@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/input_error.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "calibration/identification.hpp"
 #include "calibration/measurement.hpp"
@@ -37,6 +38,10 @@ struct CellReadings {
 /// Readings from text.
 [[nodiscard]] std::vector<calibration::Measurement> parseReadings(const std::string& text, const std::string& file,
                                                                   const Cell& cell, double sigma = 0);
+
+/// Readings that do not tell enough, as bad input of their file: with the line where one reading is to blame.
+[[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,
+                                      const std::vector<calibration::Measurement>& readings, const std::string& file);
 
 /// Plain sentences about readings that look wrong: slips of units, touches of a neighbouring hole, loads beyond the
 /// arm's own weight. Nothing is changed by them.

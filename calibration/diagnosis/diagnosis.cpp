@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "calibration/diagnosis/ranking.hpp"
 #include "calibration/diagnosis/smooth_misfit.hpp"
@@ -172,11 +173,28 @@ std::vector<Measurement> without(std::vector<Measurement> readings, const std::v
   return readings;
 }
 
+/// With the touches that are then left alone at a point of unknown place: they tell nothing.
+std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
+  const auto isLeft = [&](std::size_t k) {
+    return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
+  };
+  const auto isOfUnknownPoint = [](const Measurement& m) { return m.kind == MeasurementKind::kTouch && !m.p_W; };
+  std::map<std::string, int> touches;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (isLeft(k) && isOfUnknownPoint(readings[k])) ++touches[readings[k].point];
+  std::vector<int> all = outliers;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (isLeft(k) && isOfUnknownPoint(readings[k]) && touches[readings[k].point] == 1)
+      all.push_back(static_cast<int>(k));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 /// Of the model as it is with every outlier's rows as numbers of their own.
 double criterionOf(const Identification& rest, const Diagnosis& whole, const std::vector<Measurement>& readings,
-                   const std::vector<int>& set_aside) {
+                   const std::vector<int>& outliers) {
   auto numbers = static_cast<double>(rest.fitted_numbers.size());
-  for (const int k : set_aside) numbers += rowsOf(readings[static_cast<std::size_t>(k)]);
+  for (const int k : outliers) numbers += rowsOf(readings[static_cast<std::size_t>(k)]);
   const auto rows =
       static_cast<double>(whole.degrees_of_freedom) + static_cast<double>(whole.baseline.fitted_numbers.size());
   return rest.chi2 + numbers * std::log(std::max(2., rows));
@@ -191,17 +209,19 @@ bool isAnswered(const Diagnosis& result) {
 Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
   const auto baseline_options = baselineOptions(options);
   Identification baseline = identify(start, readings, baseline_options);
-  std::vector<int> set_aside;
-  for (const auto& outlier : baseline.outliers) set_aside.push_back(outlier.reading);
-  std::sort(set_aside.begin(), set_aside.end());
-  const bool are_few = set_aside.size() <= readings.size() / kFewOutliers;
+  std::vector<int> outliers;
+  for (const auto& outlier : baseline.outliers) outliers.push_back(outlier.reading);
+  std::sort(outliers.begin(), outliers.end());
+  const bool are_few = outliers.size() <= readings.size() / kFewOutliers;
   Answer whole = answerBy(std::move(baseline), readings, {}, options);
-  if (set_aside.empty() || !are_few) return completed(std::move(whole), readings);
+  if (outliers.empty() || !are_few) return completed(std::move(whole), readings);
   // What an effect moves is mostly spread too widely to be among a few outliers, but a base that slips between touches
   // of one point is not: an effect that explains every reading in fewer numbers goes before setting some aside.
+  const auto set_aside = withOrphans(outliers, readings);
   Identification rest = identify(start, without(readings, set_aside), baseline_options);
-  if (isAnswered(whole.result) &&
-      whole.result.alternatives.front().criterion < criterionOf(rest, whole.result, readings, set_aside))
+  const bool is_possible = rest.status != IdentificationStatus::kRefused;
+  if (!is_possible || (isAnswered(whole.result) && whole.result.alternatives.front().criterion <
+                                                       criterionOf(rest, whole.result, readings, outliers)))
     return completed(std::move(whole), readings);
   return completed(answerBy(std::move(rest), readings, set_aside, options), readings);
 }

@@ -1,0 +1,34 @@
+// What a diagnosis sets aside with an outlier.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
+  // Two touches of each point whose place nobody measured: without one of them the other tells nothing.
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+    maker.addTouches(24, {0, 40 * kPound}, false);
+    auto readings = maker.readings;
+    readings[10].q[0] += 0.2 * deflection::kDegree;
+    DiagnosisOptions options;
+    options.baseline.free.names = {"tool.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
+    options.draws = 200;
+    const auto diagnosis = diagnose(cobra(), readings, options);
+    EXPECT_NE(diagnosis.verdict, Verdict::kNotRun) << diagnosis.reason;
+    std::map<std::string, int> left;
+    for (int k = 0; k < static_cast<int>(readings.size()); ++k)
+      if (!std::binary_search(diagnosis.set_aside.begin(), diagnosis.set_aside.end(), k))
+        ++left[readings[static_cast<std::size_t>(k)].point];
+    for (const auto& [point, touches] : left) EXPECT_EQ(touches, 2) << point << ", seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
