@@ -1,0 +1,25 @@
+# cmake -DNPM=npm -DFROM=app/web -DTO=build/web -DFALLBACK=no_page.cpp -DOUTPUT=embedded_page.cpp -P build_page.cmake
+# Fetches the page's packages, builds it in TO and embeds it. Where the packages cannot be fetched (no network) the
+# program is built without its page, and says so; a page that does not build is an error.
+cmake_minimum_required(VERSION 3.25)
+set(stamp "${TO}/packages.stamp")
+set(lock "${FROM}/package-lock.json")
+if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
+  file(MAKE_DIRECTORY "${TO}")
+  file(COPY "${FROM}/package.json" "${lock}" DESTINATION "${TO}")
+  execute_process(COMMAND ${NPM} ci --no-audit --no-fund --loglevel=error WORKING_DIRECTORY "${TO}" RESULT_VARIABLE failed)
+  if(failed)
+    message(WARNING "the packages of the workbench's page could not be fetched: `tubeplan serve` will have no page. "
+                    "To try again, delete ${OUTPUT} and build.")
+    configure_file("${FALLBACK}" "${OUTPUT}" COPYONLY)
+    return()
+  endif()
+  file(TOUCH "${stamp}")
+endif()
+
+# Sources are copied, so that nothing is built among them.
+file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/dist")
+file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN tests EXCLUDE)
+execute_process(COMMAND ${NPM} run --silent build WORKING_DIRECTORY "${TO}" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} "-DFOLDER=${TO}/dist" "-DOUTPUT=${OUTPUT}" -P "${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake"
+                COMMAND_ERROR_IS_FATAL ANY)
