@@ -13,6 +13,7 @@ export default defineConfig({
     emptyOutDir: true,
     chunkSizeWarningLimit: 800,
   },
-  server: {proxy: {"/api": {target: SERVER, changeOrigin: true}}},
+  // By number: a machine need not know the name localhost.
+  server: {host: "127.0.0.1", proxy: {"/api": {target: SERVER, changeOrigin: true}}},
   test: {include: ["tests/**/*.test.ts"]},
 });
