@@ -61,6 +61,22 @@ std::string heavyLoad(const std::vector<Measurement>& readings, const deflection
                      weight / units.factor(dimension::kForce), units.force().name);
 }
 
+/// Touches of points that nobody measured reward a smaller arm: nothing in them is a length.
+std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
+  constexpr double kTooGood = 0.5;  // of chi-square per degree of freedom
+  constexpr int kMany = 30;         // degrees of freedom from which that is no chance
+  const bool is_blind = std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
+    return reading.kind == MeasurementKind::kTouch && !reading.p_W;
+  });
+  if (!is_blind || result.degrees_of_freedom < kMany) return "";
+  const double per_degree = result.chi2 / result.degrees_of_freedom;
+  if (!(per_degree < kTooGood)) return "";
+  return fmt::format(
+      "what is left is far below the noise ({:.2g} of chi-square per degree of freedom): touches of points that nobody "
+      "measured are fitted best by an arm that shrinks; hold its lengths or measure one, unless sigma is too large",
+      per_degree);
+}
+
 /// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
 /// Touches of points that nobody measured fit either way, so no error tells.
 std::string smallAngles(const std::vector<Measurement>& readings, const deflection::Arm& arm) {
@@ -164,6 +180,7 @@ std::vector<std::string> readingWarnings(const Identification& result, const std
   std::vector<std::string> warnings;
   if (const auto heavy = heavyLoad(readings, cell.arm, cell.units); !heavy.empty()) warnings.push_back(heavy);
   if (const auto small = smallAngles(readings, cell.arm); !small.empty()) warnings.push_back(small);
+  if (const auto shrunken = shrunkenArm(result, readings); !shrunken.empty()) warnings.push_back(shrunken);
   if (isFarOff(result))
     for (const auto& slip : calibration::findUnitSlips(result.start, readingsAt(result.start, readings)))
       warnings.push_back(fmt::format("{}: so read, the error falls from {:.4g} to {:.4g} {}", slip.what,

@@ -291,5 +291,17 @@ TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
     EXPECT_EQ(warning.get<std::string>().find("radians"), std::string::npos) << warning;
 }
 
+TEST_F(Identify, TouchesOfUnknownPointsThatFitBetterThanTheirNoiseAreFlagged) {
+  const std::vector<double> loads{0, 20 * calibration::kPound, 40 * calibration::kPound};
+  ReadingMaker exact(trueArm(), 5, ReadingMaker::Noise::kNone);
+  exact.addTouches(30, loads, false);
+  write("exact.csv", readingsCsv(exact.readings));
+  expectWarns(identified(shipped("bench.yaml") + " exact.csv" + kFree), "an arm that shrinks");
+  maker.addTouches(30, loads, false);
+  writeReadings("noisy.csv");
+  for (const auto& warning : identified(shipped("bench.yaml") + " noisy.csv" + kFree)["warnings"])
+    EXPECT_EQ(warning.get<std::string>().find("shrinks"), std::string::npos) << warning;
+}
+
 }  // namespace
 }  // namespace tubeplan::app
