@@ -2,7 +2,7 @@
 import {chooseScheme, isDark} from "../drawing/colours";
 import {dismiss, notices, order, state} from "../server/workbench";
 import {Dialog} from "./dialog";
-import {dialog, view, VIEWS} from "./page_state";
+import {closeDialog, dialog, view, VIEWS} from "./page_state";
 
 const LIST: [string, [string, string][]][] = [
   [
@@ -80,7 +80,7 @@ export function followKeys(): () => void {
 
 export function KeysDialog() {
   return (
-    <Dialog isOpen={dialog.value === "keys"} title="Keys" onClose={() => (dialog.value = "")}>
+    <Dialog isOpen={dialog.value === "keys"} title="Keys" onClose={() => closeDialog("keys")}>
       <div class="keys">
         {LIST.map(([title, keys]) => (
           <section>

@@ -6,7 +6,7 @@ import {asProblem, get} from "../server/requests";
 import {cell, state} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {loadFile, openCell, openReadings, simulate} from "./load";
-import {dialog} from "./page_state";
+import {closeDialog, dialog} from "./page_state";
 import {ProblemWords, Waiting} from "./states";
 
 interface Files {
@@ -17,7 +17,7 @@ interface Files {
 
 export function OpenDialog() {
   return (
-    <Dialog isOpen={dialog.value === "open"} title="Open" onClose={() => (dialog.value = "")}>
+    <Dialog isOpen={dialog.value === "open"} title="Open" onClose={() => closeDialog("open")}>
       <OpenBody />
     </Dialog>
   );

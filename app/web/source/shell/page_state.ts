@@ -17,7 +17,13 @@ effect(() => {
   if (viewOfAddress() !== view.value) location.hash = view.value;
 });
 
-export const dialog = signal<"" | "open" | "keys" | "practice">("");
+export type DialogName = "open" | "keys" | "practice";
+export const dialog = signal<"" | DialogName>("");
+
+/** A browser tells of a closed dialog a little later, when another one may be open: that one stays. */
+export function closeDialog(name: DialogName): void {
+  if (dialog.value === name) dialog.value = "";
+}
 
 /** The sheet of the cell, ready for drawing. */
 export const sheet = computed(() => {
