@@ -25,16 +25,17 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
   return parts;
 }
 
-double parseJoint(const std::string& text, const deflection::Joint<double>& joint, const Units& units) {
+double parseJoint(const std::string& text, const deflection::Joint<double>& joint, const Units& units,
+                  const std::string& option) {
   const Dimension unit = jointDimension(joint);
   const auto value = tubesheets::parseNumber(text);
   if (!value)
-    throw InputError("--joints (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
+    throw InputError(option + " (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
   const double q = units.toInternal(*value, unit);
   constexpr double kSlack = 1e-12;  // a limit itself, after its conversion
   if (q < joint.lower - kSlack || q > joint.upper + kSlack)
     throw InputError(
-        "--joints (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
+        option + " (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
         fmt::format("a value between the joint's limits, {} and {}", formatNumber(units.toFile(joint.lower, unit)),
                     formatNumber(units.toFile(joint.upper, unit))));
   return q;
@@ -61,15 +62,17 @@ Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units) {
   return factors;
 }
 
-Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units) {
+Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
+                            const std::string& option) {
   const auto active = deflection::activeRows(arm);
   const auto parts = splitAtCommas(text);
   if (parts.size() != active.size())
-    throw InputError("--joints", fmt::format("{} numbers", parts.size()),
-                     fmt::format("{}, one for each joint of the arm", active.size()), "write --joints=A,B,...");
+    throw InputError(option, fmt::format("{} numbers", parts.size()),
+                     fmt::format("{}, one for each joint of the arm", active.size()), "write " + option + "=A,B,...");
   Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
   for (std::size_t i = 0; i < active.size(); ++i)
-    q[static_cast<Eigen::Index>(i)] = parseJoint(parts[i], arm.rows[static_cast<std::size_t>(active[i])].joint, units);
+    q[static_cast<Eigen::Index>(i)] =
+        parseJoint(parts[i], arm.rows[static_cast<std::size_t>(active[i])].joint, units, option);
   return q;
 }
 
@@ -80,7 +83,7 @@ double parseLoad(double load, const Units& units) {
   return units.toInternal(load, dimension::kForce);
 }
 
-tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet) {
+tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet, const std::string& option) {
   tubesheets::Selection selection;
   if (namesCsvFile(request)) {
     const auto list = tubesheets::parseWorkListCsv(readTextFile(request));
@@ -92,7 +95,7 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
     selection = tubesheets::selectTubes(sheet, request);
   }
   if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError("--tubes", inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
+    throw InputError(option, inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
                      "`tubeplan map CELL --csv holes.csv` lists them");
   return selection;
 }

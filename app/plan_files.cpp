@@ -59,6 +59,8 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
                 {"steps", outcome.predicted[k].steps},
                 {"approach_deviation", lengthOf(visit.branch.path_deviation, units)},
                 {"probability_by_steps", outcome.probability_by_steps[k]}};
+  if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
+  if (!outcome.zones.empty()) entry["zone"] = outcome.zones[k] + 1;
   if (!outcome.scores.empty()) entry["scored"] = modesJson(outcome.scores[k], units);
   return entry;
 }
@@ -137,6 +139,11 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"tightest", tightestText(outcome)},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
                  {"counts", countsJson(outcome)}};
+  if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
+  if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
+  if (request.padding > 0)
+    result["padding"] = {{"sigmas", request.padding},
+                         {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)}};
   if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell.units);
   return result;
 }
@@ -206,9 +213,13 @@ std::string planText(const PlanOutcome& outcome) {
   text += fmt::format(
       "travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n",
       plan.travel_time, plan.lower_bound, 100 * plan.gap, plan.row_by_row_time, plan.total_time, plan.detours);
-  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for), tightest {}\n",
+  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
                       minClearance(outcome) / units.factor(dimension::kLength), unit,
-                      outcome.model.scene.clearance / units.factor(dimension::kLength), tightestText(outcome));
+                      outcome.model.scene.clearance / units.factor(dimension::kLength),
+                      outcome.padding > 0 ? fmt::format(", {:.3f} of it for where the base may be",
+                                                        outcome.padding / units.factor(dimension::kLength))
+                                          : "",
+                      tightestText(outcome));
   if (outcome.scores.empty()) return text;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
   text += fmt::format("{:<56}", "steps of the calibration tool that go in, by the true arm");

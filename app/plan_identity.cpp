@@ -35,10 +35,12 @@ void checkSheet(const PlanFiles& files, const tubesheets::Sheet& sheet, std::vec
 void checkPath(const PlanFiles& files, std::vector<std::string>& problems) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < files.path_echoes.size() && found < kMostRows; ++k) {
-    // Segments of a visit: approach, retreat and the travel to the next one, which belongs to that.
+    // Segments of a visit: the travel to it, but for a first one without; approach and retreat. A travel to the end
+    // posture belongs to the last.
     const auto segment = static_cast<std::size_t>(std::max(files.plan.path[k].segment, 0));
-    const std::size_t visit = (segment + 1) / 3;
-    if (visit >= files.plan.tubes.size()) continue;
+    const std::size_t leading = files.plan.start ? 0 : 1;
+    if (files.plan.tubes.empty()) continue;
+    const std::size_t visit = std::min((segment + leading) / 3, files.plan.tubes.size() - 1);
     const TubeEcho planned{files.leg, files.plan.tubes[visit].row, files.plan.tubes[visit].column};
     if (files.path_echoes[k] == planned) continue;
     ++found;

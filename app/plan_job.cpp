@@ -1,5 +1,6 @@
 #include "app/plan_job.hpp"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <set>
@@ -10,6 +11,7 @@
 #include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
 #include "app/workcell.hpp"
+#include "planner/padding.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
@@ -88,11 +90,24 @@ void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   outcome.tubes_removed = static_cast<int>(old.size()) - kept;
 }
 
-planner::VisitPlanOptions planOptions(const PlanRequest& request, planner::Compensation compensation) {
+planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutcome& outcome) {
   planner::VisitPlanOptions options;
   options.seed = request.seed;
-  options.reach.compensation.mode = compensation;
+  options.reach.compensation.mode = outcome.compensation;
+  options.conditions = outcome.conditions;
   return options;
+}
+
+/// Keeps the arm off by what the base may be out, on top of what the scene asks for.
+void pad(const PlanRequest& request, PlanOutcome& outcome) {
+  constexpr double kMostSigmas = 10;
+  if (!(request.padding >= 0 && request.padding <= kMostSigmas))
+    throw InputError("--padding", fmt::format("{}", request.padding), "standard deviations of the base, from 0 to 10");
+  if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
+    throw InputError("--padding", "a base without a covariance", "one that was found by touching",
+                     "give --touches, or a cell that `calibrate` wrote");
+  outcome.padding = planner::paddingOf(outcome.model, request.padding);
+  outcome.model.scene.clearance += outcome.padding;
 }
 
 /// The cell as the planner has it.
@@ -123,16 +138,19 @@ bool placeBase(PlanOutcome& outcome, std::vector<calibration::Touch> touches) {
 
 void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks, PlanKeeper* keeper,
           PlanOutcome& outcome) {
+  pad(request, outcome);
   planner::PlanMemory forgotten;
   planner::PlanMemory& memory = keeper ? keeper->memory() : forgotten;
   if (keeper) {
-    keeper->begin(questionOf(
-        {outcome.cell, outcome.model, request.compensation, request.seed, keeper->fromFingerprint()}, tubes));
+    keeper->begin(questionOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, request.seed,
+                              keeper->fromFingerprint()},
+                             tubes));
     hooks.keep = [keeper](const planner::PlanMemory&) { keeper->saveNowAndThen(); };
   }
   const std::vector<int> order_before = memory.visiting_order;
-  outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome.compensation), hooks, memory);
+  outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome), hooks, memory);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
+  if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(memory.visiting_order, outcome.conditions);
   countChanges(order_before, outcome);
   predict(outcome);
   score(outcome);
@@ -145,6 +163,7 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
   PlanOutcome outcome = begun(cell, request);
   if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
   const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
+  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
   plan(request, selection.tube_indices, std::move(hooks), &keeper, outcome);
   return outcome;
@@ -156,6 +175,7 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   const auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
+  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/plan_conditions.hpp"
 #include "app/plan_keeper.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "app/step_score.hpp"
@@ -22,6 +23,8 @@ struct PlanRequest {
   std::string truth;  ///< file; empty: nothing is scored
   std::string compensation = "via-point";
   double load = 0;  ///< in the cell's unit of force
+  ConditionsRequest conditions;
+  double padding = 0;  ///< of the base's standard deviations, kept beyond the scene's clearance
   std::uint64_t seed = 1;
 };
 
@@ -32,6 +35,9 @@ struct PlanOutcome {
   planner::Compensation compensation = planner::Compensation::kViaPoint;
   std::vector<calibration::Touch> touches;
   std::optional<BothCalibrations> calibration;
+  planner::VisitConditions conditions;
+  double padding = 0;      ///< m, within the model's clearance
+  std::vector<int> zones;  ///< per visit; empty where no tubes come first
   planner::VisitPlan plan;
   int tubes_added = 0, tubes_removed = 0;                 ///< against the plan begun from, of those visited
   std::vector<planner::Centring> predicted;               ///< by the model itself, per visit

@@ -135,6 +135,10 @@ void PlanKeeper::takeFrom(const PlanQuestion& question) {
   }
   memory_ = std::move(from_memory_);
   memory_.orders.clear();
+  if (partOf(from_question_, kEndsPart) == partOf(question, kEndsPart)) return;
+  const auto meetsAnEnd = [](const auto& entry) { return entry.first.first.tube < 0 || entry.first.second.tube < 0; };
+  std::erase_if(memory_.travels, meetsAnEnd);
+  std::erase_if(memory_.proofs, meetsAnEnd);
 }
 
 void PlanKeeper::saveNowAndThen() {

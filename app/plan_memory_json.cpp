@@ -113,6 +113,7 @@ json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
           {"status", static_cast<int>(plan.status)},
           {"reason", plan.reason},
           {"waypoints", posturesJson(plan.waypoints)},
+          {"flows", plan.flows},
           {"cost", numberJson(plan.cost)},
           {"margin", numberJson(plan.proved_margin)},
           {"tightest", clearanceJson(plan.tightest)},
@@ -126,6 +127,7 @@ planner::MotionPlan travelFrom(const json& object) {
   plan.reason = object.at("reason");
   plan.waypoints = posturesFrom(object.at("waypoints"));
   plan.straight = plan.waypoints.size() == 2;
+  plan.flows = object.at("flows");
   plan.cost = numberFrom(object.at("cost"));
   plan.proved_margin = numberFrom(object.at("margin"));
   plan.tightest = clearanceFrom(object.at("tightest"));

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/plan_conditions.hpp"
 #include "app/version.hpp"
 
 namespace tubeplan::app {
@@ -17,9 +18,10 @@ namespace {
 
 // What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
 // own part; the tool's steps judge a plan, they do not shape it.
-constexpr std::array<std::string_view, 5> kOtherKeys{"name", "base", "identify", "tubesheet", "calibration_tool"};
-constexpr std::array<std::string_view, 6> kModelParts{"program", "arm and scene", "base",
-                                                      "load",    "compensation",  "sheet"};
+constexpr std::array<std::string_view, 6> kOtherKeys{"name", "base", "identify", "tubesheet", "calibration_tool",
+                                                     "park"};
+constexpr std::array<std::string_view, 7> kModelParts{"program",   "arm and scene", "base", "load",
+                                                      "clearance", "compensation",  "sheet"};
 
 /// Values without their places and comments.
 void append(const YamlNode& node, std::string& text) {
@@ -82,10 +84,13 @@ PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tu
           {"arm and scene", fingerprintOf(modelText(inputs.cell))},
           {"base", fingerprintOf(base_text)},
           {"load", fmt::format("{} N", inputs.model.load)},
+          {"clearance", fmt::format("{:a} m", inputs.model.scene.clearance)},
           {"compensation", inputs.compensation},
           {"sheet", inputs.model.sheet.fingerprint()},
           {"seed", std::to_string(inputs.seed)},
           {"list of tubes", fmt::format("{} tubes, {}", tubes.size(), fingerprintOf(tubes_text))},
+          {kEndsPart, endsText(inputs.conditions)},
+          {"other conditions", conditionsText(inputs.conditions)},
           {"plan to begin from", inputs.from}};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/readers/cell_reader.hpp"
+#include "planner/visit_conditions.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -13,16 +14,20 @@ namespace tubeplan::app {
 /// By name, in a fixed order. Values are short texts: a number, a word or a fingerprint.
 using PlanQuestion = std::vector<std::pair<std::string, std::string>>;
 
+/// The part that travels from the start and to the end posture depend on.
+inline constexpr const char* kEndsPart = "start and end";
+
 struct QuestionInputs {
   const Cell& cell;
   const planner::Workcell& model;  ///< as planned with: base as calibrated, load
+  const planner::VisitConditions& conditions;
   std::string compensation;
   std::uint64_t seed = 1;
   std::string from;  ///< fingerprint of the memory that the plan begins with; empty without
 };
 
-/// program, arm and scene, base, load, compensation, sheet: what proved motions and postures depend on; then seed,
-/// tubes and from.
+/// program, arm and scene, base, load, clearance, compensation, sheet: what proved motions and postures depend on; then
+/// seed, tubes, start and end, other conditions and from.
 [[nodiscard]] PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tubes);
 
 /// Names of the parts that differ, "another seed (1, now 2)" each; empty when the questions are the same.

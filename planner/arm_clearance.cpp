@@ -6,6 +6,7 @@
 #include "deflection/chain.hpp"
 #include "deflection/rigid_branches.hpp"
 #include "deflection/tip_derivatives.hpp"
+#include "planner/deflection_travel.hpp"
 
 namespace tubeplan::planner {
 
@@ -83,7 +84,7 @@ std::vector<Isometry3d> framesAlongChords(const Workcell& cell, const FlexibleKi
   return frames;
 }
 
-TravelBound travelOf(const Workcell& cell, const std::vector<double>& body_reach) {
+std::vector<LinkReach> linksOf(const Workcell& cell, const std::vector<double>& body_reach) {
   std::vector<LinkReach> links;
   for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) {
     const auto& joint = cell.arm.rows[row].joint;
@@ -98,10 +99,22 @@ TravelBound travelOf(const Workcell& cell, const std::vector<double>& body_reach
       links.back().step += std::max(std::abs(joint.lower + joint.offset), std::abs(joint.upper + joint.offset));
     links.push_back(link);
   }
-  return travelBoundOf(links, deflectionFactor(cell));
+  return links;
 }
 
 }  // namespace
+
+ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reach) {
+  const DeflectionTravel deflection = deflectionTravelOf(cell, body_reach);
+  ArmTravel travel;
+  travel.is_proved = deflection.is_proved;
+  travel.reason = deflection.reason;
+  travel.jump = deflection.jump;
+  travel.bound =
+      travelBoundOf(linksOf(cell, body_reach), deflection.is_proved ? deflection.stretch : deflectionFactor(cell));
+  if (deflection.is_proved) travel.bound.reach_per_joint += deflection.per_joint;
+  return travel;
+}
 
 double deflectionFactor(const Workcell& cell) {
   const auto variables = deflection::jointVariables(cell.arm);
@@ -135,7 +148,7 @@ ArmClearance::ArmClearance(const Workcell& cell)
       gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
       approach_world_(cell.scene),
       travel_world_(travelScene(cell.scene)),
-      travel_(travelOf(cell, approach_world_.bodyReach())) {}
+      travel_(armTravelOf(cell, approach_world_.bodyReach())) {}
 
 Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   double bow = 0;
@@ -146,8 +159,8 @@ Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
     return clearance;
   }
   clearance = (rule == ContactRule::kTravel ? travel_world_ : approach_world_).closest(frames);
-  clearance.distance -= bow;
-  clearance.margin -= bow;
+  clearance.distance -= bow + travel_.jump;
+  clearance.margin -= bow + travel_.jump;
   return clearance;
 }
 

@@ -10,6 +10,16 @@ namespace tubeplan::planner {
 /// The tool may enter holes only while it approaches or retreats; in between it keeps off the sheet as everything does.
 enum class ContactRule { kTravel, kApproach };
 
+/// How far any body point can travel, deflection's change included (deflection_travel.hpp). Where that is not proved,
+/// the most seen over sampled postures stands in.
+struct ArmTravel {
+  TravelBound bound;
+  double jump = 0;  ///< m, taken off every margin
+  bool is_proved = false;
+  std::string reason;  ///< why not
+};
+[[nodiscard]] ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
+
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
@@ -24,7 +34,10 @@ class ArmClearance {
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
 
   /// Bound on any body point's travel, deflection's change included.
-  [[nodiscard]] const TravelBound& travel() const { return travel_; }
+  [[nodiscard]] const TravelBound& travel() const { return travel_.bound; }
+
+  /// Whether that bound is proved, and why not.
+  [[nodiscard]] const ArmTravel& armTravel() const { return travel_; }
 
   [[nodiscard]] const Workcell& cell() const { return cell_; }
 
@@ -32,7 +45,7 @@ class ArmClearance {
   const Workcell& cell_;
   Eigen::Vector3d gravity_B_;
   CollisionWorld approach_world_, travel_world_;
-  TravelBound travel_;
+  ArmTravel travel_;
 };
 
 /// How much faster than its rigid lever a point can move because the deflection changes with the joints: the most seen

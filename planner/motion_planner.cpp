@@ -6,13 +6,13 @@
 #include <cassert>
 #include <random>
 
+#include "planner/detour_shaping.hpp"
 #include "planner/motion_search.hpp"
 
 namespace tubeplan::planner {
 namespace {
 
 using Eigen::VectorXd;
-using Waypoints = std::vector<VectorXd>;
 
 double costOf(const MotionProblem& problem, const VectorXd& from, const VectorXd& to) {
   return problem.cost ? problem.cost(from, to) : problem.travel(from, to);
@@ -124,6 +124,36 @@ bool proveStretches(const MotionProblem& problem, const MotionPlannerOptions& op
   return true;
 }
 
+/// Makes a proved flow quick and takes it.
+void takeFlow(Waypoints flow, const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
+  quicken(flow, problem, options.check, plan.checks);
+  const MotionCheckResult check = checkFlow(flow, problem, options.check, plan.checks);
+  plan.status = check.status == MotionCheckStatus::kFree ? MotionPlanStatus::kFree : MotionPlanStatus::kNoPath;
+  plan.reason = check.reason;
+  plan.cost = flowTime(flow, problem);
+  plan.waypoints = std::move(flow);
+  plan.flows = true;
+  plan.proved_margin = check.proved_margin;
+  plan.tightest = check.tightest;
+}
+
+/// A way round through one posture, where there is one.
+bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem, const MotionPlannerOptions& options,
+             MotionPlan& plan) {
+  if (!problem.speeds) return false;
+  Waypoints way = detourByOnePosture(q0, q1, problem, options.check, plan.checks);
+  if (way.empty()) return false;
+  takeFlow(std::move(way), problem, options, plan);
+  return true;
+}
+
+/// Lets the arm flow through the waypoints where that is proved free and saves time.
+void letFlow(const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
+  if (!problem.speeds || !(flowTime(plan.waypoints, problem) < plan.cost)) return;
+  const MotionCheckResult check = checkFlow(plan.waypoints, problem, options.check, plan.checks);
+  if (check.status == MotionCheckStatus::kFree) takeFlow(plan.waypoints, problem, options, plan);
+}
+
 std::string noPathReason(const MotionSearchResult& search, const MotionCheckResult& straight) {
   std::string reason =
       fmt::format("no way round found in {} iterations; straight on, {}", search.iterations, straight.reason);
@@ -162,13 +192,17 @@ MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProble
     return stopAt(MotionPlanStatus::kFree, "");
   }
 
+  if (goRound(q0, q1, problem, options, plan)) return plan;
   MotionSearchResult search = searchMotion(q0, q1, problem, options);
   plan.iterations = search.iterations;
   plan.checks += search.checks;
   if (search.waypoints.empty()) return stopAt(MotionPlanStatus::kNoPath, noPathReason(search, straight));
   plan.waypoints = std::move(search.waypoints);
   Shortcutter(problem, options, plan.checks).shorten(plan.waypoints);
-  if (proveStretches(problem, options, plan)) return plan;
+  if (proveStretches(problem, options, plan)) {
+    letFlow(problem, options, plan);
+    return plan;
+  }
   // Every stretch was proved when it came in, and the same question has the same answer if clearance depends on the
   // posture alone.
   plan.waypoints.clear();

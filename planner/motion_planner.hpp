@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "planner/joint_metric.hpp"
 #include "planner/motion_check.hpp"
 
 namespace tubeplan::planner {
@@ -19,6 +21,9 @@ struct MotionProblem {
   TravelBound travel;
   /// What a straight move costs (its time, say): shortening makes the sum less. The travel bound where not given.
   std::function<double(const Eigen::VectorXd&, const Eigen::VectorXd&)> cost;
+  /// Where given, a way round flows through its waypoints without rest (flowing_timing.hpp) if that can be proved free,
+  /// and is made quick.
+  std::optional<JointSpeeds> speeds;
 };
 
 struct MotionPlannerOptions {
@@ -35,8 +40,9 @@ struct MotionPlan {
   MotionPlanStatus status = MotionPlanStatus::kNotRun;
   std::string reason;  ///< what is in the way, where there is no path
   std::vector<Eigen::VectorXd>
-      waypoints;          ///< start and goal included; each straight stretch between them is proved free
+      waypoints;          ///< start and goal included; each straight stretch between them (or the flow) is proved free
   bool straight = false;  ///< start and goal alone
+  bool flows = false;     ///< through the waypoints without rest; what is proved free is then that flow
   double cost = std::numeric_limits<double>::quiet_NaN();
   double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< m, least over the stretches
   Clearance tightest;  ///< the tightest posture met on the way; when there is none, what blocks the straight move

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "planner/arm_clearance.hpp"
+#include "planner/deflection_travel.hpp"
 #include "planner/lipschitz_distance.hpp"
 
 namespace tubeplan::planner {
@@ -17,6 +18,7 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 constexpr std::size_t kMostFindings = 100;
 constexpr double kLimitShare = 1 + 1e-9;
+constexpr double kTimeTolerance = 1e-6;  // s
 
 class Checker {
  public:
@@ -28,7 +30,12 @@ class Checker {
         gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
         travel_scene_(withoutContact(cell.scene)),
         lever_(leversOf()),
-        factor_(deflectionFactor(cell)) {}
+        deflection_(deflectionTravelOf(cell, std::vector<double>(cell.arm.rows.size(), thickestBody(cell.scene)))) {
+    if (deflection_.is_proved)
+      lever_ = deflection_.stretch * lever_ + deflection_.per_joint;
+    else
+      lever_ *= deflectionFactor(cell);
+  }
 
   PlanCheck run() {
     if (plan_.tubes.empty()) find("the plan visits no tube: there is nothing to prove");
@@ -98,20 +105,36 @@ class Checker {
     }
   }
 
-  /// Time rises, and segments follow one another: up to a tube, down from it, on to the next.
+  /// Travels before the first approach: the one from the start posture, or none.
+  int leading() const { return !plan_.path.empty() && plan_.path.front().kind == SegmentKind::kTravel ? 1 : 0; }
+
+  /// Time rises, and segments follow one another: up to a tube, down from it, on to the next. A path may set out from a
+  /// posture and come to rest in one.
   void checkOrder() {
-    static constexpr std::array kCycle{SegmentKind::kApproach, SegmentKind::kRetreat, SegmentKind::kTravel};
+    static constexpr std::array kCycle{SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat};
+    const int first = 1 - leading();
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
       const int step = row.segment - (k > 0 ? plan_.path[k - 1].segment : 0);
       if (k > 0 && !(row.time > plan_.path[k - 1].time))
         return find(fmt::format("path row {}: time does not rise", k + 1));
       if (step < 0 || step > (k > 0 ? 1 : 0)) return find(fmt::format("path row {}: segments out of order", k + 1));
-      if (row.kind != kCycle[static_cast<std::size_t>(row.segment) % kCycle.size()])
+      if (row.kind != kCycle[static_cast<std::size_t>(row.segment + first) % kCycle.size()])
         return find(fmt::format("path row {}: segment {} cannot be a {}", k + 1, row.segment + 1, nameOf(row.kind)));
     }
-    if (!plan_.path.empty() && plan_.path.back().kind != SegmentKind::kRetreat)
-      find("the path does not end with a retreat");
+    if (!plan_.path.empty() && plan_.path.back().kind == SegmentKind::kApproach)
+      find("the path ends at a hole, without a retreat");
+    checkEnd("start", plan_.start, leading() > 0, plan_.path.empty() ? nullptr : &plan_.path.front());
+    checkEnd("end", plan_.end, !plan_.path.empty() && plan_.path.back().kind == SegmentKind::kTravel,
+             plan_.path.empty() ? nullptr : &plan_.path.back());
+  }
+
+  void checkEnd(const std::string& name, const std::optional<VectorXd>& stated, bool has_travel, const PathRow* row) {
+    if (stated.has_value() != has_travel)
+      return find("the path and the plan differ on whether there is a posture to " + name + " in");
+    if (stated &&
+        (stated->size() != row->q.size() || (*stated - row->q).cwiseAbs().maxCoeff() > options_.joint_tolerance))
+      find("the path does not " + name + " in the stated posture");
   }
 
   void checkJoints() {
@@ -152,7 +175,14 @@ class Checker {
     }
   }
 
-  /// Each stated tube must be the end of one approach, in order.
+  /// How long the arm rests at a row [s].
+  double stayAfter(std::size_t k) const {
+    std::size_t last = k;
+    while (last + 1 < plan_.path.size() && plan_.path[last + 1].q == plan_.path[k].q) ++last;
+    return plan_.path[last].time - plan_.path[k].time;
+  }
+
+  /// Each stated tube must be the end of one approach, in order, and the arm stay there as stated.
   void checkApproaches() {
     std::size_t tube = 0;
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
@@ -164,6 +194,11 @@ class Checker {
       if ((row.q - stated.q).cwiseAbs().maxCoeff() > options_.joint_tolerance)
         find(fmt::format("path row {}: the approach does not end at {}", k + 1,
                          tubesheets::tubeName(stated.row, stated.column)));
+      if (!(stayAfter(k) >= stated.dwell - kTimeTolerance))
+        find(fmt::format("path row {}: the arm stays {:.3f} s at {}, {:.3f} s are stated", k + 1, stayAfter(k),
+                         tubesheets::tubeName(stated.row, stated.column), stated.dwell));
+      if (tube > 1 && stated.zone < plan_.tubes[tube - 2].zone)
+        find(tubesheets::tubeName(stated.row, stated.column) + " comes after tubes of a later zone");
     }
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
   }
@@ -172,7 +207,7 @@ class Checker {
   void checkAxes() {
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
-      const std::size_t tube = static_cast<std::size_t>(std::max(row.segment, 0)) / 3;
+      const std::size_t tube = static_cast<std::size_t>(std::max(row.segment - leading(), 0)) / 3;
       if (row.kind == SegmentKind::kTravel || tube >= plan_.tubes.size()) continue;
       double off = offAxis(row.q, plan_.tubes[tube]);
       if (k > 0) off = std::max(offAxis((plan_.path[k - 1].q + row.q) / 2, plan_.tubes[tube]), off);
@@ -196,7 +231,8 @@ class Checker {
     const auto frames = bodyFrames(cell_, q, &bow);
     if (frames.empty()) return -std::numeric_limits<double>::infinity();
     const Scene& scene = kind == SegmentKind::kTravel ? travel_scene_ : cell_.scene;
-    return lipschitzMargin(scene, frames, options_.distance_accuracy, options_.distance_share, names) - bow;
+    return lipschitzMargin(scene, frames, options_.distance_accuracy, options_.distance_share, names) - bow -
+           deflection_.jump;
   }
 
   /// Between holes the tool has no leave to touch anything that stands in the world.
@@ -215,17 +251,23 @@ class Checker {
     return scene;
   }
 
-  /// No point of the arm moves further than this in a straight joint move; the factor covers deflection.
-  double travel(const VectorXd& a, const VectorXd& b) const { return factor_ * lever_.dot((b - a).cwiseAbs()); }
+  /// No point of the arm moves further than this in a straight joint move, deflection's change included.
+  double travel(const VectorXd& a, const VectorXd& b) const { return lever_.dot((b - a).cwiseAbs()); }
+
+  /// Greatest distance of a body point from its frame.
+  static double thickestBody(const Scene& scene) {
+    double thick = 0;
+    for (const auto& body : scene.bodies) {
+      const auto& capsule = static_cast<const Solid&>(*body.shape).around();
+      thick = std::max(thick, std::max(capsule.from.norm(), capsule.to.norm()) + capsule.radius);
+    }
+    return thick;
+  }
 
   /// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide
   /// moves all by 1.
   VectorXd leversOf() const {
-    double thick = 0;
-    for (const auto& body : cell_.scene.bodies) {
-      const auto& capsule = static_cast<const Solid&>(*body.shape).around();
-      thick = std::max(thick, std::max(capsule.from.norm(), capsule.to.norm()) + capsule.radius);
-    }
+    const double thick = thickestBody(cell_.scene);
     const auto active = deflection::activeRows(cell_.arm);
     VectorXd lever(static_cast<Eigen::Index>(active.size()));
     for (int j = 0; j < lever.size(); ++j) {
@@ -292,7 +334,7 @@ class Checker {
   Vector3d gravity_B_;
   Scene travel_scene_;
   VectorXd lever_;
-  double factor_;
+  DeflectionTravel deflection_;
   PlanCheck result_;
   double least_met_ = std::numeric_limits<double>::infinity();  ///< m, margin of a posture
 };

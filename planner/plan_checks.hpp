@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct StatedTube {
   Eigen::Vector3d hole_W = Eigen::Vector3d::Zero();
   Eigen::VectorXd q;
   Eigen::Vector3d predicted_tip_W = Eigen::Vector3d::Zero();
+  double dwell = 0;  ///< s
+  int zone = 0;      ///< never falls along the path
 };
 
 /// A plan as read from its files.
@@ -22,6 +25,7 @@ struct StatedPlan {
   std::vector<StatedTube> tubes;
   std::vector<std::pair<int, int>> unreachable;  ///< row, column
   std::vector<PathRow> path;
+  std::optional<Eigen::VectorXd> start, end;  ///< postures that the path sets out from and comes to rest in [rad]
 };
 
 struct PlanCheckOptions {

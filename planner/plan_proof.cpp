@@ -10,15 +10,16 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& options, const PathSegment& segment) {
+SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& options, const JointSpeeds& speeds,
+                     const PathSegment& segment) {
   MotionCheckOptions check = options.motion.check;
   check.accuracy = options.report_accuracy;
   const ContactRule rule = segment.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach;
   const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, rule); };
   SegmentProof proof{kInfinity, {}};
-  for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k) {
-    const MotionCheckResult result =
-        checkMotion(segment.waypoints[k], segment.waypoints[k + 1], margin, clearance.travel(), check);
+  const std::vector<Eigen::VectorXd> corners = cornersOf(segment, speeds);
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+    const MotionCheckResult result = checkMotion(corners[k], corners[k + 1], margin, clearance.travel(), check);
     const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -kInfinity;
     if (proved < proof.margin) proof = {proved, result.tightest};
   }
@@ -50,6 +51,7 @@ bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, co
     else
       open.push_back(k);
   }
+  const JointSpeeds speeds = jointSpeedsOf(clearance.cell().arm);
   std::mutex telling;
   std::size_t done = 0;
   bool stopped = false;
@@ -59,7 +61,7 @@ bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, co
       stopped = true;
       return;
     }
-    const SegmentProof proof = proofOf(clearance, options, plan.segments[open[k]]);
+    const SegmentProof proof = proofOf(clearance, options, speeds, plan.segments[open[k]]);
     const std::lock_guard lock(telling);
     memory.proofs[ends[open[k]]] = proof;
     tell(hooks, "proof", ++done, open.size());

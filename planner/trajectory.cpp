@@ -1,5 +1,7 @@
 #include "planner/trajectory.hpp"
 
+#include "planner/flowing_timing.hpp"
+
 namespace tubeplan::planner {
 
 namespace {
@@ -31,12 +33,26 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
   const auto add = [&](TrajectoryPoint point) {
     if (points.empty() || point.time >= points.back().time + least_step) points.push_back(std::move(point));
   };
-  for (const auto& segment : plan.segments)
+  for (const auto& segment : plan.segments) {
+    if (segment.kind == SegmentKind::kRetreat)
+      if (const double stay = plan.visits[static_cast<std::size_t>(segment.visit)].dwell; stay > 0) {
+        const Eigen::VectorXd none = Eigen::VectorXd::Zero(segment.waypoints.front().size());
+        add({start, segment.waypoints.front(), none, none});
+        start += stay;
+      }
+    if (segment.flows) {
+      const TimedFlow flow = timeFlow(segment.waypoints, speeds);
+      for (const FlowPhase& phase : flow.phases)
+        add({start + phase.start, phase.from, phase.speed, phase.acceleration});
+      start += flow.duration;
+      continue;
+    }
     for (const TimedMove& move : timePolyline(segment.waypoints, speeds).moves) {
       if (move.duration <= 0) continue;
       for (const Place& place : placesOf(move)) add(pointAt(move, place, start));
       start += move.duration;
     }
+  }
   if (plan.segments.empty()) return points;
   const Eigen::VectorXd end = plan.segments.back().waypoints.back(), none = Eigen::VectorXd::Zero(end.size());
   // The end counts more than a point just before it.

@@ -11,9 +11,9 @@ struct TrajectoryPoint {
 };
 
 /// Points wherever the acceleration changes: start, end of speeding up, start of slowing down and end of each straight
-/// move. Cubics through positions and speeds are the motion itself; any interpolation that keeps the joints' profiles
-/// alike stays on the lines that were proved free. The acceleration is that of the stretch which begins there, none at
-/// the end. Times rise strictly, by `least_step` [s] or more.
+/// move, both ends of each rounded corner and of each stay. Cubics through positions and speeds are the motion itself;
+/// any interpolation that keeps the joints' profiles alike stays on the lines that were proved free. The acceleration
+/// is that of the stretch which begins there, none at the end. Times rise strictly, by `least_step` [s] or more.
 [[nodiscard]] std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpeeds& speeds,
                                                         double least_step = 1e-6);
 

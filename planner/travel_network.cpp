@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/flowing_timing.hpp"
+
 namespace tubeplan::planner {
 
 namespace {
@@ -35,16 +37,20 @@ TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<Tu
     return clearance.withSpare(q, ContactRule::kTravel, spare);
   };
   problem_.travel = clearance.travel();
+  problem_.speeds = speeds;
   problem_.cost = [&speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return straightMoveDuration(a, b, speeds);
   };
 }
 
 const Eigen::VectorXd& TravelNetwork::standoff(Stop stop) const {
+  if (stop.visit == kStartPosture) return *options_.conditions.start;
+  if (stop.visit == kEndPosture) return *options_.conditions.end;
   return reach_[static_cast<std::size_t>(stop.visit)].branches[static_cast<std::size_t>(stop.branch)].approach.front();
 }
 
 TubePosture TravelNetwork::postureOf(Stop stop) const {
+  if (stop.visit < 0) return {stop.visit, 0};
   return {reach_[static_cast<std::size_t>(stop.visit)].tube, stop.branch};
 }
 
@@ -67,7 +73,7 @@ const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
 
 double TravelNetwork::timeOf(const MotionPlan& plan) const {
   if (plan.status != MotionPlanStatus::kFree) return std::numeric_limits<double>::infinity();
-  return timePolyline(plan.waypoints, speeds_).duration;
+  return plan.flows ? timeFlow(plan.waypoints, speeds_).duration : timePolyline(plan.waypoints, speeds_).duration;
 }
 
 }  // namespace tubeplan::planner

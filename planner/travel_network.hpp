@@ -7,7 +7,7 @@
 
 namespace tubeplan::planner {
 
-/// A visit's place in the order, as a posture to travel from or to.
+/// A visit's place in the order, as a posture to travel from or to; or the start or the end posture, branch 0.
 struct Stop {
   int visit, branch;
   auto operator<=>(const Stop&) const = default;

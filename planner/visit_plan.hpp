@@ -11,6 +11,7 @@
 #include "planner/plan_memory.hpp"
 #include "planner/trapezoid_timing.hpp"
 #include "planner/tube_reach.hpp"
+#include "planner/visit_conditions.hpp"
 #include "planner/visit_order.hpp"
 
 namespace tubeplan::planner {
@@ -35,6 +36,7 @@ struct VisitPlanOptions {
   TubeReachOptions reach;
   VisitOrderOptions order;
   MotionPlannerOptions motion;
+  VisitConditions conditions;
   int reprice_rounds = 12;           ///< order, plan the chosen moves, put their true times in, order again
   double report_accuracy = 2.54e-4;  ///< m, of the least clearance that is reported (0.010 in)
 };
@@ -42,20 +44,22 @@ struct VisitPlanOptions {
 enum class SegmentKind { kTravel, kApproach, kRetreat };
 std::string_view nameOf(SegmentKind kind);  ///< travel, approach, retreat
 
-/// One stretch of the path: the arm rests at every waypoint and moves straight in joint space between them, proved
-/// free.
+/// One stretch of the path: the arm rests at every waypoint and moves straight in joint space between them, or flows
+/// through them; proved free.
 struct PathSegment {
   SegmentKind kind = SegmentKind::kTravel;
-  int visit = -1;  ///< the visit it belongs to (a travel: the visit it leads to)
+  int visit = -1;  ///< the visit it belongs to (a travel: the one it leads to; to the end posture: the last)
   std::vector<Eigen::VectorXd> waypoints;
   double margin =
       std::numeric_limits<double>::quiet_NaN();  ///< m, proved, beyond the clearance that the scene asks for
   Clearance tightest;
+  bool flows = false;
 };
 
 struct PlannedVisit {
   int tube = -1;  ///< index in the sheet
   TubeBranch branch;
+  double dwell = 0;  ///< s at the hole
 };
 
 struct UnreachableTube {
@@ -71,12 +75,13 @@ struct VisitPlan {
   std::string reason;
   std::vector<PlannedVisit> visits;  ///< in visiting order
   std::vector<UnreachableTube> unreachable;
-  std::vector<PathSegment> segments;                              ///< approach, retreat, travel, approach, ...
-  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, between the standoffs
+  /// Approach, retreat, travel, approach, ...; before and after them the travels from the start and to the end posture.
+  std::vector<PathSegment> segments;
+  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, between the standoffs, start and end postures
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved, of the same
   double gap = std::numeric_limits<double>::quiet_NaN();
   double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves row after row
-  double total_time = std::numeric_limits<double>::quiet_NaN();       ///< s, approaches and retreats included
+  double total_time = std::numeric_limits<double>::quiet_NaN();       ///< s, approaches, retreats and stays included
   double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< m, proved, over all segments
   Clearance tightest;
   int detours = 0;  ///< travels that are not a straight joint move
@@ -96,6 +101,12 @@ struct VisitPlan {
 /// Speed and acceleration limits of the arm's joints.
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm);
 
+/// How long a segment takes [s].
+[[nodiscard]] double durationOf(const PathSegment& segment, const JointSpeeds& speeds);
+
+/// The postures between which a segment runs straight.
+[[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const PathSegment& segment, const JointSpeeds& speeds);
+
 /// One row of the exported path; straight between rows is the motion that was proved free.
 struct PathRow {
   double time = 0;  ///< s
@@ -104,7 +115,8 @@ struct PathRow {
   Eigen::VectorXd q;
 };
 
-/// The whole path in time, rows at most `max_step` seconds apart.
+/// The whole path in time, rows at most `max_step` seconds apart while the arm moves. A stay at a hole is two rows with
+/// the same posture; the second begins the retreat.
 std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds, double max_step = 0.25);
 
 }  // namespace tubeplan::planner

@@ -24,7 +24,7 @@ struct Item {
   [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
 };
 
-Selection refuse(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}}; }
+Selection refuse(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}}; }
 
 Selection refuse(const Item& item, const std::string& reason) {
   return refuse(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
@@ -106,7 +106,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
       for (const int tube : choice.tubes) is_selected[tube] = !minus;
     }
   }
-  Selection selection{SelectionStatus::kSelected, "", {}};
+  Selection selection{SelectionStatus::kSelected, "", {}, {}};
   for (const int tube : all)
     if (is_selected[tube]) selection.tube_indices.push_back(tube);
   return selection;
@@ -146,13 +146,14 @@ Selection selectTubes(const Sheet& sheet, const WorkList& list) {
   if (list.status != WorkListStatus::kRead)
     return refuse(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
-  Selection selection{SelectionStatus::kSelected, "", {}};
+  Selection selection{SelectionStatus::kSelected, "", {}, {}};
   for (const WorkListItem& item : list.items) {
     std::string fault = findListFault(item, sheet);
     if (!item.sheet.empty() && item.sheet != fingerprint)
       fault = fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
     if (!fault.empty()) return refuse(fmt::format("line {}: {}", item.line, fault));
     selection.tube_indices.push_back(*sheet.indexOf(item.row, item.column));
+    if (item.dwell) selection.dwell[selection.tube_indices.back()] = *item.dwell;
   }
   std::sort(selection.tube_indices.begin(), selection.tube_indices.end());
   const auto repeated = std::unique(selection.tube_indices.begin(), selection.tube_indices.end());

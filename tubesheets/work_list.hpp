@@ -7,6 +7,7 @@
 //   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ struct Selection {
   SelectionStatus status = SelectionStatus::kNotRun;
   std::string reason;             ///< when refused: names the item, the tube or the line
   std::vector<int> tube_indices;  ///< places in sheet.tubes, ascending, each once
+  std::map<int, double> dwell;    ///< s to stay at a tube, where a list says so
 };
 
 /// Tubes by the language above. Refused: malformed items, tubes that are not on the sheet, another leg or sheet, an
@@ -35,7 +37,8 @@ struct WorkListItem {
   int column = 0;
   int line = 0;
   std::optional<Leg> leg;
-  std::string sheet;  ///< fingerprint; empty = any
+  std::string sheet;            ///< fingerprint; empty = any
+  std::optional<double> dwell;  ///< s to stay
 };
 
 enum class WorkListStatus { kNotRun, kRead, kRefused };
@@ -46,9 +49,10 @@ struct WorkList {
   std::vector<WorkListItem> items;
 };
 
-/// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL) and sheet (a fingerprint); the
-/// columns sg, zone, tool, state, priority, comment and x, y with a unit are allowed and ignored. Refused: the same
-/// tube twice, two legs or sheets in one list, missing or other columns, anything malformed, no tubes.
+/// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL), sheet (a fingerprint) and dwell_s
+/// (seconds to stay, from 0 to a day; empty: not said); the columns sg, zone, tool, state, priority, comment and x, y
+/// with a unit are allowed and ignored. Refused: the same tube twice, two legs or sheets in one list, missing or other
+/// columns, anything malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// The tubes of such a list. Refused: a refused list, another leg or sheet, tubes that are not on the sheet.

@@ -11,10 +11,13 @@ namespace tubeplan::tubesheets {
 namespace {
 
 const std::vector<std::string>& knownColumns() {
-  static const std::vector<std::string> known{"row",  "column", "leg",  "sheet", "sg",  "zone", "tool",     "state",
-                                              "x_in", "y_in",   "x_mm", "y_mm",  "x_m", "y_m",  "priority", "comment"};
+  static const std::vector<std::string> known{"row",  "column", "leg",      "sheet",   "sg",     "zone",
+                                              "tool", "state",  "x_in",     "y_in",    "x_mm",   "y_mm",
+                                              "x_m",  "y_m",    "priority", "comment", "dwell_s"};
   return known;
 }
+
+constexpr double kLongestStay = 86'400;  // s
 
 WorkList refused(Problem problem) { return {WorkListStatus::kRefused, std::move(problem), {}}; }
 
@@ -49,7 +52,12 @@ WorkList parseWorkListCsv(std::string_view text) {
     const TubeNumbers numbers = parseTubeNumbers(table, row);
     if (numbers.problem) return refused(*numbers.problem);
     const std::string leg = fieldOf(table, row, "leg");
-    const WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet")};
+    WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}};
+    if (const std::string dwell = fieldOf(table, row, "dwell_s"); !dwell.empty()) {
+      item.dwell = parseNumber(dwell);
+      if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
+        return refused({"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
+    }
     if (!leg.empty() && !item.leg) return refused({"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
     const auto [first, is_new] = lines.try_emplace({item.row, item.column}, item.line);
     if (!is_new)

@@ -95,6 +95,17 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
+  auto& conditions = request.conditions;
+  cli.add_option("--start", conditions.start,
+                 "the posture to set out from: `park` (the cell's) or joint readings, --start=A,B,...");
+  cli.add_option("--end", conditions.end, "the posture to come to rest in, in the same way");
+  cli.add_option("--first", conditions.first,
+                 "tubes to visit before all others, as --tubes says them; given again, the zone that comes next");
+  cli.add_option("--dwell", conditions.dwell, "seconds to stay at each hole, but for those of a work list's dwell_s")
+      ->capture_default_str();
+  cli.add_option("--padding", request.padding,
+                 "keep so many standard deviations of the base's place beyond the scene's clearance")
+      ->capture_default_str();
   cli.add_option("--seed", request.seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
       ->required();

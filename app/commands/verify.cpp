@@ -13,6 +13,7 @@
 #include "app/readers/plan_reader.hpp"
 #include "app/workcell.hpp"
 #include "deflection/parameters.hpp"
+#include "planner/padding.hpp"
 
 namespace tubeplan::app {
 
@@ -39,6 +40,8 @@ planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const P
   planner::Workcell work = workcellOf(cell, "verify a plan on it");
   work.X_WB = planned.X_WB;
   work.load = files.load;
+  if (planned.base_covariance) work.base_covariance = *planned.base_covariance;
+  work.scene.clearance += planner::paddingOf(work, files.padding_sigmas);
   return work;
 }
 

@@ -1,5 +1,7 @@
 #include "app/readers/cell_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -42,6 +44,21 @@ void readBase(const YamlNode& node, Cell& cell) {
   cell.base_known = node.at("known").boolean();
   if (const YamlNode* covariance = node.find("covariance"))
     cell.base_covariance = readCovariance(*covariance, cell.units);
+}
+
+// In the file's unit of angle, or of length for a sliding joint.
+void readPark(const YamlNode& node, Cell& cell) {
+  const auto active = deflection::activeRows(cell.arm);
+  const auto& numbers = node.list(active.size(), fmt::format("{} numbers, one for each joint", active.size()));
+  cell.park.emplace(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const auto& joint = cell.arm.rows[static_cast<std::size_t>(active[k])].joint;
+    const bool slides = joint.type == deflection::JointType::kPrismatic;
+    const double q = readQuantity(numbers[k], cell.units, slides ? dimension::kLength : dimension::kAngle);
+    if (!(q >= joint.lower && q <= joint.upper))
+      numbers[k].fail("a reading past a limit of " + joint.name, "one within its limits", "");
+    (*cell.park)[static_cast<Eigen::Index>(k)] = q;
+  }
 }
 
 void readIdentify(const YamlNode& node, Cell& cell) {
@@ -96,7 +113,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance"});
+                                    "link_shapes", "clearance", "park"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;
@@ -110,6 +127,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
     if (!cell.sheet) tool->fail("a calibration tool without a tube sheet", "both", "add `tubesheet`");
     cell.tool = readSteppedTool(*tool, cell.units, cell.sheet->hole_diameter);
   }
+  if (const YamlNode* park = root.find("park")) readPark(*park, cell);
   cell.scene = readScene(root, cell.arm, cell.units);
   const auto told_by_scene = findToolAxis(cell.scene);
   if (!source.names_tool_axis) cell.arm.tool_axis_L = told_by_scene.value_or(cell.arm.tool_axis_L);

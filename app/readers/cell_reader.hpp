@@ -32,6 +32,7 @@ struct Cell {
   std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
+  std::optional<Eigen::VectorXd> park;  ///< joint readings to rest in [rad, m]
   planner::Scene scene;               ///< links only where the file has neither scene nor shapes
   std::vector<std::string> identify;  ///< dotted names, or `geometry`
 

@@ -50,10 +50,11 @@ Eigen::Vector3d pointAt(const json& object, const char* key, const std::string& 
   return v;
 }
 
-Eigen::VectorXd jointsAt(const json& tube, const std::string& where, const Eigen::VectorXd& factors) {
-  const Eigen::VectorXd joints = vectorAt(tube, "joints", where, 1);
+Eigen::VectorXd jointsAt(const json& object, const char* key, const std::string& where,
+                         const Eigen::VectorXd& factors) {
+  const Eigen::VectorXd joints = vectorAt(object, key, where, 1);
   if (joints.size() != factors.size())
-    throw InputError(where + " joints", std::to_string(joints.size()) + " numbers", std::to_string(factors.size()),
+    throw InputError(where + " " + key, std::to_string(joints.size()) + " numbers", std::to_string(factors.size()),
                      "plan again");
   return joints.cwiseProduct(factors);
 }
@@ -65,8 +66,10 @@ void readTubesOf(const json& document, const std::string& path, const Cell& cell
   for (const auto& tube : at(document, "tubes", path)) {
     if (tube.is_object() && tube.contains("leg")) files.tube_legs.push_back(valueAt<std::string>(tube, "leg", path));
     files.plan.tubes.push_back({valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path),
-                                pointAt(tube, "hole", path, length), jointsAt(tube, path, joint_factors),
-                                pointAt(tube, "predicted_tip", path, length)});
+                                pointAt(tube, "hole", path, length), jointsAt(tube, "joints", path, joint_factors),
+                                pointAt(tube, "predicted_tip", path, length),
+                                tube.contains("dwell_s") ? valueAt<double>(tube, "dwell_s", path) : 0,
+                                tube.contains("zone") ? valueAt<int>(tube, "zone", path) : 0});
   }
   if (!files.tube_legs.empty() && files.tube_legs.size() != files.plan.tubes.size())
     throw InputError(path + " tubes", "tubes with and without a leg", "the leg of every tube", "plan again");
@@ -133,6 +136,10 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
                      "verify it with the cell that it was planned for");
   PlanFiles files;
   readTubesOf(document, path, cell, files);
+  const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
+  if (document.contains("start")) files.plan.start = jointsAt(document, "start", path, factors);
+  if (document.contains("end")) files.plan.end = jointsAt(document, "end", path, factors);
+  if (document.contains("padding")) files.padding_sigmas = valueAt<double>(document["padding"], "sigmas", path);
   files.compensation = valueAt<std::string>(document, "compensation", path);
   const json& sheet = at(document, "sheet", path);
   files.fingerprint = valueAt<std::string>(sheet, "fingerprint", path);

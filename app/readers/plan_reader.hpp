@@ -20,6 +20,7 @@ struct PlanFiles {
   std::string compensation;  ///< none, goal-point, via-point
   std::string fingerprint;   ///< of the sheet it was made for
   std::string leg, viewed_from;
+  double padding_sigmas = 0;           ///< kept beyond the scene's clearance
   double load = 0;                     ///< N
   std::vector<std::string> tube_legs;  ///< of plan.tubes; empty in a plan without
   std::vector<TubeEcho> path_echoes;   ///< of plan.path; empty in a plan without

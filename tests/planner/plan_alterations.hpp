@@ -205,8 +205,15 @@ inline bool standBetweenRows(Work& work, Generator& generator) {
 }
 
 inline bool askForMoreClearance(Work& work, Generator& generator) {
-  work.cell.scene.clearance += uniform(generator, 0.05, 0.5) * kInch;
-  return true;
+  const ArmClearance before(work.cell);
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& row : work.plan.path)
+    least = std::min(
+        least,
+        before.at(row.q, row.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach).margin);
+  const double more = uniform(generator, 0.05, 0.5) * kInch;
+  work.cell.scene.clearance += more;
+  return more > least;
 }
 
 inline bool moveBase(Work& work, Generator& generator) {

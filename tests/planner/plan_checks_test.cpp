@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "plan_alterations.hpp"
+#include "stated_plan.hpp"
 #include "workcell.hpp"
 
 namespace tubeplan::planner {
@@ -20,21 +21,8 @@ using testing::mockup;
 using testing::pick;
 using testing::sideways;
 using testing::sign;
+using testing::statedPlan;
 using testing::Work;
-
-StatedPlan statedPlan(const Workcell& cell, const VisitPlan& plan) {
-  StatedPlan stated;
-  for (const auto& visit : plan.visits) {
-    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(visit.tube)];
-    stated.tubes.push_back({tube.row, tube.column, holeCentre(tube), visit.branch.q, visit.branch.predicted_tip_W});
-  }
-  for (const auto& missed : plan.unreachable) {
-    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(missed.tube)];
-    stated.unreachable.emplace_back(tube.row, tube.column);
-  }
-  stated.path = samplePath(plan, jointSpeedsOf(cell.arm));
-  return stated;
-}
 
 VisitPlan planFor(const Workcell& cell, Compensation mode) {
   VisitPlanOptions options;

@@ -76,6 +76,7 @@ struct ToyArm {
             Eigen::VectorXd::Constant(joints, limit),
             clearanceOf(world),
             travel(world),
+            {},
             {}};
   }
 };

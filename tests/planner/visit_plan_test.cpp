@@ -7,6 +7,7 @@
 #include <set>
 
 #include "plan_bytes.hpp"
+#include "planner/flowing_timing.hpp"
 #include "planner/plan_checks.hpp"
 #include "planner/travel_network.hpp"
 #include "workcell.hpp"
@@ -95,7 +96,7 @@ TEST_F(MockupPlan, TravelsAreAsClearAsTheyWereProved) {
   ASSERT_GE(travels.size(), 3u);
   // The tightest three, 10,000 postures each.
   for (std::size_t t = 0; t < 3; ++t) {
-    const auto& waypoints = travels[t]->waypoints;
+    const auto waypoints = cornersOf(*travels[t], jointSpeedsOf(cell_->arm));
     const int share = static_cast<int>(10000 / (waypoints.size() - 1));
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k + 1 < waypoints.size(); ++k)
@@ -115,8 +116,8 @@ TEST_F(MockupPlan, TimesAndMarginsAddUp) {
   const JointSpeeds speeds = jointSpeedsOf(cell_->arm);
   double travel = 0, total = 0, least = std::numeric_limits<double>::infinity();
   for (const auto& segment : plan_->segments) {
-    double time = 0;
-    for (std::size_t k = 0; k + 1 < segment.waypoints.size(); ++k)
+    double time = segment.flows ? timeFlow(segment.waypoints, speeds).duration : 0;
+    for (std::size_t k = 0; k + 1 < segment.waypoints.size() && !segment.flows; ++k)
       time += straightMoveDuration(segment.waypoints[k], segment.waypoints[k + 1], speeds);
     total += time;
     if (segment.kind == SegmentKind::kTravel) travel += time;
@@ -131,8 +132,9 @@ TEST_F(MockupPlan, TimesAndMarginsAddUp) {
   EXPECT_GE(plan_->row_by_row_time, plan_->lower_bound);
 }
 
-TEST_F(MockupPlan, SampledPathKeepsEveryWaypointAndRisesInSmallSteps) {
-  const auto rows = samplePath(*plan_, jointSpeedsOf(cell_->arm), 0.2);
+TEST_F(MockupPlan, SampledPathKeepsEveryCornerAndRisesInSmallSteps) {
+  const JointSpeeds speeds = jointSpeedsOf(cell_->arm);
+  const auto rows = samplePath(*plan_, speeds, 0.2);
   EXPECT_EQ(rows.front().time, 0);
   EXPECT_NEAR(rows.back().time, plan_->total_time, 1e-9);
   for (std::size_t k = 1; k < rows.size(); ++k) {
@@ -142,9 +144,9 @@ TEST_F(MockupPlan, SampledPathKeepsEveryWaypointAndRisesInSmallSteps) {
   }
   std::size_t row = 0;
   for (const auto& segment : plan_->segments)
-    for (const auto& waypoint : segment.waypoints) {
-      while (row < rows.size() && rows[row].q != waypoint) ++row;
-      ASSERT_LT(row, rows.size()) << "a waypoint is not among the rows";
+    for (const auto& corner : cornersOf(segment, speeds)) {
+      while (row < rows.size() && rows[row].q != corner) ++row;
+      ASSERT_LT(row, rows.size()) << "a corner is not among the rows";
     }
 }
 

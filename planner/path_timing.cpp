@@ -1,0 +1,42 @@
+// The path of a plan in time.
+#include "planner/flowing_timing.hpp"
+#include "planner/visit_plan.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+std::vector<TimedPosture> samplesOf(const PathSegment& segment, const JointSpeeds& speeds, double max_step) {
+  return segment.flows ? sampleFlow(timeFlow(segment.waypoints, speeds), max_step)
+                       : samplePolyline(timePolyline(segment.waypoints, speeds), max_step);
+}
+
+}  // namespace
+
+double durationOf(const PathSegment& segment, const JointSpeeds& speeds) {
+  return segment.flows ? timeFlow(segment.waypoints, speeds).duration
+                       : timePolyline(segment.waypoints, speeds).duration;
+}
+
+std::vector<Eigen::VectorXd> cornersOf(const PathSegment& segment, const JointSpeeds& speeds) {
+  return segment.flows ? cornersOf(timeFlow(segment.waypoints, speeds)) : segment.waypoints;
+}
+
+std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds, double max_step) {
+  std::vector<PathRow> rows;
+  double start = 0;
+  for (std::size_t k = 0; k < plan.segments.size(); ++k) {
+    const auto& segment = plan.segments[k];
+    const double stay =
+        segment.kind == SegmentKind::kRetreat ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
+    start += stay;
+    const auto samples = samplesOf(segment, speeds, max_step);
+    // A segment begins where the one before ended: that row is there already, unless the arm stayed.
+    for (std::size_t s = rows.empty() || stay > 0 ? 0 : 1; s < samples.size(); ++s)
+      rows.push_back({start + samples[s].time, static_cast<int>(k), segment.kind, samples[s].posture});
+    start += durationOf(segment, speeds);
+  }
+  return rows;
+}
+
+}  // namespace tubeplan::planner
