@@ -114,6 +114,7 @@ json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
           {"reason", plan.reason},
           {"waypoints", posturesJson(plan.waypoints)},
           {"flows", plan.flows},
+          {"apart", plan.apart},
           {"cost", numberJson(plan.cost)},
           {"margin", numberJson(plan.proved_margin)},
           {"tightest", clearanceJson(plan.tightest)},
@@ -128,6 +129,7 @@ planner::MotionPlan travelFrom(const json& object) {
   plan.waypoints = posturesFrom(object.at("waypoints"));
   plan.straight = plan.waypoints.size() == 2;
   plan.flows = object.at("flows");
+  plan.apart = object.at("apart");
   plan.cost = numberFrom(object.at("cost"));
   plan.proved_margin = numberFrom(object.at("margin"));
   plan.tightest = clearanceFrom(object.at("tightest"));

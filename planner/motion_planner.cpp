@@ -8,6 +8,7 @@
 
 #include "planner/detour_shaping.hpp"
 #include "planner/motion_search.hpp"
+#include "planner/roadmap.hpp"
 
 namespace tubeplan::planner {
 namespace {
@@ -164,6 +165,31 @@ std::string noPathReason(const MotionSearchResult& search, const MotionCheckResu
   return reason;
 }
 
+/// A way round of straight stretches, by the roadmap or by a search; false, with the reason, where there is none.
+bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem, const MotionPlannerOptions& options,
+             const MotionCheckResult& straight, MotionPlan& plan) {
+  plan.status = MotionPlanStatus::kNoPath;
+  if (problem.roadmap) {
+    RoadmapWay way = problem.roadmap(q0, q1, plan.checks);
+    if (way.status == RoadmapStatus::kFound) {
+      plan.waypoints = std::move(way.waypoints);
+      return true;
+    }
+    if (way.status == RoadmapStatus::kApart) {
+      plan.apart = true;
+      plan.reason =
+          "the two ends lie in parts of the free space that no way was found between; straight on, " + straight.reason;
+      return false;
+    }
+  }
+  MotionSearchResult search = searchMotion(q0, q1, problem, options);
+  plan.iterations = search.iterations;
+  plan.checks += search.checks;
+  plan.waypoints = std::move(search.waypoints);
+  if (plan.waypoints.empty()) plan.reason = noPathReason(search, straight);
+  return !plan.waypoints.empty();
+}
+
 }  // namespace
 
 MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,
@@ -193,11 +219,7 @@ MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProble
   }
 
   if (goRound(q0, q1, problem, options, plan)) return plan;
-  MotionSearchResult search = searchMotion(q0, q1, problem, options);
-  plan.iterations = search.iterations;
-  plan.checks += search.checks;
-  if (search.waypoints.empty()) return stopAt(MotionPlanStatus::kNoPath, noPathReason(search, straight));
-  plan.waypoints = std::move(search.waypoints);
+  if (!findWay(q0, q1, problem, options, straight, plan)) return plan;
   Shortcutter(problem, options, plan.checks).shorten(plan.waypoints);
   if (proveStretches(problem, options, plan)) {
     letFlow(problem, options, plan);

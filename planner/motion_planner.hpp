@@ -13,6 +13,8 @@
 
 namespace tubeplan::planner {
 
+struct RoadmapWay;
+
 /// Joints in rad (m for a sliding one). A limit may be infinite: then the search stays within half a turn beyond start
 /// and goal.
 struct MotionProblem {
@@ -23,7 +25,9 @@ struct MotionProblem {
   std::function<double(const Eigen::VectorXd&, const Eigen::VectorXd&)> cost;
   /// Where given, a way round flows through its waypoints without rest (flowing_timing.hpp) if that can be proved free,
   /// and is made quick.
-  std::optional<JointSpeeds> speeds;
+  std::optional<JointSpeeds> speeds = std::nullopt;
+  /// Where given, asked for a way round before one is searched for (roadmap.hpp); counts the postures it asked about.
+  std::function<RoadmapWay(const Eigen::VectorXd&, const Eigen::VectorXd&, long& checks)> roadmap = {};
 };
 
 struct MotionPlannerOptions {
@@ -42,6 +46,7 @@ struct MotionPlan {
   std::vector<Eigen::VectorXd>
       waypoints;          ///< start and goal included; each straight stretch between them (or the flow) is proved free
   bool straight = false;  ///< start and goal alone
+  bool apart = false;     ///< no path: the ends lie in parts of the free space that the roadmap has no way between
   bool flows = false;     ///< through the waypoints without rest; what is proved free is then that flow
   double cost = std::numeric_limits<double>::quiet_NaN();
   double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< m, least over the stretches

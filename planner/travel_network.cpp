@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "planner/compensation.hpp"
 #include "planner/flowing_timing.hpp"
 
 namespace tubeplan::planner {
 
 namespace {
+
+constexpr std::size_t kRoadmapTubes = 600;
 
 MotionPlan reversed(MotionPlan plan) {
   std::reverse(plan.waypoints.begin(), plan.waypoints.end());
@@ -22,24 +25,51 @@ std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
 
 }  // namespace
 
-TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach,
-                             const JointSpeeds& speeds, const VisitPlanOptions& options, PlanMemory& memory)
-    : clearance_(clearance), reach_(reach), speeds_(speeds), options_(options), memory_(memory) {
+MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOptions& options) {
+  MotionProblem problem;
   const auto& arm = clearance.cell().arm;
   const auto active = deflection::activeRows(arm);
-  problem_.lower.resize(static_cast<Eigen::Index>(active.size()));
-  problem_.upper.resize(problem_.lower.size());
-  for (int k = 0; k < problem_.lower.size(); ++k) {
-    problem_.lower[k] = arm.rows[active[k]].joint.lower;
-    problem_.upper[k] = arm.rows[active[k]].joint.upper;
+  problem.lower.resize(static_cast<Eigen::Index>(active.size()));
+  problem.upper.resize(problem.lower.size());
+  for (int k = 0; k < problem.lower.size(); ++k) {
+    problem.lower[k] = arm.rows[active[k]].joint.lower;
+    problem.upper[k] = arm.rows[active[k]].joint.upper;
   }
-  problem_.clearance_of = [&clearance, spare = options.reach.spare](const Eigen::VectorXd& q) {
+  problem.clearance_of = [&clearance, spare = options.reach.spare](const Eigen::VectorXd& q) {
     return clearance.withSpare(q, ContactRule::kTravel, spare);
   };
-  problem_.travel = clearance.travel();
-  problem_.speeds = speeds;
-  problem_.cost = [&speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  problem.travel = clearance.travel();
+  problem.speeds = jointSpeedsOf(arm);
+  problem.cost = [speeds = *problem.speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return straightMoveDuration(a, b, speeds);
+  };
+  return problem;
+}
+
+const Roadmap& TravelRoadmap::get() {
+  if (roadmap_) return *roadmap_;
+  const auto& tubes = clearance_.cell().sheet.tubes;
+  const std::size_t step = std::max<std::size_t>(1, tubes.size() / kRoadmapTubes);
+  std::vector<Eigen::VectorXd> postures;
+  for (std::size_t tube = 0; tube < tubes.size(); tube += step)
+    for (const auto& branch : compensate(clearance_.cell(), holeCentre(tubes[tube]), options_.reach.compensation))
+      if (branch.status == deflection::BranchStatus::kConverged) postures.push_back(branch.approach.front());
+  RoadmapOptions options;
+  options.seed = options_.seed;
+  options.check = options_.motion.check;
+  return roadmap_.emplace(travelProblemOf(clearance_, options_), std::move(postures), options);
+}
+
+TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap,
+                             const VisitPlanOptions& options, PlanMemory& memory)
+    : clearance_(clearance),
+      reach_(reach),
+      speeds_(jointSpeedsOf(clearance.cell().arm)),
+      options_(options),
+      memory_(memory),
+      problem_(travelProblemOf(clearance, options)) {
+  problem_.roadmap = [&roadmap](const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) {
+    return roadmap.get().between(q0, q1, checks);
   };
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
+#include "planner/roadmap.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::planner {
@@ -13,9 +15,26 @@ struct Stop {
   auto operator<=>(const Stop&) const = default;
 };
 
+/// What a travel through a cell is asked of.
+[[nodiscard]] MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOptions& options);
+
+/// The cell's roadmap, made when it is first asked for. Its postures are where tubes all over the sheet are approached
+/// from, whatever the list, and random ones.
+class TravelRoadmap {
+ public:
+  TravelRoadmap(const ArmClearance& clearance, const VisitPlanOptions& options)
+      : clearance_(clearance), options_(options) {}
+  const Roadmap& get();
+
+ private:
+  const ArmClearance& clearance_;
+  const VisitPlanOptions& options_;
+  std::optional<Roadmap> roadmap_;
+};
+
 class TravelNetwork {
  public:
-  TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, const JointSpeeds& speeds,
+  TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap,
                 const VisitPlanOptions& options, PlanMemory& memory);
 
   /// The travel from one stop to another, planned the first time it is asked for (or its reverse).
@@ -24,11 +43,12 @@ class TravelNetwork {
   [[nodiscard]] TubePosture postureOf(Stop stop) const;
   [[nodiscard]] const Eigen::VectorXd& standoff(Stop stop) const;
   [[nodiscard]] double timeOf(const MotionPlan& plan) const;
+  [[nodiscard]] const deflection::Arm& arm() const { return clearance_.cell().arm; }
 
  private:
   const ArmClearance& clearance_;
   const std::vector<TubeReach>& reach_;
-  const JointSpeeds& speeds_;
+  const JointSpeeds speeds_;
   const VisitPlanOptions& options_;
   PlanMemory& memory_;
   MotionProblem problem_;

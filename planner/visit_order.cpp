@@ -66,7 +66,8 @@ Candidate searched(const PostureTable& table, const VisitOrderOptions& options) 
   const auto neighbours = nearestNeighbours(table, options.neighbours);
   TourSearch search(table, neighbours);
   if (!options.start.empty()) return settled(table, search, withBestPostures(table, options.start));
-  const auto tours = startTours(table, neighbours);
+  auto tours = startTours(table, neighbours);
+  if (!options.hint.empty()) tours.push_back(options.hint);
   const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
                                       std::max(options.least_kicks, options.most_kicks));
   std::mt19937_64 random(options.seed);
@@ -105,6 +106,7 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
   }
   const PostureTable table(route);
   assert(options.start.empty() || options.start.size() == route.visits.size());
+  assert(options.hint.empty() || options.hint.size() == route.visits.size());
   const Candidate best = table.visits() <= kTryEveryOrderUpTo ? bestOfAllOrders(table) : searched(table, options);
   result.order = best.order;
   for (const int visit : best.order) result.branches.push_back(best.posture_of_node[visit] - table.first(visit));

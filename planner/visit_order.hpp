@@ -22,6 +22,8 @@ struct VisitOrderOptions {
   OneTreeOptions bound;
   /// An order of all visits to begin from: what local search gains on it is taken, and nothing else is tried.
   std::vector<int> start;
+  /// One more tour to begin the search from, where it is not empty: an order of all visits found before.
+  std::vector<int> hint;
   std::function<bool()> stop;  ///< asked now and then; once true, what comes back is not the search's best
 };
 

@@ -98,6 +98,7 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
     part.extra_time = extraOf(route, visits, before, branch_before);
     VisitOrderOptions ordering = options;
     ordering.start = startOf(options.start, visits);
+    ordering.hint = startOf(options.hint, visits);
     ordering.with_bound = false;
     const VisitOrder order = orderVisits(part, ordering);
     if (order.status == VisitOrderStatus::kBadInput) return order;

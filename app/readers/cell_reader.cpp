@@ -113,11 +113,12 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance", "park"});
+                                    "link_shapes", "clearance", "park", "gravity"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;
   cell.units = source.units;
+  if (const YamlNode* gravity = root.find("gravity")) cell.arm.gravity_W = readDirection(*gravity);
   readBase(root.at("base"), cell);
   if (const YamlNode* effects = root.find("effects")) cell.arm.effects = readEffects(*effects, cell.arm, cell.units);
   if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);

@@ -277,12 +277,11 @@ TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
   const ArmClearance clearance(cell);
   std::vector<TubeReach> reach;
   for (int tube : testing::tubesOf(cell, "R10C20,R30C40,R10C95")) reach.push_back(reachTube(clearance, tube));
-  const JointSpeeds speeds = jointSpeedsOf(cell.arm);
-  VisitPlanOptions options;
-  options.motion.max_iterations = 30000;  // for some seeds one of these ways is found late
+  const VisitPlanOptions options;
+  TravelRoadmap roadmap(clearance, options);
   PlanMemory memory, other_memory;
-  TravelNetwork network(clearance, reach, speeds, options, memory);
-  TravelNetwork other(clearance, reach, speeds, options, other_memory);
+  TravelNetwork network(clearance, reach, roadmap, options, memory);
+  TravelNetwork other(clearance, reach, roadmap, options, other_memory);
   const Stop a{0, 0}, b{2, 0}, c{1, 0};
   const MotionPlan forth = network.between(a, b);
   ASSERT_EQ(forth.status, MotionPlanStatus::kFree) << forth.reason;

@@ -1,0 +1,264 @@
+#include "planner/real_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "planner/kept_order.hpp"
+#include "planner/posture_table.hpp"
+#include "planner/zoned_order.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+constexpr int kLaterKicksShare = 3;  // rounds after the first begin from a good order
+
+/// Both kinds of end of the route are branch 0.
+int branchOf(const VisitChoice& choice, int visit, int branch) {
+  return visit < 0 ? 0 : choice.branches[static_cast<std::size_t>(visit)][static_cast<std::size_t>(branch)];
+}
+
+/// The order as stops, with the start and the end posture put where they belong.
+std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, const VisitConditions& conditions) {
+  std::vector<Stop> stops;
+  if (conditions.start) stops.push_back({kStartPosture, 0});
+  for (std::size_t k = 0; k < order.order.size(); ++k)
+    stops.push_back({order.order[k], branchOf(choice, order.order[k], order.branches[k])});
+  if (conditions.end) stops.push_back({kEndPosture, 0});
+  return stops;
+}
+
+/// What the moves of an order were found to take.
+struct Priced {
+  bool learnt = false, is_parted = false;
+  double time = 0;  ///< s; a move without a way counts kForbiddenTime
+};
+
+/// Plans the moves that an order chose and puts their extra time into the table.
+Priced priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const JointSpeeds& speeds,
+                  EdgePenalties& penalties, const PlanHooks& hooks, const PlanMemory& memory) {
+  Priced priced;
+  for (std::size_t k = 0; k + 1 < stops.size() && !shouldStop(hooks); ++k) {
+    const Stop a = stops[k], b = stops[k + 1];
+    tell(hooks, "travel", k + 1, stops.size() - 1);
+    const MotionPlan& travel = network.between(a, b);
+    const double time = network.timeOf(travel);
+    keep(hooks, memory);
+    priced.is_parted |= travel.apart;
+    priced.time += std::min(time, kForbiddenTime);
+    const double extra = time - moveDuration(network.standoff(a), network.standoff(b), speeds);
+    if (extra <= 1e-9 || penalties(a.visit, a.branch, b.visit, b.branch) > 0) continue;
+    penalties.set(a.visit, a.branch, b.visit, b.branch, extra);
+    priced.learnt = true;
+  }
+  return priced;
+}
+
+/// The order of one round, from the memory where it has it. An order kept from another list that cannot avoid a
+/// forbidden move is found anew.
+VisitOrder orderOfRound(const Route& route, const std::vector<int>& zones, std::size_t round,
+                        VisitOrderOptions& ordering, const PlanHooks& hooks, PlanMemory& memory) {
+  if (round < memory.orders.size()) return memory.orders[round];
+  VisitOrder order = orderByZones(route, zones, ordering);
+  if (order.status == VisitOrderStatus::kForbiddenMove && !ordering.start.empty()) {
+    ordering.start.clear();
+    order = orderByZones(route, zones, ordering);
+  }
+  if (shouldStop(hooks)) return order;
+  memory.orders.push_back(order);
+  keep(hooks, memory);
+  return order;
+}
+
+std::string inTheWay(const MotionPlan& plan) {
+  return plan.reason.empty() ? "no path from the tube before it" : "no path from the tube before it: " + plan.reason;
+}
+
+bool isFree(TravelNetwork& network, Stop a, Stop b) { return network.between(a, b).status == MotionPlanStatus::kFree; }
+
+/// The order cut where no travel was found: stretches that can be travelled through.
+std::vector<std::vector<Stop>> travelledRuns(const std::vector<Stop>& stops, TravelNetwork& network) {
+  std::vector<std::vector<Stop>> runs;
+  for (const Stop& stop : stops) {
+    if (runs.empty() || !isFree(network, runs.back().back(), stop)) runs.emplace_back();
+    runs.back().push_back(stop);
+  }
+  return runs;
+}
+
+void leaveOut(const std::vector<Stop>& run, const MotionPlan& travel, const VisitChoice& choice,
+              std::vector<UnreachableTube>& left_out) {
+  for (const Stop& stop : run)
+    if (stop.visit >= 0)
+      left_out.push_back({choice.reach[static_cast<std::size_t>(stop.visit)].tube, inTheWay(travel), travel.tightest});
+}
+
+/// Keeps the longest stretch and what follows on either side of it without a change of order; the rest is named
+/// unreachable.
+std::vector<Stop> joinInOrder(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
+                              std::vector<UnreachableTube>& left_out) {
+  const auto runs = travelledRuns(stops, network);
+  const auto longest =
+      std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  std::vector<Stop> kept = *longest;
+  for (auto run = longest + 1; run != runs.end(); ++run) {
+    if (isFree(network, kept.back(), run->front()))
+      kept.insert(kept.end(), run->begin(), run->end());
+    else
+      leaveOut(*run, network.between(kept.back(), run->front()), choice, left_out);
+  }
+  for (auto run = std::make_reverse_iterator(longest); run != runs.rend(); ++run) {
+    if (isFree(network, run->back(), kept.front()))
+      kept.insert(kept.begin(), run->begin(), run->end());
+    else
+      leaveOut(*run, network.between(run->back(), kept.front()), choice, left_out);
+  }
+  return kept;
+}
+
+/// Keeps the longest stretch and what can be joined to either end of it; the rest is named unreachable.
+std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
+                               std::vector<UnreachableTube>& left_out) {
+  auto runs = travelledRuns(stops, network);
+  std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::vector<Stop> kept = runs.front();
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    const auto& run = runs[k];
+    if (isFree(network, kept.back(), run.front())) {
+      kept.insert(kept.end(), run.begin(), run.end());
+    } else if (isFree(network, run.back(), kept.front())) {
+      kept.insert(kept.begin(), run.begin(), run.end());
+    } else {
+      leaveOut(run, network.between(kept.back(), run.front()), choice, left_out);
+    }
+  }
+  return kept;
+}
+
+/// The part with the most tubes.
+int largestPart(const std::vector<std::vector<int>>& parts) {
+  std::map<int, int> tubes;
+  for (const auto& of_visit : parts) {
+    std::vector<int> once = of_visit;
+    std::ranges::sort(once);
+    once.erase(std::ranges::unique(once).begin(), once.end());
+    for (const int part : once) tubes[part] += part >= 0;
+  }
+  const auto most = std::ranges::max_element(tubes, [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == tubes.end() ? -1 : most->first;
+}
+
+}  // namespace
+
+std::vector<int> VisitChoice::tubes() const {
+  std::vector<int> tubes;
+  for (const auto& tube : reach) tubes.push_back(tube.tube);
+  return tubes;
+}
+
+VisitChoice allBranches(std::vector<TubeReach> reach) {
+  VisitChoice choice{std::move(reach), {}};
+  for (const auto& tube : choice.reach) {
+    choice.branches.emplace_back();
+    for (std::size_t b = 0; b < tube.branches.size(); ++b) choice.branches.back().push_back(static_cast<int>(b));
+  }
+  return choice;
+}
+
+Route routeOf(const VisitChoice& choice, const JointSpeeds& speeds, const VisitConditions& conditions) {
+  Route route;
+  route.speeds = speeds;
+  route.start = conditions.start;
+  route.end = conditions.end;
+  for (std::size_t k = 0; k < choice.reach.size(); ++k) {
+    Visit visit;
+    for (const int branch : choice.branches[k])
+      visit.branches.push_back(choice.reach[k].branches[static_cast<std::size_t>(branch)].approach.front());
+    route.visits.push_back(std::move(visit));
+  }
+  return route;
+}
+
+std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap,
+                                         const VisitConditions& conditions) {
+  std::vector<Eigen::VectorXd> postures;
+  for (const auto& tube : choice.reach)
+    for (const auto& branch : tube.branches) postures.push_back(branch.approach.front());
+  if (conditions.start) postures.push_back(*conditions.start);
+  const std::vector<int> flat = roadmap.partsOf(postures);
+  std::vector<std::vector<int>> parts;
+  std::size_t at = 0;
+  for (const auto& tube : choice.reach) {
+    parts.emplace_back(flat.begin() + static_cast<std::ptrdiff_t>(at),
+                       flat.begin() + static_cast<std::ptrdiff_t>(at + tube.branches.size()));
+    at += tube.branches.size();
+  }
+  const int kept = conditions.start && flat.back() >= 0 ? flat.back() : largestPart(parts);
+  std::vector<UnreachableTube> left_out;
+  VisitChoice in_part;
+  for (std::size_t k = 0; k < choice.reach.size(); ++k) {
+    std::vector<int> branches;
+    for (const int branch : choice.branches[k])
+      if (const int part = parts[k][static_cast<std::size_t>(branch)]; part == kept || part < 0)
+        branches.push_back(branch);
+    if (branches.empty()) {
+      left_out.push_back({choice.reach[k].tube,
+                          "no path to it: it lies in a part of the free space apart from the tubes that are visited",
+                          {}});
+      continue;
+    }
+    in_part.reach.push_back(std::move(choice.reach[k]));
+    in_part.branches.push_back(std::move(branches));
+  }
+  choice = std::move(in_part);
+  return left_out;
+}
+
+RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, const VisitPlanOptions& options,
+                             bool gives_up_if_parted, const PlanHooks& hooks, PlanMemory& memory,
+                             std::size_t& rounds_done) {
+  RealOrder best;
+  const JointSpeeds speeds = jointSpeedsOf(network.arm());
+  Route route = routeOf(choice, speeds, options.conditions);
+  const std::vector<int> zones = zonesOf(choice.tubes(), options.conditions);
+  VisitOrderOptions ordering = options.order;
+  ordering.seed = options.seed;
+  ordering.stop = hooks.stop;
+  ordering.start = keptOrder(route, choice.tubes(), memory.visiting_order);
+  EdgePenalties penalties;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < options.reprice_rounds && !shouldStop(hooks); ++round) {
+    if (penalties.size())
+      route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
+        return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
+      };
+    const VisitOrder order = orderOfRound(route, zones, rounds_done++, ordering, hooks, memory);
+    if (round == 0) {
+      best.lower_bound = order.lower_bound;
+      ordering.with_bound = false;
+      ordering.kicks_per_visit /= kLaterKicksShare;
+      ordering.least_kicks /= kLaterKicksShare;
+    }
+    if (order.order.empty()) {
+      best.reason = order.reason;
+      break;
+    }
+    std::vector<Stop> stops = stopsOf(order, choice, options.conditions);
+    (ordering.start.empty() ? ordering.hint : ordering.start) = order.order;
+    const Priced priced = priceOrder(stops, network, speeds, penalties, hooks, memory);
+    best.is_parted |= priced.is_parted;
+    if (priced.time < least || best.stops.empty()) best.stops = std::move(stops);
+    least = std::min(least, priced.time);
+    if (!priced.learnt || (best.is_parted && gives_up_if_parted)) break;
+  }
+  return best;
+}
+
+std::vector<Stop> joinRuns(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
+                           const VisitConditions& conditions, std::vector<UnreachableTube>& left_out) {
+  const bool is_bound = conditions.start || conditions.end || !conditions.zones.empty();
+  return is_bound ? joinInOrder(stops, choice, network, left_out) : joinAnywhere(stops, choice, network, left_out);
+}
+
+}  // namespace tubeplan::planner
