@@ -41,6 +41,11 @@ TEST_F(WorkbenchRoutes, sheetAndScene) {
   EXPECT_EQ(sheet["viewing_side"], "below");
   EXPECT_NEAR(sheet["holes"]["x"][5].get<double>(), -sheet["holes"]["u"][5].get<double>(), 1e-12);
   EXPECT_NEAR(sheet["holes"]["x"][6].get<double>() - sheet["holes"]["x"][5].get<double>(), 1.0625, 1e-9);
+  const json& manway = sheet["manway"];
+  EXPECT_EQ(manway["center"], json({-33.1, 33.1, -42.2}));
+  EXPECT_EQ(manway["diameter"], 16.0);
+  EXPECT_NEAR(manway["u"].get<double>(), std::sqrt(0.5), 1e-9);  // seen from below, as the holes
+  EXPECT_NEAR(manway["v"].get<double>(), std::sqrt(0.5), 1e-9);
   const json scene = get("/api/scene").body;
   ASSERT_EQ(scene["shapes"].size(), 5u);
   EXPECT_EQ(scene["shapes"][0]["kind"], "inside_of.sphere");

@@ -117,9 +117,8 @@ export interface SheetDocument {
   columns: number;
   viewing_side: string;
   leg: string;
-  divider: unknown;
-  manway: unknown;
-  outline: unknown;
+  /** In the bowl, in the world; u and v its direction from the sheet's middle as drawn. Null: the cell does not say. */
+  manway: {center: Vector3; diameter: number; u: number; v: number} | null;
   tool?: {diameters: number[]; tolerances: number[]} | null;
   holes: {
     row: number[];

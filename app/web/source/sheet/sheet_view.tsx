@@ -5,7 +5,7 @@ import {useSignal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
 import {Icon} from "../drawing/icons";
 import {fixed, plural, whole} from "../drawing/numbers";
-import type {FieldDocument, InverseDocument, PlanDocument, ReachDocument, SheetDocument} from "../server/documents";
+import type {FieldDocument, InverseDocument, PlanDocument, ReachDocument} from "../server/documents";
 import {post} from "../server/requests";
 import {cell, report, result, runJob, runningJob, sheetDocument, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected, view} from "../shell/page_state";
@@ -55,16 +55,6 @@ function madeColouring(model: SheetModel, choice: Choice): Colouring | null {
 
 function fits(values: unknown[] | undefined, model: SheetModel): boolean {
   return values !== undefined && values.length === model.count;
-}
-
-/** Where the manway is seen from the sheet's middle, if the cell says so. */
-export function manwayOf(document: SheetDocument | null): [number, number] | null {
-  const manway = document?.manway as
-    {u?: number; v?: number; direction?: number[]; position?: number[]} | null | undefined;
-  if (!manway) return null;
-  if (typeof manway.u === "number" && typeof manway.v === "number") return [manway.u, manway.v];
-  const at = manway.direction ?? manway.position;
-  return Array.isArray(at) && at.length >= 2 ? [at[0], at[1]] : null;
 }
 
 const HOW: Record<string, {words: string; action: string}> = {
@@ -129,7 +119,6 @@ export function SheetView() {
             hidden={colouring.value ? hiddenKinds.value : undefined}
             selection={selection.value}
             picked={picked}
-            manway={manwayOf(loaded.document)}
             onPick={(hole, event) => pick(hole, event.shiftKey || event.ctrlKey || event.metaKey)}
             onLasso={(holes, isMore) => select(holes, isMore)}
           />
