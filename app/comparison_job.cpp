@@ -1,5 +1,6 @@
 #include "app/comparison_job.hpp"
 
+#include "app/cell_fit.hpp"
 #include "app/comparison_json.hpp"
 #include "app/diagnosis_views_json.hpp"
 #include "app/input_error.hpp"
@@ -16,8 +17,7 @@ void requireCompared(const calibration::Comparison& result, const CellReadings& 
   if (result.verdict != calibration::Adequacy::kNotRun) return;
   if (!result.problems.empty())
     throw InputError(input.cell.path + " (identify)", result.problems.front().found, result.problems.front().expected);
-  if (const auto& problem = result.refit.reading_problem) throw inputErrorOf(*problem, input.readings, input.file);
-  throw InputError(input.file, result.reason, "readings that tell the free parameters", "");
+  throw refusalOf(result.refit.reading_problem, result.reason, input);
 }
 
 /// Errors as the page's pictures take them: measured less predicted, at the tip's place after the refit.
@@ -37,17 +37,18 @@ void addPictures(const Cell& cell, nlohmann::json& json) {
 
 }  // namespace
 
-ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const StepHook& step) {
-  const auto& [cell, file, readings] = input;
-  beginStep(step, "refit and patterns");
+ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
   calibration::ComparisonOptions comparison;
-  comparison.refit.free = {cell.identify, !cell.base_known};
+  comparison.refit.free = freeNumbersOf(cell);
   comparison.refit.folds = request.folds;
   comparison.refit.seed = request.seed;
   comparison.refit.intervals_by_profile = false;
-  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  comparison.hooks = hooks;
   ComparisonOutcome outcome;
-  outcome.comparison = calibration::compare(start, readings, comparison);
+  outcome.comparison = calibration::compare(startOf(cell, readings), readings, comparison);
+  requireGoingOn(hooks);
   requireCompared(outcome.comparison, input);
   outcome.figures = comparisonJson(outcome.comparison, readings, cell.units);
   outcome.figures["warnings"] = nlohmann::json::array();

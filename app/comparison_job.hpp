@@ -21,9 +21,10 @@ struct ComparisonOutcome {
   nlohmann::json figures;  ///< as `tubeplan compare --json` writes them
 };
 
-/// Throws InputError for a list `identify` that names no parameters and for readings that tell nothing.
+/// Throws InputError for a list `identify` that names no parameters and for readings that tell nothing,
+/// JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
-                                             const StepHook& step = {});
+                                             const WorkHooks& hooks = {});
 
 /// The page of --report.
 [[nodiscard]] std::string comparisonPage(const CellReadings& input, const ComparisonRequest& request,

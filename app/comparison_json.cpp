@@ -34,6 +34,8 @@ const char* statusName(ComparisonStatus status) {
       return "refused";
     case ComparisonStatus::kNotConverged:
       return "not-converged";
+    case ComparisonStatus::kStopped:
+      return "stopped";
   }
   return "";
 }

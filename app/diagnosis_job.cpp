@@ -1,8 +1,8 @@
 #include "app/diagnosis_job.hpp"
 
+#include "app/cell_fit.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/effect_warnings_json.hpp"
-#include "app/input_error.hpp"
 #include "app/report/diagnosis_report.hpp"
 #include "app/splitting_candidates.hpp"
 #include "app/splitting_json.hpp"
@@ -13,7 +13,8 @@ namespace tubeplan::app {
 namespace {
 
 /// Where the verdict leaves something open: what to read next.
-void proposeNext(const CellReadings& input, const DiagnosisRequest& request, DiagnosisOutcome& outcome) {
+void proposeNext(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks,
+                 DiagnosisOutcome& outcome) {
   using calibration::Verdict;
   const auto& diagnosis = outcome.diagnosis;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) return;
@@ -22,29 +23,32 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, Dia
   outcome.candidates = splittingCandidates(input.cell, diagnosis.baseline.fitted, input.readings, choice);
   calibration::SplittingOptions splitting;
   splitting.count = request.next;
+  splitting.hooks = hooks;
   outcome.next = calibration::proposeSplittingReadings(diagnosis, input.readings, outcome.candidates, splitting);
+  requireGoingOn(hooks);
 }
 
 }  // namespace
 
-DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const StepHook& step) {
-  const auto& [cell, file, readings] = input;
+DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
   calibration::DiagnosisOptions options;
-  options.baseline.free = {cell.identify, !cell.base_known};
+  options.baseline.free = freeNumbersOf(cell);
   options.seed = request.seed;
   options.most_effects = request.effects;
-  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  options.hooks = hooks;
+  const auto start = startOf(cell, readings);
   DiagnosisOutcome outcome;
-  beginStep(step, "diagnosis");
   outcome.diagnosis = calibration::diagnose(start, readings, options);
-  if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun) {
-    if (const auto& problem = outcome.diagnosis.baseline.reading_problem) throw inputErrorOf(*problem, readings, file);
-    throw InputError(file, outcome.diagnosis.reason, "readings that tell the free parameters", "");
-  }
-  beginStep(step, "next readings");
-  proposeNext(input, request, outcome);
-  beginStep(step, "warnings");
+  requireGoingOn(hooks);
+  if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)
+    throw refusalOf(outcome.diagnosis.baseline.reading_problem, outcome.diagnosis.reason, input);
+  beginStep(hooks, "next readings");
+  proposeNext(input, request, hooks, outcome);
+  beginStep(hooks, "warnings");
   outcome.warnings = calibration::warnOfEffects(start, readings, options, outcome.diagnosis);
+  requireGoingOn(hooks);
   outcome.figures = diagnosisJson(outcome.diagnosis, readings, cell.units);
   addNextReadings(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
   outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);

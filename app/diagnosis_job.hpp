@@ -29,9 +29,9 @@ struct DiagnosisOutcome {
   nlohmann::json figures;                            ///< as `tubeplan diagnose --json` writes them
 };
 
-/// Throws InputError for readings that tell nothing.
+/// Throws InputError for readings that tell nothing, JobStopped.
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
-                                             const StepHook& step = {});
+                                             const WorkHooks& hooks = {});
 
 /// The page of --report.
 [[nodiscard]] std::string diagnosisPage(const CellReadings& input, const DiagnosisRequest& request,

@@ -126,6 +126,8 @@ const char* nameOf(Verdict verdict) {
       return "unexplained";
     case Verdict::kInconclusive:
       return "inconclusive";
+    case Verdict::kStopped:
+      return "stopped";
   }
   return "";
 }
@@ -135,6 +137,7 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
   for (const auto& alternative : result.alternatives) names.push_back(explanationText(alternative, units));
   switch (result.verdict) {
     case Verdict::kNotRun:
+    case Verdict::kStopped:
       return "Not diagnosed: " + result.reason + ".";
     case Verdict::kAdequate:
       return fmt::format("Nothing is missing: the error of {} is what noise leaves ({}).",

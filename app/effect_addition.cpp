@@ -1,5 +1,6 @@
 #include "app/effect_addition.hpp"
 
+#include "app/cell_fit.hpp"
 #include "app/input_error.hpp"
 #include "app/overlap_report.hpp"
 #include "app/readers/cell_writer.hpp"
@@ -34,12 +35,13 @@ EffectAddition addEffect(Cell cell, const deflection::Effect& effect) {
 }
 
 std::string overlapAt(const CellReadings& input) {
-  const auto& [cell, file, readings] = input;
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
   calibration::IdentificationOptions asked;
-  asked.free = {cell.identify, !cell.base_known};
+  asked.free = freeNumbersOf(cell);
   asked.folds = 0;
   asked.intervals_by_profile = false;
-  const auto result = calibration::identify(cell.arm, cell.X_WB, cell.base_known, readings, asked);
+  const auto result = calibration::identify(startOf(cell, readings), readings, asked);
   if (result.status != calibration::IdentificationStatus::kDone)
     return "no overlap with the catalogue can be told: " + result.reason + "\n";
   return overlapText(calibration::findFormulaOverlaps(result, readings));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cell_fit.hpp"
 #include "app/effect_warnings_json.hpp"
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
@@ -19,15 +20,17 @@ calibration::RobustLoss lossOf(const std::string& name) {
   return name == "cauchy" ? calibration::RobustLoss::kCauchy : calibration::RobustLoss::kNone;
 }
 
-IdentificationOptions identificationOptions(const IdentificationRequest& request, const Cell& cell) {
+IdentificationOptions identificationOptions(const IdentificationRequest& request, const Cell& cell,
+                                            const WorkHooks& hooks) {
   IdentificationOptions result;
-  result.free.names = request.free.empty() ? cell.identify : request.free;
-  result.free.base = !cell.base_known;
+  result.free = freeNumbersOf(cell);
+  if (!request.free.empty()) result.free.names = request.free;
   result.loss = lossOf(request.robust);
   result.starts = request.starts;
   result.folds = request.folds;
   result.seed = request.seed;
   result.drop_level = request.drop;
+  result.hooks = hooks;
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == request.method) result.solver.method = method.method;
   if (result.free.names.empty() && request.stages.empty() && cell.base_known)
@@ -37,10 +40,10 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
 }
 
 /// A refusal is bad input: names that are no parameters, readings that tell nothing.
-void requireAccepted(const Identification& result, const std::vector<calibration::Measurement>& readings,
-                     const IdentificationRequest& request, const Cell& cell, const std::string& file) {
+void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
   if (result.status != IdentificationStatus::kRefused) return;
-  if (const auto& problem = result.reading_problem) throw inputErrorOf(*problem, readings, file);
+  const Cell& cell = input.cell;
+  if (result.reading_problem) throw refusalOf(result.reading_problem, result.reason, input);
   if (result.problems.empty())
     throw InputError(cell.path, result.reason, "something to find",
                      "`tubeplan identify --help` says what may be freed");
@@ -66,14 +69,14 @@ calibration::IdentificationStage stageOf(const std::string& text) {
 }
 
 Identification identifyAsAsked(const IdentificationRequest& request, const Cell& cell,
-                               const std::vector<calibration::Measurement>& readings) {
-  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
-  IdentificationOptions asked = identificationOptions(request, cell);
+                               const std::vector<calibration::Measurement>& readings, const WorkHooks& hooks) {
+  const auto start = startOf(cell, readings);
+  const IdentificationOptions asked = identificationOptions(request, cell, hooks);
   if (request.stages.empty()) return calibration::identify(start, readings, asked);
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
   auto results = calibration::identifyInStages(start, readings, stages, asked);
-  if (request.stage_done)
+  if (request.stage_done && results.back().status != IdentificationStatus::kStopped)
     for (std::size_t k = 0; k + 1 < results.size(); ++k) request.stage_done(static_cast<int>(k), results[k]);
   return std::move(results.back());
 }
@@ -81,30 +84,34 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
 /// Of the cell's effects as they were fitted; stages hold some of them, so theirs are not judged.
 std::vector<calibration::EffectWarning> effectWarnings(const IdentificationRequest& request, const Cell& cell,
                                                        const std::vector<calibration::Measurement>& readings,
-                                                       const Identification& result) {
+                                                       const Identification& result, const WorkHooks& hooks) {
   if (!request.stages.empty() || cell.arm.effects.empty()) return {};
-  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
-  return calibration::warnOfEffects(start, readings, identificationOptions(request, cell), result);
+  return calibration::warnOfEffects(startOf(cell, readings), readings, identificationOptions(request, cell, hooks),
+                                    result);
 }
 
 }  // namespace
 
 IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
-                                    const StepHook& step) {
-  const auto& [cell, file, readings] = input;
-  beginStep(step, "fit");
+                                    const WorkHooks& hooks) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
+  beginStep(hooks, "fit");
   IdentificationOutcome outcome;
-  outcome.fit = identifyAsAsked(request, cell, readings);
-  requireAccepted(outcome.fit, readings, request, cell, file);
-  beginStep(step, "what the fit tells");
+  outcome.fit = identifyAsAsked(request, cell, readings, hooks);
+  requireGoingOn(hooks);
+  requireAccepted(outcome.fit, request, input);
+  beginStep(hooks, "what the fit tells");
   outcome.warnings = readingWarnings(outcome.fit, readings, cell);
   outcome.figures = identificationJson(outcome.fit, readings, cell.units);
   outcome.figures["warnings"] = outcome.warnings;
   outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, readings);
   if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);
-  outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1);
+  outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1, hooks.stop);
+  requireGoingOn(hooks);
   outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, cell.units);
-  outcome.of_effects = effectWarnings(request, cell, readings, outcome.fit);
+  outcome.of_effects = effectWarnings(request, cell, readings, outcome.fit, hooks);
+  requireGoingOn(hooks);
   for (const auto& warning : effectWarningsJson(outcome.of_effects, cell.units))
     outcome.figures["warnings"].push_back(warning);
   return outcome;

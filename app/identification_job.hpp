@@ -36,8 +36,9 @@ struct IdentificationOutcome {
   nlohmann::json figures;  ///< as `tubeplan identify --json` writes them
 };
 
-/// Throws InputError for names that are no parameters, nothing to free and readings that tell nothing.
+/// Throws InputError for names that are no parameters, nothing to free and readings that tell nothing,
+/// JobStopped.
 [[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
-                                                  const StepHook& step = {});
+                                                  const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

@@ -27,6 +27,8 @@ const char* nameOf(IdentificationStatus status) {
       return "refused";
     case IdentificationStatus::kNotConverged:
       return "not-converged";
+    case IdentificationStatus::kStopped:
+      return "stopped";
   }
   return "";
 }

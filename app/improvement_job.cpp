@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cell_fit.hpp"
 #include "app/diagnosis_json.hpp"
-#include "app/input_error.hpp"
 #include "app/readers/cell_writer.hpp"
 
 namespace tubeplan::app {
@@ -27,29 +27,38 @@ const Explanation* worthAdding(const Diagnosis& diagnosis) {
 }
 
 calibration::Identification fitOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
-                                  std::uint64_t seed) {
+                                  std::uint64_t seed, const WorkHooks& hooks) {
   calibration::IdentificationOptions options;
-  options.free = {cell.identify, !cell.base_known};
+  options.free = freeNumbersOf(cell);
   options.seed = seed;
-  return calibration::identify(cell.arm, cell.X_WB, cell.base_known, readings, options);
+  options.hooks = hooks;
+  auto fit = calibration::identify(startOf(cell, readings), readings, options);
+  requireGoingOn(hooks);
+  return fit;
+}
+
+Diagnosis diagnosisOf(const Cell& cell, const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
+                      const WorkHooks& hooks) {
+  calibration::DiagnosisOptions options;
+  options.baseline.free = freeNumbersOf(cell);
+  options.seed = seed;
+  options.hooks = hooks;
+  Diagnosis diagnosis = calibration::diagnose(startOf(cell, readings), readings, options);
+  requireGoingOn(hooks);
+  return diagnosis;
 }
 
 }  // namespace
 
-Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const StepHook& step) {
+Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks) {
   const auto& readings = input.readings;
   Improvement result{input.cell, {}, {}, {}};
-  beginStep(step, "fit");
-  result.last = fitOf(result.cell, readings, request.seed);
+  beginStep(hooks, "fit");
+  result.last = fitOf(result.cell, readings, request.seed, hooks);
   result.rungs.push_back(rungOf("as given", result.last));
   for (int round = 0; round < request.steps; ++round) {
-    beginStep(step, fmt::format("diagnosis {}", round + 1));
-    calibration::DiagnosisOptions diagnosis_options;
-    diagnosis_options.baseline.free = {result.cell.identify, !result.cell.base_known};
-    diagnosis_options.seed = request.seed;
-    const auto start =
-        calibration::placeForReadings(result.cell.arm, result.cell.X_WB, result.cell.base_known, readings);
-    const Diagnosis diagnosis = calibration::diagnose(start, readings, diagnosis_options);
+    const WorkHooks of_round = within(hooks, fmt::format("diagnosis {}", round + 1));
+    const Diagnosis diagnosis = diagnosisOf(result.cell, readings, request.seed, of_round);
     result.steps.push_back({diagnosis.verdict, diagnosisSentence(diagnosis, result.cell.units), {}});
     const Explanation* explanation = worthAdding(diagnosis);
     if (!explanation) break;
@@ -58,12 +67,11 @@ Improvement improveModel(const CellReadings& input, const ImprovementRequest& re
       for (const auto& name : freedNames(result.cell.arm, effect.fitted)) result.cell.identify.push_back(name);
       result.steps.back().added.push_back(effect.effect + "@" + effect.at);
     }
-    result.last = fitOf(result.cell, readings, request.seed);
+    result.last = fitOf(result.cell, readings, request.seed, of_round);
     result.rungs.push_back(rungOf(fmt::format("+ {}", fmt::join(result.steps.back().added, " + ")), result.last));
   }
-  if (const auto& problem = result.last.reading_problem) throw inputErrorOf(*problem, readings, input.file);
   if (result.last.status == calibration::IdentificationStatus::kRefused)
-    throw InputError(input.file, result.last.reason, "readings that tell the free parameters", "");
+    throw refusalOf(result.last.reading_problem, result.last.reason, input);
   return result;
 }
 

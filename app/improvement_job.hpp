@@ -32,9 +32,9 @@ struct Improvement {
   calibration::Identification last;
 };
 
-/// Throws InputError for readings that tell nothing.
+/// Throws InputError for readings that tell nothing, JobStopped.
 [[nodiscard]] Improvement improveModel(const CellReadings& input, const ImprovementRequest& request,
-                                       const StepHook& step = {});
+                                       const WorkHooks& hooks = {});
 
 /// As `tubeplan improve --json` writes it.
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result);

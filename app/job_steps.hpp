@@ -1,16 +1,35 @@
-// How long work outside the planner tells what it is at.
+// How long work outside the planner tells what it is at, and how it ends where it is asked to stop.
 #pragma once
 
-#include <functional>
+#include <string>
 #include <string_view>
+
+#include "calibration/hooks.hpp"
 
 namespace tubeplan::app {
 
-/// Called as a step begins ("fit", "diagnosis"). May throw to end the work there. Empty: nobody asks.
-using StepHook = std::function<void(std::string_view step)>;
+using calibration::WorkHooks;
 
-inline void beginStep(const StepHook& hook, std::string_view step) {
-  if (hook) hook(step);
+/// Thrown where work ends because it was asked to; caught once, where its outcome would have been used.
+struct JobStopped {};
+
+inline void requireGoingOn(const WorkHooks& hooks) {
+  if (calibration::shouldStop(hooks.stop)) throw JobStopped{};
+}
+
+/// A step begins ("fit", "diagnosis"): so much of it is done. Throws JobStopped.
+inline void beginStep(const WorkHooks& hooks, std::string_view step, std::size_t done = 0, std::size_t total = 0) {
+  requireGoingOn(hooks);
+  if (hooks.progress) hooks.progress(step, done, total);
+}
+
+/// For the parts of a step: what they tell comes after its name, "diagnosis 2: catalogue".
+inline WorkHooks within(const WorkHooks& hooks, const std::string& step) {
+  if (!hooks.progress) return hooks;
+  return {[progress = hooks.progress, step](std::string_view stage, std::size_t done, std::size_t total) {
+            progress(step + ": " + std::string(stage), done, total);
+          },
+          hooks.stop};
 }
 
 }  // namespace tubeplan::app

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/cell_fit.hpp"
 #include "app/command_inputs.hpp"
 #include "app/figures.hpp"
 #include "calibration/fit.hpp"
@@ -19,7 +20,7 @@ namespace {
 Rung rungAsItStands(const std::string& name, const Cell& cell, const std::vector<calibration::Measurement>& readings) {
   Rung rung;
   rung.name = name;
-  rung.model = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  rung.model = startOf(cell, readings);
   const auto& placed = rung.model;
   std::vector<calibration::Measurement> fitted, held_out;
   for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
@@ -49,13 +50,16 @@ Rung rungOf(const std::string& name, const calibration::Identification& fit) {
 }
 
 Rung rungOf(const std::string& name, const Cell& cell, const std::vector<calibration::Measurement>& readings,
-            std::uint64_t seed) {
+            std::uint64_t seed, const WorkHooks& hooks) {
   if (cell.identify.empty() && cell.base_known) return rungAsItStands(name, cell, readings);
   calibration::IdentificationOptions options;
-  options.free = {cell.identify, !cell.base_known};
+  options.free = freeNumbersOf(cell);
   options.seed = seed;
   options.intervals_by_profile = false;
-  return rungOf(name, calibration::identify(cell.arm, cell.X_WB, cell.base_known, readings, options));
+  options.hooks = hooks;
+  const auto fit = calibration::identify(startOf(cell, readings), readings, options);
+  requireGoingOn(hooks);
+  return rungOf(name, fit);
 }
 
 nlohmann::json ladderJson(const std::vector<Rung>& rungs, const Units& units) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/job_steps.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "app/step_table.hpp"
 #include "calibration/identification.hpp"
@@ -25,9 +26,10 @@ struct Rung {
   std::optional<StepTable> steps;  ///< where they were asked for
 };
 
-/// A cell's model on readings; where it frees nothing it is judged as it stands.
+/// A cell's model on readings; where it frees nothing it is judged as it stands. Throws JobStopped.
 [[nodiscard]] Rung rungOf(const std::string& name, const Cell& cell,
-                          const std::vector<calibration::Measurement>& readings, std::uint64_t seed);
+                          const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
+                          const WorkHooks& hooks = {});
 
 /// The same of a model that a fit has left.
 [[nodiscard]] Rung rungOf(const std::string& name, const calibration::Identification& fit);

@@ -12,16 +12,15 @@ Cell rigidOf(Cell cell) {
 }
 
 LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderStepOptions& options,
-                          const StepHook& step) {
+                          const WorkHooks& hooks) {
   LadderOutcome outcome;
   std::vector<Cell> cells;
   for (const auto& [name, input] : models) {
-    beginStep(step, "ladder: " + name);
-    outcome.rungs.push_back(rungOf(name, input.cell, input.readings, options.seed));
+    beginStep(hooks, "ladder: " + name, cells.size(), models.size());
+    outcome.rungs.push_back(rungOf(name, input.cell, input.readings, options.seed, calibration::untold(hooks)));
     cells.push_back(input.cell);
   }
-  beginStep(step, "ladder: steps of the tool");
-  outcome.steps = addSteps(options, cells, outcome.rungs);
+  outcome.steps = addSteps(options, cells, outcome.rungs, within(hooks, "ladder"));
   const Units& units = cells.front().units;
   outcome.figures = ladderJson(outcome.rungs, units);
   outcome.figures["step_table"] = ladderStepsJson(outcome.steps, options, units);

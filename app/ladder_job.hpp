@@ -26,9 +26,9 @@ struct LadderOutcome {
 /// The cell's arm taken as rigid: only its base is fitted.
 [[nodiscard]] Cell rigidOf(Cell cell);
 
-/// There must be a model. Throws InputError for sheets that differ.
+/// There must be a model. Throws InputError for sheets that differ, JobStopped.
 [[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderStepOptions& options,
-                                        const StepHook& step = {});
+                                        const WorkHooks& hooks = {});
 
 /// The page of --report.
 [[nodiscard]] std::string ladderPage(const nlohmann::json& figures, const std::string& measurements,

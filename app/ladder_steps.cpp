@@ -46,7 +46,8 @@ void standIn(const Rung& best, RealArm& real) {
 
 }  // namespace
 
-LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& cells, std::vector<Rung>& rungs) {
+LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& cells, std::vector<Rung>& rungs,
+                     const WorkHooks& hooks) {
   LadderSteps steps;
   const auto with_sheet = sheetCell(options, cells);
   const Rung* best = bestRung(rungs);
@@ -66,18 +67,21 @@ LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& 
     steps.real.name = options.truth;
   }
   steps.real.cell.arm.tool_axis_L = with_sheet->arm.tool_axis_L;  // a cell without a sheet may not tell it
-  const StepHoles holes = drawStepHoles(steps.real, options.holes, options.seed);
+  beginStep(hooks, "steps of the tool", 0, rungs.size() + 1);
+  const StepHoles holes = drawStepHoles(steps.real, options.holes, options.seed, hooks.stop);
   steps.holes = static_cast<int>(holes.holes.size());
   steps.out_of_reach = holes.out_of_reach;
   if (holes.holes.empty()) steps.reason = "the real arm reaches no hole of the sheet";
   for (std::size_t k = 0; k < rungs.size() && steps.reason.empty(); ++k) {
     requireOneSheet(cells[k], steps.real.cell.sheet);
+    beginStep(hooks, "steps of the tool", k + 1, rungs.size() + 1);
     auto& table = rungs[k].steps.emplace();
     if (rungs[k].model.arm.rows.empty())
       table.reason = "the model could not be fitted";
     else
-      table = stepTableOf(rungs[k].model.arm, rungs[k].model.placings.back().X_WB, steps.real, holes);
+      table = stepTableOf(rungs[k].model.arm, rungs[k].model.placings.back().X_WB, steps.real, holes, hooks.stop);
   }
+  requireGoingOn(hooks);
   return steps;
 }
 

@@ -22,9 +22,10 @@ struct LadderSteps {
   int holes = 0, out_of_reach = 0;
 };
 
-/// Adds its step table to every rung; `cells` are those of the rungs. Throws InputError for sheets that differ.
+/// Adds its step table to every rung; `cells` are those of the rungs. Throws InputError for sheets that differ,
+/// JobStopped.
 [[nodiscard]] LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& cells,
-                                   std::vector<Rung>& rungs);
+                                   std::vector<Rung>& rungs, const WorkHooks& hooks = {});
 
 /// {real_arm, unmodelled_sigma, holes, out_of_reach, seed}, or {reason}.
 [[nodiscard]] nlohmann::json ladderStepsJson(const LadderSteps& steps, const LadderStepOptions& options,

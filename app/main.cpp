@@ -8,6 +8,8 @@
 #include "app/command.hpp"
 #include "app/command_line.hpp"
 #include "app/input_error.hpp"
+#include "app/job_steps.hpp"
+#include "app/stop_signal.hpp"
 
 int main(int argc, char** argv) {
   try {
@@ -15,6 +17,9 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0)
       throw tubeplan::app::InputError("standard output", std::strerror(errno), "a place that can be written");
     return exit_code;
+  } catch (const tubeplan::app::JobStopped&) {
+    std::fprintf(stderr, "stopped; nothing was written\n");
+    return tubeplan::app::kStoppedExitCode;
   } catch (const tubeplan::app::InputError& error) {
     std::fprintf(stderr, "tubeplan: %s\n", error.what());
     return tubeplan::app::kBadInput;

@@ -1,5 +1,6 @@
 #include "app/planning_hooks.hpp"
 
+#include <functional>
 #include <memory>
 
 #include "app/progress.hpp"
@@ -15,13 +16,10 @@ struct StageLine {
   std::unique_ptr<Progress> line;
 };
 
-}  // namespace
+using TellStage = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
 
-planner::PlanHooks terminalHooks() {
-  noteStopSignals();
-  const auto shown = std::make_shared<StageLine>();
-  planner::PlanHooks hooks;
-  hooks.progress = [shown](std::string_view stage, std::size_t done, std::size_t total) {
+TellStage stageLines() {
+  return [shown = std::make_shared<StageLine>()](std::string_view stage, std::size_t done, std::size_t total) {
     if (!shown->line || shown->stage != stage || shown->total != total) {
       shown->line.reset();
       shown->stage = stage;
@@ -29,10 +27,23 @@ planner::PlanHooks terminalHooks() {
       shown->line = std::make_unique<Progress>(shown->stage, total);
     }
     shown->line->update(done);
-    if (done >= total) shown->line.reset();
+    if (total > 0 && done >= total) shown->line.reset();
   };
-  hooks.stop = [] { return stopRequested(); };
+}
+
+}  // namespace
+
+planner::PlanHooks terminalHooks() {
+  noteStopSignals();
+  planner::PlanHooks hooks;
+  hooks.progress = stageLines();
+  hooks.stop = stopRequested;
   return hooks;
+}
+
+calibration::WorkHooks terminalWorkHooks() {
+  noteStopSignals();
+  return {stageLines(), stopRequested};
 }
 
 }  // namespace tubeplan::app

@@ -33,7 +33,8 @@ std::vector<int> holesToLookAt(const Cell& cell) {
   return tubesheets::selectTubes(*cell.sheet, "spread:" + std::to_string(count)).tube_indices;
 }
 
-Reached reach(const Cell& cell, const calibration::PlacedArm& placed, const std::vector<int>& tubes) {
+Reached reach(const Cell& cell, const calibration::PlacedArm& placed, const std::vector<int>& tubes,
+              const calibration::StopQuestion& stop) {
   planner::Workcell work;
   work.arm = placed.arm;
   work.X_WB = placed.placings.back().X_WB;
@@ -41,6 +42,7 @@ Reached reach(const Cell& cell, const calibration::PlacedArm& placed, const std:
   options.with_approach = false;
   std::vector<VectorXd> postures(tubes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
+    if (calibration::shouldStop(stop)) return;
     const auto& tube = cell.sheet->tubes[static_cast<std::size_t>(tubes[k])];
     const auto branches = planner::compensate(work, planner::holeCentre(tube), options);
     if (!branches.empty() && branches.front().status == deflection::BranchStatus::kConverged)
@@ -69,7 +71,8 @@ std::string figureText(const char* name, const ForecastFigure& figure, const Uni
 
 }  // namespace
 
-PredictedCentring predictCentring(const Cell& cell, const calibration::Identification& fit, bool is_staged) {
+PredictedCentring predictCentring(const Cell& cell, const calibration::Identification& fit, bool is_staged,
+                                  const calibration::StopQuestion& stop) {
   PredictedCentring predicted;
   predicted.later_stage = is_staged;
   if (!cell.sheet)
@@ -80,7 +83,7 @@ PredictedCentring predictCentring(const Cell& cell, const calibration::Identific
     predicted.reason = "nothing was identified";
   if (!predicted.reason.empty()) return predicted;
   const auto tubes = holesToLookAt(cell);
-  const Reached reached = reach(cell, fit.fitted, tubes);
+  const Reached reached = reach(cell, fit.fitted, tubes, stop);
   predicted.on_sheet = static_cast<int>(cell.sheet->tubes.size());
   predicted.holes = static_cast<int>(reached.tubes.size());
   predicted.out_of_reach = static_cast<int>(tubes.size()) - predicted.holes;

@@ -20,9 +20,9 @@ struct PredictedCentring {
 };
 
 /// Under each of some holes spread over the sheet (all of a small one), in the first posture that reaches it; links are
-/// not checked for collisions. `is_staged`: the fit is the last of several stages.
+/// not checked for collisions. `is_staged`: the fit is the last of several stages. Of no use once `stop` has said yes.
 [[nodiscard]] PredictedCentring predictCentring(const Cell& cell, const calibration::Identification& fit,
-                                                bool is_staged);
+                                                bool is_staged, const calibration::StopQuestion& stop = {});
 
 /// {median, p95, worst: {value, hole}, band: {median, p95, worst: [low, high]}, encoder_noise: {median, p95, worst},
 /// unit, holes, ...}, or null with a reason.

@@ -26,6 +26,7 @@ std::string clockText(double seconds) {
 }  // namespace
 
 std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds, int width) {
+  if (total == 0) return (label + " ...").substr(0, static_cast<std::size_t>(std::max(width, 0)));
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
   const std::string left =
       rate > 0 ? clockText(static_cast<double>(total - std::min(done, total)) / rate) + " left" : "";
@@ -34,10 +35,8 @@ std::string progressLine(const std::string& label, std::size_t done, std::size_t
   std::string bar;
   if (room >= 5) {
     const int cells = std::min(room, 30);
-    const int full = total > 0
-                         ? static_cast<int>(static_cast<double>(cells) * static_cast<double>(std::min(done, total)) /
-                                            static_cast<double>(total))
-                         : 0;
+    const int full = static_cast<int>(static_cast<double>(cells) * static_cast<double>(std::min(done, total)) /
+                                      static_cast<double>(total));
     bar = " [" + std::string(static_cast<std::size_t>(full), '#') +
           std::string(static_cast<std::size_t>(cells - full), '-') + "]";
   }
@@ -57,7 +56,7 @@ Progress::~Progress() {
 
 void Progress::update(std::size_t done) {
   const auto now = Clock::now();
-  const bool is_due = now - drawn_ >= std::chrono::milliseconds(100) || done >= total_;
+  const bool is_due = now - drawn_ >= std::chrono::milliseconds(100) || (total_ > 0 && done >= total_);
   if (!is_shown_ || !is_due) return;
   drawn_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();

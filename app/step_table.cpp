@@ -39,9 +39,11 @@ std::vector<int> openTubes(const tubesheets::Sheet& sheet) {
 }
 
 /// A posture of the arm under each tube; empty ones where it does not reach.
-std::vector<VectorXd> posturesUnder(const planner::Workcell& cell, const std::vector<int>& tubes) {
+std::vector<VectorXd> posturesUnder(const planner::Workcell& cell, const std::vector<int>& tubes,
+                                    const calibration::StopQuestion& stop) {
   std::vector<VectorXd> postures(tubes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
+    if (calibration::shouldStop(stop)) return;
     const auto branches = planner::compensate(cell, placeOf(cell, tubes[k]), atTheHole());
     if (!branches.empty() && branches.front().status == BranchStatus::kConverged) postures[k] = branches.front().q;
   });
@@ -50,7 +52,7 @@ std::vector<VectorXd> posturesUnder(const planner::Workcell& cell, const std::ve
 
 }  // namespace
 
-StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed) {
+StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed, const calibration::StopQuestion& stop) {
   CampaignRandom order(seed, CampaignRandom::Stream::kPostures), errors(seed, CampaignRandom::Stream::kNoise);
   std::vector<int> open = openTubes(real.cell.sheet);
   order.shuffle(open);
@@ -58,7 +60,7 @@ StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed) {
   for (std::size_t from = 0; from < open.size(); from += kBatch) {
     const auto begin = open.begin() + static_cast<std::ptrdiff_t>(from);
     const std::vector<int> batch(begin, begin + static_cast<std::ptrdiff_t>(std::min(kBatch, open.size() - from)));
-    const auto postures = posturesUnder(real.cell, batch);
+    const auto postures = posturesUnder(real.cell, batch, stop);
     for (std::size_t k = 0; k < batch.size(); ++k) {
       if (static_cast<int>(drawn.holes.size()) == count) return drawn;
       if (postures[k].size() == 0)
@@ -71,7 +73,7 @@ StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed) {
 }
 
 StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
-                      const StepHoles& drawn) {
+                      const StepHoles& drawn, const calibration::StopQuestion& stop) {
   planner::Workcell model;
   model.arm = arm;
   model.arm.tool_axis_L = real.cell.arm.tool_axis_L;
@@ -79,6 +81,7 @@ StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   model.load = real.cell.load;
   std::vector<planner::Centring> scores(drawn.holes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, scores.size(), [&](std::size_t k) {
+    if (calibration::shouldStop(stop)) return;
     const StepHole& hole = drawn.holes[k];
     const auto centre = placeOf(real.cell, hole.tube);
     const auto branch = planner::compensateFrom(model, centre, hole.q, atTheHole());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/readers/cell_reader.hpp"
+#include "calibration/hooks.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -32,8 +33,9 @@ struct StepHoles {
 };
 
 /// Open holes of the sheet in random order until `count` are within the real arm's reach; fewer on a small sheet. Links
-/// are not checked for collisions.
-[[nodiscard]] StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed);
+/// are not checked for collisions. Of no use once `stop` has said yes.
+[[nodiscard]] StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed,
+                                      const calibration::StopQuestion& stop = {});
 
 struct StepTable {
   std::string reason;  ///< why there is none; empty where there is one
@@ -45,9 +47,9 @@ struct StepTable {
 };
 
 /// The model steers with its deflection compensated, its tool entering as the real arm's; the tip's place is the real
-/// arm's.
+/// arm's. Of no use once `stop` has said yes.
 [[nodiscard]] StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
-                                    const StepHoles& holes);
+                                    const StepHoles& holes, const calibration::StopQuestion& stop = {});
 
 /// {holes, zero, one, two, three, counts, no_posture, centring_error: {median, p95}}, or null where there is none.
 [[nodiscard]] nlohmann::json stepTableJson(const StepTable& table, const Units& units);

@@ -103,7 +103,10 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   const bool has_base = options.refit.free.base && std::any_of(start.placings.begin(), start.placings.end(),
                                                                [](const Placing& p) { return !p.is_known; });
   if (options.refit.free.names.empty() && !has_base) return true;
-  result.refit = identify(start, readings, options.refit);
+  IdentificationOptions refit = options.refit;
+  refit.hooks = options.hooks;
+  result.refit = identify(start, readings, refit);
+  goOn(options.hooks.stop);
   result.reason = result.refit.reason;
   result.problems = result.refit.problems;
   if (result.refit.status == IdentificationStatus::kRefused) result.status = ComparisonStatus::kRefused;
@@ -138,13 +141,8 @@ void giveVerdict(Comparison& result, double level) {
   result.verdict = result.grounds.empty() ? Adequacy::kAdequate : Adequacy::kFallsShort;
 }
 
-}  // namespace
-
-bool disagreesWithStatedNoise(const Repeats& repeats, double level) {
-  return repeats.groups > 0 && repeats.noise_p_value < level;
-}
-
-Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {
+Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                const ComparisonOptions& options) {
   Comparison result;
   result.readings.resize(readings.size());
   std::vector<Measurement> fitted;
@@ -173,9 +171,26 @@ Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readi
   describeReadings(before, after, result.used, result);
   describeHeldOut(start, readings, result);
   listWorst(result);
-  result.patterns = searchPatterns(after.scene, after.weights, after.residual, options.level);
+  result.patterns = searchPatterns(after.scene, after.weights, after.residual, options.level, options.hooks);
   giveVerdict(result, options.level);
   return result;
+}
+
+}  // namespace
+
+bool disagreesWithStatedNoise(const Repeats& repeats, double level) {
+  return repeats.groups > 0 && repeats.noise_p_value < level;
+}
+
+Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {
+  try {
+    return compareUnlessStopped(start, readings, options);
+  } catch (const WorkStopped&) {
+    Comparison stopped;
+    stopped.status = ComparisonStatus::kStopped;
+    stopped.reason = kStoppedReason;
+    return stopped;
+  }
 }
 
 }  // namespace tubeplan::calibration

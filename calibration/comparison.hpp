@@ -14,9 +14,10 @@ namespace tubeplan::calibration {
 struct ComparisonOptions {
   IdentificationOptions refit;  ///< what is free; nothing may be
   double level = 0.01;          ///< of each ground on which a model that is right may be said to fall short
+  WorkHooks hooks;              ///< of the refit too
 };
 
-enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged };
+enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
 enum class Adequacy { kNotRun, kAdequate, kFallsShort };
 

@@ -63,6 +63,12 @@ LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown
   return problem;
 }
 
+LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem, const LeastSquaresOptions& solver) {
+  LeastSquaresResult result = minimizeLeastSquares(problem, solver);
+  if (result.status == LeastSquaresStatus::kStopped) throw WorkStopped{};
+  return result;
+}
+
 Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
                 const VectorXd& x, const LeastSquaresOptions& solver, RobustLoss loss) {
   Fit fit;
@@ -89,7 +95,7 @@ Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, co
     if (unknowns.empty()) {
       fit.solution.status = LeastSquaresStatus::kConverged;
     } else {
-      fit.solution = minimizeLeastSquares(fitProblem(start, unknowns, readings, fit.weights, from), solver);
+      fit.solution = minimizeOrUnwind(fitProblem(start, unknowns, readings, fit.weights, from), solver);
       iterations += fit.solution.iterations;
       evaluations += fit.solution.evaluations;
       jacobian_evaluations += fit.solution.jacobian_evaluations;

@@ -14,7 +14,12 @@ struct Fit {
   Eigen::VectorXd factors;    ///< robust weights within `weights`; empty without a loss
 };
 
+/// minimizeLeastSquares; unwinds by WorkStopped where the solver was stopped.
+[[nodiscard]] LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem,
+                                                  const LeastSquaresOptions& solver);
+
 /// Fits from `x`; the weights are taken anew at the solution and the fit repeated until they rest (at most thrice).
+/// Unwinds where the solver was stopped.
 [[nodiscard]] Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                               const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
                               const LeastSquaresOptions& solver, RobustLoss loss = RobustLoss::kNone);

@@ -79,12 +79,13 @@ ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged)
   return residual.ok ? errorSize(judged, *weights, residual.error) : ErrorSize{};
 }
 
-ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
-                     const FitToReadings& fit) {
+ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds, const FitToReadings& fit,
+                     const WorkHooks& hooks) {
   ErrorSize total;
   double squares = 0, lengths = 0;
   const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
   for (int fold = 0; fold < count; ++fold) {
+    tell(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
     std::vector<Measurement> kept, out;
     for (std::size_t k = 0; k < readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(readings[k]);
     if (kept.empty() || out.empty()) continue;
@@ -100,12 +101,14 @@ ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector
 
 ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                         const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
-                        const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss) {
-  return judgeFolds(readings, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+                        const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss,
+                        const WorkHooks& hooks) {
+  const auto fitted = [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
     const Fit fit = fitUnknowns(start, unknowns, kept, x, solver, loss);
     if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
     return applied(start, unknowns, fit.solution.x);
-  });
+  };
+  return judgeFolds(readings, folds, fitted, hooks);
 }
 
 }  // namespace tubeplan::calibration

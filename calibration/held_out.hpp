@@ -24,14 +24,15 @@ namespace tubeplan::calibration {
 /// The model as fitted to some readings; nothing where it cannot be.
 using FitToReadings = std::function<std::optional<PlacedArm>(const std::vector<Measurement>& kept)>;
 
-/// Each fold judged by a fit to the others; all errors together. Nothing where a fit fails.
+/// Each fold judged by a fit to the others; all errors together. Nothing where a fit fails. Unwinds where it was
+/// stopped.
 [[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
-                                   const FitToReadings& fit);
+                                   const FitToReadings& fit, const WorkHooks& hooks = {});
 
 /// The same with the unknowns fitted from `x`.
 [[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                       const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
-                                      const std::vector<int>& folds, const LeastSquaresOptions& solver,
-                                      RobustLoss loss);
+                                      const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss,
+                                      const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::calibration

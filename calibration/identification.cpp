@@ -56,7 +56,7 @@ void judgeHeldOut(const ToldFit& work, const std::vector<Measurement>& held_out,
       crossValidate(work.start, bases, work.fitted, VectorXd::Zero(static_cast<Index>(bases.size())), folds,
                     work.options.solver, work.options.loss);
   result.heldout = crossValidate(work.start, work.kept(), work.fitted, work.fit.solution.x, folds, work.options.solver,
-                                 work.options.loss);
+                                 work.options.loss, work.options.hooks);
 }
 
 void summarize(ToldFit& work, Identification& result) {
@@ -127,12 +127,12 @@ int leastNeeded(const Identification& result, double level) {
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options);
 
-}  // namespace
-
-Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
-                        const IdentificationOptions& options) {
+/// Again and again without what the readings need least, where that is asked for.
+Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
+                              const IdentificationOptions& options) {
   PlacedArm from = start;
   IdentificationOptions now = options;
+  now.solver.stop = options.hooks.stop;
   std::vector<std::string> dropped;
   while (true) {
     Identification result = identifyOnce(from, readings, now);
@@ -156,8 +156,6 @@ Identification identify(const PlacedArm& start, const std::vector<Measurement>& 
     giveUp(number, from);
   }
 }
-
-namespace {
 
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options) {
@@ -194,6 +192,18 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
 }
 
 }  // namespace
+
+Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+                        const IdentificationOptions& options) {
+  try {
+    return identifyNeeded(start, readings, options);
+  } catch (const WorkStopped&) {
+    Identification stopped;
+    stopped.status = IdentificationStatus::kStopped;
+    stopped.reason = kStoppedReason;
+    return stopped;
+  }
+}
 
 std::vector<Unknown> fittedUnknowns(const Identification& result) {
   std::vector<Unknown> unknowns;

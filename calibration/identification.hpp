@@ -26,9 +26,10 @@ struct IdentificationOptions {
   double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
+  WorkHooks hooks;  ///< the solver is stopped by these too
 };
 
-enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged };
+enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
 /// How far a number can be told.
 enum class Told { kYes, kWith, kNo };
@@ -107,7 +108,8 @@ struct IdentificationStage {
 };
 
 /// The thesis's way: each stage frees its own numbers with those of the stages before held where they were found, their
-/// covariance carried into its own. Returns one result for each stage; the last has the whole covariance in its sigmas.
+/// covariance carried into its own. Returns one result for each stage, up to one that is refused or stopped; the last
+/// has the whole covariance in its sigmas.
 [[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
                                                            const std::vector<Measurement>& readings,
                                                            const std::vector<IdentificationStage>& stages,

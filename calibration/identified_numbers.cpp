@@ -57,7 +57,7 @@ ProfileInterval profileOf(const ToldFit& work, const IdentifiedNumber& number, i
     x.push_back(0);
   }
   fit.solution.x = Eigen::Map<VectorXd>(x.data(), static_cast<Index>(x.size()));
-  return profileInterval(work.start, unknowns, work.fitted, fit, kept, sigma, noise);
+  return profileInterval(work.start, unknowns, work.fitted, fit, kept, sigma, noise, work.options.hooks.stop);
 }
 
 }  // namespace
@@ -88,6 +88,7 @@ void sayFitted(const ToldFit& work, Identification& result) {
   const auto kept = work.kept();
   const auto at_bound = atBound(kept, work.fit.solution.x);
   for (std::size_t i = 0; i < work.told.kept.size(); ++i) {
+    tell(work.options.hooks, "intervals", i, work.told.kept.size());
     auto& number = result.numbers[static_cast<std::size_t>(work.told.kept[i])];
     const Unknown& unknown = number.unknown;
     const auto k = static_cast<Index>(i);

@@ -26,6 +26,23 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
                              : scaled.failureAtStart();
 }
 
+/// Nothing can be evaluated any more once a stop is asked for: every method then ends at once.
+LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
+                                        const LeastSquaresStop& rest, const StopQuestion& stop) {
+  bool is_stopped = false;
+  LeastSquaresProblem asking = problem;
+  asking.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
+    is_stopped = is_stopped || stop();
+    return !is_stopped && problem.evaluate(x, r, jacobian);
+  };
+  LeastSquaresResult result = kind.minimize(asking, rest);
+  if (is_stopped) {
+    result.status = LeastSquaresStatus::kStopped;
+    result.reason = kStoppedReason;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
@@ -72,7 +89,7 @@ LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, cons
   const LeastSquaresStop stop{options.tolerance.value_or(kind->stop.tolerance),
                               options.max_iterations.value_or(kind->stop.max_iterations)};
   assert(stop.tolerance > 0 && stop.max_iterations >= 0);
-  return kind->minimize(problem, stop);
+  return options.stop ? minimizeUntilStopped(*kind, problem, stop, options.stop) : kind->minimize(problem, stop);
 }
 
 }  // namespace tubeplan::calibration

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "calibration/hooks.hpp"
+
 namespace tubeplan::calibration {
 
 /// Minimise half the squared length of r(x) within lower <= x <= upper. Residuals are whitened, so that 1 is one sigma.
@@ -34,9 +36,10 @@ struct LeastSquaresOptions {
   std::optional<double> tolerance = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
   LeastSquaresMethod method = LeastSquaresMethod::kInteriorPoint;
+  StopQuestion stop = {};  ///< asked before every evaluation
 };
 
-enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed };
+enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed, kStopped };
 
 /// x is where the method stopped, whatever the status; chi2 stays NaN where the model could not be evaluated at all.
 struct LeastSquaresResult {

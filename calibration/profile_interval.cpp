@@ -13,7 +13,10 @@ constexpr double kRise = 3.841458820694124;  // 95 % of chi-square with one degr
 constexpr int kMaxSteps = 12;
 constexpr double kFarthest = 40;  // sigmas; a variable that can go farther is not bounded on that side
 
-const LeastSquaresOptions kNearby{1e-6, 30, LeastSquaresMethod::kLevenbergMarquardt};  // each fit starts at the last
+/// Each fit starts at the last.
+LeastSquaresOptions nearby(const StopQuestion& stop) {
+  return {1e-6, 30, LeastSquaresMethod::kLevenbergMarquardt, stop};
+}
 
 struct Profile {
   const PlacedArm& start;
@@ -22,6 +25,7 @@ struct Profile {
   const Fit& best;
   int variable;
   double noise;
+  LeastSquaresOptions solver;
 
   /// Root of the misfit's rise over what it may rise, at an offset: -1 at the best, 0 at the interval's end.
   [[nodiscard]] double riseAt(double offset, VectorXd& x) const {
@@ -29,7 +33,7 @@ struct Profile {
     const double value = best.solution.x[variable] + offset;
     fixed[static_cast<std::size_t>(variable)].lower = fixed[static_cast<std::size_t>(variable)].upper = value;
     x[variable] = value;
-    const auto solution = minimizeLeastSquares(fitProblem(start, fixed, readings, best.weights, x), kNearby);
+    const auto solution = minimizeOrUnwind(fitProblem(start, fixed, readings, best.weights, x), solver);
     if (solution.status == LeastSquaresStatus::kFailed) return std::numeric_limits<double>::quiet_NaN();
     x = solution.x;
     return std::sqrt(std::max(0., solution.chi2 - best.solution.chi2) / (kRise * noise * noise)) - 1;
@@ -65,8 +69,8 @@ struct Profile {
 
 ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                 const std::vector<Measurement>& readings, const Fit& best, int variable, double sigma,
-                                double noise) {
-  const Profile profile{start, unknowns, readings, best, variable, noise};
+                                double noise, const StopQuestion& stop) {
+  const Profile profile{start, unknowns, readings, best, variable, noise, nearby(stop)};
   const double at = best.solution.x[variable];
   return {at + profile.end(-1, sigma), at + profile.end(1, sigma)};
 }

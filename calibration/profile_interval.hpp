@@ -14,6 +14,6 @@ struct ProfileInterval {
 /// `best` is a fit of all unknowns; `sigma` the variable's own at it; `noise` the sigma of a whitened residual.
 [[nodiscard]] ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                               const std::vector<Measurement>& readings, const Fit& best, int variable,
-                                              double sigma, double noise);
+                                              double sigma, double noise, const StopQuestion& stop = {});
 
 }  // namespace tubeplan::calibration

@@ -60,7 +60,9 @@ Fit fitFromStarts(const ToldFit& work, const VectorXd& first, Identification& re
   const auto kept = work.kept();
   Fit best;
   std::vector<double> ends;
-  for (int s = 0; s < std::max(1, work.options.starts); ++s) {
+  const int starts = std::max(1, work.options.starts);
+  for (int s = 0; s < starts; ++s) {
+    tell(work.options.hooks, "fit", static_cast<std::size_t>(s), starts > 1 ? static_cast<std::size_t>(starts) : 0);
     Fit fit = fitUnknowns(work.start, kept, work.fitted, s == 0 ? first : drawStart(kept, work.options.seed, s),
                           work.options.solver, work.options.loss);
     countWork(fit.solution, result);

@@ -114,6 +114,7 @@ Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes) {
   sheet.viewed_from = description.viewed_from;
   sheet.hole_diameter = description.hole_diameter;
   sheet.pitch = description.layout.pitch;
+  sheet.manway = description.manway;
   std::stable_sort(tubes.begin(), tubes.end(), isBefore);
   for (Tube& tube : tubes) {
     tube.x = snapLength(tube.x);

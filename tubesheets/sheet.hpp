@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tubesheets/layout.hpp"
+#include "tubesheets/manway.hpp"
 #include "tubesheets/tube.hpp"
 
 namespace tubeplan::tubesheets {
@@ -18,6 +19,7 @@ struct SheetDescription {
   double hole_diameter = std::numeric_limits<double>::quiet_NaN();
   Leg leg = Leg::kHot;
   ViewedFrom viewed_from = ViewedFrom::kBelow;
+  std::optional<Manway> manway = std::nullopt;  ///< none: nobody has said where it is
 };
 
 /// A sheet. `tubes` are in sheet order: by row, then by column. Positions [m] in the sheet frame of tube.hpp.
@@ -30,6 +32,7 @@ struct Sheet {
   double pitch = std::numeric_limits<double>::quiet_NaN();
   int rows = 0;     ///< the highest row number
   int columns = 0;  ///< the highest column number
+  std::optional<Manway> manway;
   std::vector<Tube> tubes;
 
   /// The tube of that name; null when it is not on this sheet.
@@ -42,8 +45,8 @@ struct Sheet {
   /// whole sheet see findNeighbours.
   [[nodiscard]] std::vector<int> neighbours(int tube) const;
 
-  /// 16 hexadecimal digits over layout type, leg, pitch, diameter, numbers and positions (to 1e-9 m), not over name and
-  /// states: two sheets that agree have the same tube in the same place under the same name.
+  /// 16 hexadecimal digits over layout type, leg, pitch, diameter, numbers and positions (to 1e-9 m), not over name,
+  /// states and manway: two sheets that agree have the same tube in the same place under the same name.
   [[nodiscard]] std::string fingerprint() const;
 };
 
@@ -62,7 +65,7 @@ struct Sheet {
 
 /// What makes the sheet unusable (the first twenty or so): no holes, numbers that are not finite or absurd, two
 /// holes of one name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider plate, a
-/// spacing that contradicts the pitch (a wrong unit).
+/// spacing that contradicts the pitch (a wrong unit), and those of its manway.
 [[nodiscard]] std::vector<Problem> findSheetProblems(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -115,6 +115,8 @@ std::vector<Problem> findSheetProblems(const Sheet& sheet) {
   findSpacingProblems(sheet, problems);
   findLegProblems(sheet, problems);
   findOverlaps(sheet, problems);
+  if (sheet.manway)
+    for (const Problem& problem : findManwayProblems(*sheet.manway, sheet.leg)) problems.push_back(problem);
   return problems;
 }
 

@@ -10,6 +10,7 @@
 #include "app/command_inputs.hpp"
 #include "app/comparison_job.hpp"
 #include "app/comparison_json.hpp"
+#include "app/planning_hooks.hpp"
 
 namespace tubeplan::app {
 
@@ -25,7 +26,7 @@ int run(const CompareOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
-  const auto [comparison, figures] = compareModel(input, options.request);
+  const auto [comparison, figures] = compareModel(input, options.request, terminalWorkHooks());
   writeJson(options.json, figures);
   if (!options.report.empty())
     writeFileAtomically(options.report, comparisonPage(input, options.request, figures), "--report");

@@ -11,6 +11,7 @@
 #include "app/diagnosis_job.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/effect_warnings_json.hpp"
+#include "app/planning_hooks.hpp"
 #include "app/splitting_json.hpp"
 
 namespace tubeplan::app {
@@ -27,7 +28,7 @@ int run(const DiagnoseOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
-  const auto outcome = diagnoseModel(input, options.request);
+  const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
   if (!options.report.empty())
     writeFileAtomically(options.report, diagnosisPage(input, options.request, outcome.figures), "--report");
   writeJson(options.json, outcome.figures);

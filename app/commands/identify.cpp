@@ -12,6 +12,7 @@
 #include "app/identification_job.hpp"
 #include "app/identification_json.hpp"
 #include "app/overlap_report.hpp"
+#include "app/planning_hooks.hpp"
 #include "app/readers/cell_writer.hpp"
 
 namespace tubeplan::app {
@@ -36,7 +37,7 @@ int run(const IdentifyOptions& options) {
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
       fmt::print("stage {}\n{}", stage + 1, identificationText(fit, input.readings, input.cell.units));
     };
-  const auto outcome = identifyModel(input, request);
+  const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
     for (const auto& written : identifiedCell(cell, outcome.fit, options.out))
       writeFileAtomically(written.path, written.text, "--out");

@@ -10,6 +10,7 @@
 #include "app/command_inputs.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/improvement_job.hpp"
+#include "app/planning_hooks.hpp"
 #include "app/readers/cell_writer.hpp"
 
 namespace tubeplan::app {
@@ -26,7 +27,7 @@ int run(const ImproveOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
   checkJsonTarget(options.json);
   checkWritableFile(options.out, "--out");
-  const auto result = improveModel(input, options.request);
+  const auto result = improveModel(input, options.request, terminalWorkHooks());
   for (const auto& file : improvedCell(input.cell, result.cell, result.last, options.out))
     writeFileAtomically(file.path, file.text, "--out");
   writeJson(options.json, improvementJson(result));

@@ -9,6 +9,7 @@
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/ladder_job.hpp"
+#include "app/planning_hooks.hpp"
 
 namespace tubeplan::app {
 
@@ -36,7 +37,7 @@ int run(const LadderOptions& options) {
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
   const auto models = modelsOf(options);
-  const auto outcome = climbLadder(models, options.steps);
+  const auto outcome = climbLadder(models, options.steps, terminalWorkHooks());
   writeJson(options.json, outcome.figures);
   if (!options.report.empty())
     writeFileAtomically(options.report, ladderPage(outcome.figures, options.measurements, options.steps.seed),

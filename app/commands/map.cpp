@@ -10,6 +10,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 #include "app/input_error.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "tubesheets/hole_map_csv.hpp"
@@ -34,6 +35,11 @@ std::map<std::string, int> countStates(const tubesheets::Sheet& sheet) {
   return counts;
 }
 
+nlohmann::json manwayJson(const tubesheets::Sheet& sheet, const Units& units) {
+  if (!sheet.manway) return nullptr;
+  return {{"center", placeJson(sheet.manway->centre, units)}, {"diameter", lengthJson(sheet.manway->diameter, units)}};
+}
+
 nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
   const auto box = extentsOf(sheet);
   const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
@@ -50,6 +56,7 @@ nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
       {"extents",
        {{"x", {length(box.min().x()), length(box.max().x())}}, {"y", {length(box.min().y()), length(box.max().y())}}}},
       {"states", countStates(sheet)},
+      {"manway", manwayJson(sheet, cell.units)},
       {"fingerprint", sheet.fingerprint()},
       {"units", unitsJson(cell.units)}};
 }

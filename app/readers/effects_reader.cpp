@@ -23,11 +23,6 @@ const EffectKind& kindOf(const Effect& effect) {
   return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
 }
 
-deflection::FormulaUnits formulaUnitsOf(const Units& units) {
-  return {units.factor(dimension::kLength), units.factor(dimension::kAngle), units.factor(dimension::kForce),
-          units.temperature().factor,       units.temperature().offset,      units.factor(dimension::kTime)};
-}
-
 std::string withoutDigits(std::string text) {
   std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
   return text;
@@ -150,6 +145,11 @@ void readSizes(const std::string& text, const deflection::Arm& arm, const Units&
 }
 
 }  // namespace
+
+deflection::FormulaUnits formulaUnitsOf(const Units& units) {
+  return {units.factor(dimension::kLength), units.factor(dimension::kAngle), units.factor(dimension::kForce),
+          units.temperature().factor,       units.temperature().offset,      units.factor(dimension::kTime)};
+}
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   std::vector<Effect> effects;

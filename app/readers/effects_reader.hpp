@@ -13,6 +13,7 @@
 #include "app/readers/units.hpp"
 #include "app/readers/yaml_node.hpp"
 #include "deflection/effects/effect.hpp"
+#include "deflection/effects/formula.hpp"
 
 namespace tubeplan::app {
 
@@ -22,6 +23,9 @@ namespace tubeplan::app {
 
 /// The list in flow style, as readEffects takes it.
 [[nodiscard]] std::string effectsText(const deflection::Arm& arm, const Units& units);
+
+/// A cell's units, as formulas have them.
+[[nodiscard]] deflection::FormulaUnits formulaUnitsOf(const Units& units);
 
 /// A formula as on the command line, 'theta3 += c*sin(3*theta1)', for an arm that has its other effects already; `at`
 /// is the place asked for, or empty. Throws InputError, `where` naming the argument: also for a parameter that looks

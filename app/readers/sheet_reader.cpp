@@ -70,15 +70,22 @@ tubesheets::Layout readLayout(const YamlNode& node, const Units& units) {
   return layout;
 }
 
+tubesheets::Manway readManway(const YamlNode& node, const Units& units) {
+  node.expectKeys({"center", "diameter"}, {});
+  return {readVector(node.at("center"), units, dimension::kLength),
+          readQuantity(node.at("diameter"), units, dimension::kLength)};
+}
+
 void readCommon(const YamlNode& node, const Units& units, SheetDescription& description) {
   description.hole_diameter = readQuantity(node.at("hole_diameter"), units, dimension::kLength);
   description.leg = readLeg(node.at("leg"));
   if (const YamlNode* side = node.find("viewed_from")) description.viewed_from = readViewedFrom(*side);
   if (const YamlNode* name = node.find("name")) description.name = name->text();
+  if (const YamlNode* manway = node.find("manway")) description.manway = readManway(*manway, units);
 }
 
 tubesheets::Sheet readDrilledSheet(const YamlNode& node, const Units& units) {
-  node.expectKeys({"layout", "hole_diameter", "leg"}, {"viewed_from", "name"});
+  node.expectKeys({"layout", "hole_diameter", "leg"}, {"viewed_from", "name", "manway"});
   SheetDescription description;
   description.layout = readLayout(node.at("layout"), units);
   readCommon(node, units, description);
@@ -87,7 +94,7 @@ tubesheets::Sheet readDrilledSheet(const YamlNode& node, const Units& units) {
 }
 
 tubesheets::Sheet readMappedSheet(const YamlNode& node, const Units& units, const std::filesystem::path& folder) {
-  node.expectKeys({"map", "pitch", "hole_diameter", "leg"}, {"viewed_from", "name"});
+  node.expectKeys({"map", "pitch", "hole_diameter", "leg"}, {"viewed_from", "name", "manway"});
   SheetDescription description;
   description.layout.type = "map";
   description.layout.pitch = readQuantity(node.at("pitch"), units, dimension::kLength);

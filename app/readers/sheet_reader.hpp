@@ -10,9 +10,9 @@
 
 namespace tubeplan::app {
 
-/// Reads `tubesheet: {layout: {type, ...}, hole_diameter, leg, viewed_from?, name?}` or, for a map drilled otherwise,
-/// `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?}` with the file relative to `folder`. Throws
-/// InputError for what the readers of tubesheets find wrong, too.
+/// Reads `tubesheet: {layout: {type, ...}, hole_diameter, leg, viewed_from?, name?, manway?}` or, for a map drilled
+/// otherwise, `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?, manway?}` with the file relative to
+/// `folder`; `manway: {center, diameter}`. Throws InputError for what the readers of tubesheets find wrong, too.
 [[nodiscard]] tubesheets::Sheet readSheet(const YamlNode& node, const Units& units,
                                           const std::filesystem::path& folder);
 

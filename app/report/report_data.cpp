@@ -27,7 +27,8 @@ constexpr int kSideViews = 6;
 json sheetData(const PlanOutcome& outcome) {
   const auto& sheet = outcome.model.sheet;
   const Units& units = outcome.cell.units;
-  json holes = json::array();
+  json holes = json::array(), manway;
+  if (sheet.manway) manway = {sheet.manway->direction().x(), sheet.manway->direction().y()};
   for (const auto& tube : sheet.tubes)
     holes.push_back({tube.row, tube.column, lengthOf(tube.x, units), lengthOf(tube.y, units),
                      tubesheets::tubeStateName(tube.state)});
@@ -39,6 +40,7 @@ json sheetData(const PlanOutcome& outcome) {
           {"rows", sheet.rows},
           {"columns", sheet.columns},
           {"holes", holes},
+          {"manway", manway},
           {"fingerprint", sheet.fingerprint()}};
 }
 

@@ -1,4 +1,4 @@
-// ---- sheet_drawing.js: a sharp canvas with the sheet's holes, numbering and divider plate.
+// ---- sheet_drawing.js: a sharp canvas with the sheet's holes, numbering, divider plate and manway.
 
 const FONT = "11px system-ui, sans-serif";
 
@@ -12,7 +12,7 @@ function sharpCanvas(width, height) {
   return {canvas, context};
 }
 
-/// The canvas of a sheet: all holes, their states, row and column ticks, divider plate and axes. Returns {canvas,
+/// The canvas of a sheet: all holes, their states, row and column ticks, divider plate, manway and axes. Returns {canvas,
 /// context, frame}.
 function drawSheet(sheet, width, {faint = false} = {}) {
   const frame = sheetFrame(sheet, width);
@@ -20,6 +20,7 @@ function drawSheet(sheet, width, {faint = false} = {}) {
   drawHoles(context, sheet, frame, faint);
   drawTicks(context, sheet, frame);
   if (sheet.oneLeg) drawDivider(context, sheet, frame);
+  if (sheet.manway) drawManway(context, sheet, frame);
   drawAxes(context, sheet, frame);
   return {canvas, context, frame};
 }
@@ -93,6 +94,21 @@ function drawDivider(context, sheet, frame) {
   context.textAlign = "center";
   context.textBaseline = above ? "top" : "bottom";
   context.fillText("divider plate", frame.width / 2, above ? 1 : frame.height - 1);
+}
+
+/// A door outside the rim, in the direction in which the manway lies from the sheet's middle.
+function drawManway(context, sheet, frame) {
+  const angle = Math.atan2(-sheet.manway[1], frame.sign * sheet.manway[0]);
+  const rim = frame.scale * Math.max(...sheet.holes.map((hole) => Math.hypot(hole.x, hole.y))) + 8;
+  const [x, y] = frame.place([0, 0]);
+  context.strokeStyle = context.fillStyle = colour("muted");
+  context.lineWidth = 4;
+  context.beginPath();
+  context.arc(x, y, rim, angle - 0.1, angle + 0.1);
+  context.stroke();
+  context.textAlign = Math.cos(angle) > 0.3 ? "left" : Math.cos(angle) < -0.3 ? "right" : "center";
+  context.textBaseline = "middle";
+  context.fillText("manway", x + (rim + 7) * Math.cos(angle), y + (rim + 7) * Math.sin(angle));
 }
 
 /// The directions of x and y in a corner that the round sheet leaves free.

@@ -25,6 +25,7 @@ function readSheet(report) {
     oneLeg,
     fromBelow: sheet.viewed_from !== "above",
     leg: sheet.leg,
+    manway: Array.isArray(sheet.manway) && sheet.manway.every(isNumber) ? sheet.manway : null,
     rows: ticksOf(holes, "row", "y", pitch),
     columns: ticksOf(holes, "column", "x", pitch),
     find: holeFinder(holes)

@@ -34,19 +34,17 @@ Answer propose(Workbench& workbench, const Request& request) {
   if (cell.sheet && body.contains("tubes")) asked.tubes = tubesText(body, *cell.sheet, "spread:60");
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.seed = seedOf(body);
-  return beginJob(workbench, "touches", "what to touch or read next", [&workbench, asked](JobContext& context) {
-    const Situation began = workbench.situation();
-    beginStage(context, "proposals");
-    const auto outcome =
-        proposeTouches(asked, currentModel(began).cell,
-                       began.readings ? began.readings->readings : std::vector<calibration::Measurement>());
-    nlohmann::json figures = proposalsJson(outcome);
-    figures["seed"] = asked.seed;
-    figures["optimality"] = "D";
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, "touches", currentModel(began).id, figures); });
-    return "touches";
-  });
+  return beginResultJob(
+      workbench, "touches", "what to touch or read next", [asked](const Situation& began, JobContext& context) {
+        beginStage(context, "proposals");
+        const auto outcome =
+            proposeTouches(asked, currentModel(began).cell,
+                           began.readings ? began.readings->readings : std::vector<calibration::Measurement>());
+        nlohmann::json figures = proposalsJson(outcome);
+        figures["seed"] = asked.seed;
+        figures["optimality"] = "D";
+        return figures;
+      });
 }
 
 /// A posture under the hole, by the model.

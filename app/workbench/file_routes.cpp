@@ -3,6 +3,7 @@
 
 #include "app/input_error.hpp"
 #include "app/reading_input.hpp"
+#include "app/workbench/moments_json.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -19,10 +20,16 @@ Answer files(Workbench& workbench, const Request&) {
       {{"folder", folder.path().string()}, {"cells", folder.names(".yaml")}, {"measurements", folder.names(".csv")}});
 }
 
+Answer noReadings() { return refusal(404, InputError("measurements", "none loaded", "some")); }
+
 Answer readings(Workbench& workbench, const Request&) {
   const Situation situation = workbench.situation();
-  if (!situation.readings) return refusal(404, InputError("measurements", "none loaded", "some"));
-  return answerOf(readingsJson(currentModel(situation), *situation.readings));
+  return situation.readings ? answerOf(readingsJson(currentModel(situation), *situation.readings)) : noReadings();
+}
+
+Answer moments(Workbench& workbench, const Request&) {
+  const Situation situation = workbench.situation();
+  return situation.readings ? answerOf(momentsJson(currentModel(situation).cell, *situation.readings)) : noReadings();
 }
 
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
@@ -66,6 +73,7 @@ Answer openCellFile(Workbench& workbench, const Request& request) {
 constexpr Route kRoutes[] = {
     {"GET", "files", files},
     {"GET", "measurements", readings},
+    {"GET", "moments", moments},
     {"POST", "measurements", uploadReadings},
     {"POST", "measurements/open", openReadingsFile},
     {"POST", "cell/open", openCellFile},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/figures.hpp"
 #include "app/workcell.hpp"
 #include "planner/scene_shapes.hpp"
 
@@ -17,10 +18,15 @@ constexpr tubesheets::TubeState kStates[] = {tubesheets::TubeState::kOpen,      
                                              tubesheets::TubeState::kToPlug,    tubesheets::TubeState::kInaccessible,
                                              tubesheets::TubeState::kUnresolved};
 
+/// Of x on the map: seen from below, +x points left.
+double signAsDrawn(const tubesheets::Sheet& sheet) {
+  return sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
+}
+
 json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
   json row = json::array(), column = json::array(), x = json::array(), y = json::array(), z = json::array(),
        u = json::array(), state = json::array(), states = json::array();
-  const double sign = sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
+  const double sign = signAsDrawn(sheet);
   for (const auto& tube : sheet.tubes) {
     row.push_back(tube.row);
     column.push_back(tube.column);
@@ -33,6 +39,16 @@ json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
   for (const auto known : kStates) states.push_back(tubesheets::tubeStateName(known));
   return {{"row", row}, {"column", column}, {"x", x},         {"y", y},          {"z", z},
           {"u", u},     {"v", y},           {"state", state}, {"states", states}};
+}
+
+/// With u and v as of the holes: where it lies on the map, seen from the sheet's middle.
+json manwayJson(const tubesheets::Sheet& sheet, const Units& units) {
+  if (!sheet.manway) return nullptr;
+  const Eigen::Vector2d towards = sheet.manway->direction();
+  return {{"center", placeJson(sheet.manway->centre, units)},
+          {"diameter", lengthOf(sheet.manway->diameter, units)},
+          {"u", signAsDrawn(sheet) * towards.x()},
+          {"v", towards.y()}};
 }
 
 /// The value under a key of the table, whose dots part the keys of maps in one another; null where there is none.
@@ -97,6 +113,7 @@ json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
           {"X_WS", poseJson(Eigen::Isometry3d::Identity(), units)},
           {"fingerprint", sheet.fingerprint()},
           {"tool", toolJson(cell.tool, units)},
+          {"manway", manwayJson(sheet, units)},
           {"holes", holesJson(sheet, units)}};
 }
 

@@ -13,16 +13,27 @@ Answer beginJob(Workbench& workbench, const std::string& kind, const std::string
   return answerOf(begun.job, 202);
 }
 
-StepHook stepsOf(JobContext& context) {
-  return [&context](std::string_view step) { beginStage(context, step); };
+Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label, ResultWork work) {
+  return beginJob(workbench, kind, label, [&workbench, kind, work = std::move(work)](JobContext& context) {
+    const Situation began = workbench.situation();
+    const nlohmann::json document = work(began, context);
+    finishJob(workbench, began,
+              [&](Situation& situation) { putResult(situation, kind, currentModel(began).id, document); });
+    return kind;
+  });
+}
+
+WorkHooks hooksOf(JobContext& context) {
+  return {
+      [&context](std::string_view stage, std::size_t done, std::size_t total) { context.progress(stage, done, total); },
+      [&context] { return context.stopRequested(); }};
 }
 
 planner::PlanHooks planHooksOf(JobContext& context) {
+  const WorkHooks asked = hooksOf(context);
   planner::PlanHooks hooks;
-  hooks.progress = [&context](std::string_view stage, std::size_t done, std::size_t total) {
-    context.progress(stage, done, total);
-  };
-  hooks.stop = [&context] { return context.stopRequested(); };
+  hooks.progress = asked.progress;
+  hooks.stop = asked.stop;
   return hooks;
 }
 

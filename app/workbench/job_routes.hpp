@@ -15,10 +15,15 @@ namespace tubeplan::app {
 /// 202 with the job, or 409.
 [[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
 
-/// Steps of a job become its stages; a job asked to stop ends at the next one.
-[[nodiscard]] StepHook stepsOf(JobContext& context);
+/// A job whose document becomes the result of its own kind, of the model that it began with.
+using ResultWork = std::function<nlohmann::json(const Situation& began, JobContext&)>;
+[[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
+                                    ResultWork work);
 
-/// The same of the planner, which stops wherever it is.
+/// What work tells becomes the job's stages; a job asked to stop ends wherever it is.
+[[nodiscard]] WorkHooks hooksOf(JobContext& context);
+
+/// The same for the planner.
 [[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
 
 /// The current model with the readings, checked against its formulas. Throws InputError where there are no readings.

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/job_steps.hpp"
 #include "app/workbench/events.hpp"
 
 namespace tubeplan::app {
@@ -27,9 +28,6 @@ class JobContext {
   virtual void progress(std::string_view stage, std::size_t done, std::size_t total) = 0;
   [[nodiscard]] virtual bool stopRequested() const = 0;
 };
-
-/// Thrown by a job's work between its steps once it has been asked to stop.
-struct JobStopped {};
 
 /// Throws JobStopped where that has been asked for; tells the stage that begins.
 void beginStage(JobContext& context, std::string_view stage, std::size_t done = 0, std::size_t total = 0);

@@ -26,25 +26,19 @@ constexpr int kMostSimulated = 5000;
 Answer compare(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ComparisonRequest asked{integerOf(body, "folds", 5, 0, 100), seedOf(body)};
-  return beginJob(workbench, "compare", "where the model fails", [&workbench, asked](JobContext& context) {
-    const Situation began = workbench.situation();
-    const auto outcome = compareModel(inputOf(began), asked, stepsOf(context));
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, "compare", currentModel(began).id, outcome.figures); });
-    return "compare";
-  });
+  return beginResultJob(workbench, "compare", "where the model fails",
+                        [asked](const Situation& began, JobContext& context) {
+                          return compareModel(inputOf(began), asked, hooksOf(context)).figures;
+                        });
 }
 
 Answer diagnose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const DiagnosisRequest asked{integerOf(body, "effects", 2, 1, 2), integerOf(body, "next", 6, 1, 50), seedOf(body)};
-  return beginJob(workbench, "diagnose", "what the model lacks", [&workbench, asked](JobContext& context) {
-    const Situation began = workbench.situation();
-    const auto outcome = diagnoseModel(inputOf(began), asked, stepsOf(context));
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, "diagnose", currentModel(began).id, outcome.figures); });
-    return "diagnose";
-  });
+  return beginResultJob(workbench, "diagnose", "what the model lacks",
+                        [asked](const Situation& began, JobContext& context) {
+                          return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
+                        });
 }
 
 bool givesWay(const deflection::Arm& arm) {
@@ -52,50 +46,54 @@ bool givesWay(const deflection::Arm& arm) {
                      [](const auto& row) { return row.beam || !row.joint_stiffness.array().isInf().all(); });
 }
 
-/// The stack from the first model to the current one, the first taken as rigid before it where it gives.
-LadderOutcome ladderOf(const Situation& situation, const LadderStepOptions& options, const StepHook& step) {
-  std::vector<LadderModel> models;
-  const auto add = [&](const std::string& name, const Cell& cell) {
-    CellReadings input{cell, situation.readings->name, situation.readings->readings};
-    requireDefinedFormulas(input.readings, input.cell, input.file);
-    models.push_back({name, std::move(input)});
-  };
-  const Cell& first = situation.models.front()->cell;
-  if (givesWay(first.arm)) add(situation.models.front()->label + ", rigid", rigidOf(first));
-  for (std::size_t k = 0; k <= situation.current; ++k) add(situation.models[k]->label, situation.models[k]->cell);
-  return climbLadder(models, options, step);
+struct NamedCell {
+  std::string label;
+  Cell cell;
+};
+
+/// From the first model to the current one, the first taken as rigid before it where it gives.
+std::vector<NamedCell> stackOf(const Situation& situation) {
+  std::vector<NamedCell> stack;
+  const auto& models = situation.models;
+  const Cell& first = models.front()->cell;
+  if (givesWay(first.arm)) stack.push_back({models.front()->label + ", rigid", rigidOf(first)});
+  for (std::size_t k = 0; k <= situation.current; ++k) stack.push_back({models[k]->label, models[k]->cell});
+  return stack;
 }
 
-LadderStepOptions ladderOptions(const Situation& situation, std::uint64_t seed) {
+nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Situation& began, std::uint64_t seed,
+                          const WorkHooks& hooks) {
+  std::vector<LadderModel> models;
+  for (const auto& [label, cell] : stack) {
+    models.push_back({label, {cell, began.readings->name, began.readings->readings}});
+    requireDefinedFormulas(models.back().input.readings, cell, models.back().input.file);
+  }
   LadderStepOptions options;
-  options.truth = situation.truth;
+  options.truth = began.truth;
   options.holes = 300;
   options.seed = seed;
-  return options;
+  return climbLadder(models, options, hooks).figures;
 }
 
 Answer ladder(Workbench& workbench, const Request& request) {
   const std::uint64_t seed = seedOf(objectOf(request));
-  return beginJob(workbench, "ladder", "one model after another", [&workbench, seed](JobContext& context) {
-    const Situation began = workbench.situation();
-    (void)inputOf(began);
-    const auto outcome = ladderOf(began, ladderOptions(began, seed), stepsOf(context));
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, "ladder", currentModel(began).id, outcome.figures); });
-    return "ladder";
-  });
+  return beginResultJob(workbench, "ladder", "one model after another",
+                        [seed](const Situation& began, JobContext& context) {
+                          (void)inputOf(began);
+                          return ladderOver(stackOf(began), began, seed, hooksOf(context));
+                        });
 }
 
 /// Puts a fitted model on the stack with its figures, and the ladder over the stack with it.
 void finishFit(Workbench& workbench, const Situation& began, const std::string& label, const std::string& origin,
                const Cell& fitted, const nlohmann::json& figures, std::uint64_t seed, JobContext& context) {
-  Situation grown = began;
-  const int id = pushModel(grown, label, origin, fitted);
-  const auto climbed = ladderOf(grown, ladderOptions(grown, seed), stepsOf(context));
+  auto stack = stackOf(began);
+  stack.push_back({label, fitted});
+  const auto climbed = ladderOver(stack, began, seed, hooksOf(context));
   finishJob(workbench, began, [&](Situation& situation) {
-    pushModel(situation, label, origin, fitted);
+    const int id = pushModel(situation, label, origin, fitted);
     putResult(situation, "identify", id, figures);
-    putResult(situation, "ladder", id, climbed.figures);
+    putResult(situation, "ladder", id, climbed);
   });
 }
 
@@ -112,7 +110,7 @@ Answer identify(Workbench& workbench, const Request& request) {
   return beginJob(workbench, "identify", "the numbers of the model", [&workbench, asked](JobContext& context) {
     const Situation began = workbench.situation();
     const CellReadings input = inputOf(began);
-    const auto outcome = identifyModel(input, asked, stepsOf(context));
+    const auto outcome = identifyModel(input, asked, hooksOf(context));
     requireFitted(outcome, input);
     finishFit(workbench, began, "fitted", "fit", fittedCell(input.cell, outcome.fit), outcome.figures, asked.seed,
               context);
@@ -159,7 +157,7 @@ Answer add(Workbench& workbench, const Request& request) {
     requireDefinedFormulas(input.readings, input.cell, input.file);
     IdentificationRequest fit;
     fit.seed = seed;
-    const auto outcome = identifyModel(input, fit, stepsOf(context));
+    const auto outcome = identifyModel(input, fit, hooksOf(context));
     requireFitted(outcome, input);
     finishFit(workbench, began, name, is_formula ? "formula" : "effect", fittedCell(input.cell, outcome.fit),
               outcome.figures, seed, context);
@@ -174,7 +172,7 @@ Answer improve(Workbench& workbench, const Request& request) {
                   [&workbench, asked](JobContext& context) {
                     const Situation began = workbench.situation();
                     const CellReadings input = inputOf(began);
-                    const auto outcome = improveModel(input, asked, stepsOf(context));
+                    const auto outcome = improveModel(input, asked, hooksOf(context));
                     const auto files = improvedCell(input.cell, outcome.cell, outcome.last, input.cell.path);
                     const Cell improved =
                         parseCell(files.back().text, input.cell.path,

@@ -8,12 +8,14 @@
 #include "app/input_error.hpp"
 #include "app/plan_files.hpp"
 #include "app/workbench/job_routes.hpp"
+#include "app/workbench/path_answer.hpp"
 #include "app/workbench/posture_answer.hpp"
 #include "app/workbench/reach_jobs.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workcell.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -21,31 +23,20 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMostSamples = 20000;
-
 Answer reach(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   (void)workcellOf(currentModel(workbench.situation()).cell, "reach its holes");
-  return beginJob(workbench, "reach", "which holes the arm reaches", [&workbench](JobContext& context) {
-    const Situation began = workbench.situation();
-    const json figures = reachOfAll(currentModel(began).cell, context);
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, "reach", currentModel(began).id, figures); });
-    return "reach";
-  });
+  return beginResultJob(
+      workbench, "reach", "which holes the arm reaches",
+      [](const Situation& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
 Answer field(Workbench& workbench, const Request& request) {
   const std::string of = textOf(objectOf(request), "of", "centring");
   requireField(of);
   (void)workcellOf(currentModel(workbench.situation()).cell, "look at its holes");
-  return beginJob(workbench, "field", of + " over the sheet", [&workbench, of](JobContext& context) {
-    const Situation began = workbench.situation();
-    const json figures = fieldOf(began, of, context);
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, "field", currentModel(began).id, figures); });
-    return "field";
-  });
+  return beginResultJob(workbench, "field", of + " over the sheet",
+                        [of](const Situation& began, JobContext& context) { return fieldOf(began, of, context); });
 }
 
 json branchJson(const planner::TubeBranch& branch, const Model& model, double load) {
@@ -127,46 +118,32 @@ Answer plan(Workbench& workbench, const Request& request) {
   });
 }
 
-double forPlaying(double value) { return std::round(value * 1e6) / 1e6; }
-
-/// The clearance that is proved of a segment, null where it has none.
-json clearanceOfSegment(const PlanOutcome& outcome, int segment) {
-  const double margin = outcome.plan.segments[static_cast<std::size_t>(segment)].margin;
-  if (!std::isfinite(margin)) return nullptr;
-  return forPlaying(lengthOf(margin + outcome.model.scene.clearance, outcome.cell.units));
-}
+Answer noPlan() { return refusal(404, InputError("plan", "none yet", "one that was made")); }
 
 Answer path(Workbench& workbench, const Request&) {
   const Situation now = workbench.situation();
-  if (!now.plan) return refusal(404, InputError("plan", "none yet", "one that was made"));
-  const PlanOutcome& outcome = *now.plan;
-  const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
-  const double step = std::max(0.25, outcome.plan.total_time / kMostSamples);
-  json time = json::array(), segment = json::array(), kind = json::array(), joints = json::array(),
-       clearance = json::array(), tube = json::array();
-  for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm), step)) {
-    time.push_back(forPlaying(row.time));
-    segment.push_back(row.segment);
-    kind.push_back(planner::nameOf(row.kind));
-    json q = json::array();
-    for (const double value : row.q.cwiseQuotient(factors)) q.push_back(forPlaying(value));
-    joints.push_back(std::move(q));
-    tube.push_back(outcome.plan.segments[static_cast<std::size_t>(row.segment)].visit);
-  }
-  for (std::size_t k = 0; k < outcome.plan.segments.size(); ++k)
-    clearance.push_back(clearanceOfSegment(outcome, static_cast<int>(k)));
-  return answerOf({{"units", unitsJson(outcome.cell.units)},
-                   {"time", time},
-                   {"segment", segment},
-                   {"kind", kind},
-                   {"joints", joints},
-                   {"tube", tube},
-                   {"clearance", clearance}});
+  return now.plan ? answerOf(pathAnswer(*now.plan)) : noPlan();
+}
+
+/// A whole number of the query.
+std::size_t countOf(const Request& request, const std::string& key, std::size_t otherwise) {
+  const auto found = request.query.find(key);
+  if (found == request.query.end()) return otherwise;
+  const auto number = tubesheets::parseInteger(found->second);
+  if (!number || *number < 0)
+    throw InputError("request (" + key + ")", inQuotes(found->second), "a whole number, 0 or more");
+  return static_cast<std::size_t>(*number);
+}
+
+Answer clearance(Workbench& workbench, const Request& request) {
+  const Situation now = workbench.situation();
+  if (!now.plan) return noPlan();
+  return answerOf(clearanceAlong(*now.plan, countOf(request, "from", 0), countOf(request, "count", kMostClearances)));
 }
 
 constexpr Route kRoutes[] = {
     {"POST", "reach", reach}, {"POST", "field", field},   {"POST", "inverse", inverse},
-    {"POST", "plan", plan},   {"GET", "plan/path", path},
+    {"POST", "plan", plan},   {"GET", "plan/path", path}, {"GET", "plan/clearance", clearance},
 };
 
 }  // namespace

@@ -170,11 +170,12 @@ namespace {
 
 /// Columns of candidates that share an arm, level by level: shapes at one place would add up.
 void linearizeLevels(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                     Catalogue& catalogue) {
+                     Catalogue& catalogue, const WorkHooks& hooks) {
   std::size_t most_levels = 0;
   for (const auto& candidate : catalogue.candidates)
     if (!isStep(candidate)) most_levels = std::max(most_levels, candidate.levels.size());
   for (std::size_t level = 0; level < most_levels; ++level) {
+    tell(hooks, "catalogue", level, most_levels);
     PlacedArm with = placed;
     std::vector<Unknown> unknowns;
     std::vector<std::pair<int, Index>> owners;
@@ -196,10 +197,11 @@ void linearizeLevels(const PlacedArm& placed, const std::vector<Measurement>& re
 }
 
 void linearizeSteps(const PlacedArm& placed, const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                    Catalogue& catalogue) {
+                    Catalogue& catalogue, const StopQuestion& stop) {
   for (std::size_t c = 0; c < catalogue.candidates.size(); ++c) {
     const Candidate& candidate = catalogue.candidates[c];
     if (!isStep(candidate)) continue;
+    goOn(stop);
     const StepColumns columns(placed, readings, weights, candidate);
     for (std::size_t level = 0; level < candidate.levels.size(); ++level)
       catalogue.columns.push_back({static_cast<int>(c), static_cast<int>(level), columns.at(candidate.levels[level])});
@@ -209,7 +211,7 @@ void linearizeSteps(const PlacedArm& placed, const std::vector<Measurement>& rea
 }  // namespace
 
 Catalogue linearizeCatalogue(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                             const ReadingWeights& weights, const CatalogueOptions& options) {
+                             const ReadingWeights& weights, const CatalogueOptions& options, const WorkHooks& hooks) {
   Catalogue catalogue;
   for (const auto& kind : deflection::effectKinds()) {
     if (const std::string lack = lackOf(kind, readings); !lack.empty()) {
@@ -217,14 +219,15 @@ Catalogue linearizeCatalogue(const PlacedArm& placed, const std::vector<Measurem
       continue;
     }
     for (const std::string& at : deflection::placeTexts(placed.arm, kind)) {
+      goOn(hooks.stop);
       const auto made = deflection::makeEffect(placed.arm, kind.name, at);
       if (isThereAlready(placed.arm, made.effect)) continue;
       catalogue.candidates.push_back(candidateOf(placed.arm, kind, made.effect, at));
       catalogue.candidates.back().levels = levelsOf(catalogue.candidates.back(), placed, readings, options);
     }
   }
-  linearizeLevels(placed, readings, weights, catalogue);
-  linearizeSteps(placed, readings, weights, catalogue);
+  linearizeLevels(placed, readings, weights, catalogue, hooks);
+  linearizeSteps(placed, readings, weights, catalogue, hooks.stop);
   return catalogue;
 }
 

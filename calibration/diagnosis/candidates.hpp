@@ -42,9 +42,10 @@ struct CatalogueOptions {
 };
 
 /// All candidates of the arm that the readings could show, linearised at `placed` with the weights of a fit to
-/// `readings`. Effects that the arm already has at a place are left out.
+/// `readings`. Effects that the arm already has at a place are left out. Unwinds where it was stopped.
 [[nodiscard]] Catalogue linearizeCatalogue(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                                           const ReadingWeights& weights, const CatalogueOptions& options = {});
+                                           const ReadingWeights& weights, const CatalogueOptions& options = {},
+                                           const WorkHooks& hooks = {});
 
 /// A step's columns at any time from one linearisation, as before its time it does nothing. Keeps references to
 /// readings and weights.

@@ -24,6 +24,7 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
   baseline.folds = 0;
   baseline.intervals_by_profile = false;
+  baseline.hooks = untold(options.hooks);
   return baseline;
 }
 
@@ -35,9 +36,11 @@ DiagnosisWork linearize(Identification baseline, const std::vector<Measurement>&
   if (status != IdentificationStatus::kDone && status != IdentificationStatus::kNotConverged) return work;
   if (work.baseline.fitted.arm.rows.empty()) return work;
   work.basis = basisOf(work.baseline, readings);
+  work.basis.stop = options.hooks.stop;
   if (!work.basis.residual.ok) return work;
   work.log_n = std::log(std::max(2, work.basis.weights.degrees_of_freedom));
-  work.catalogue = linearizeCatalogue(work.basis.fitted, work.basis.readings, work.basis.weights, options.catalogue);
+  work.catalogue =
+      linearizeCatalogue(work.basis.fitted, work.basis.readings, work.basis.weights, options.catalogue, options.hooks);
   work.space = ScoreSpace(work.catalogue, work.basis.residual.jacobian, work.basis.residual.r);
   return work;
 }
@@ -93,12 +96,16 @@ void judgeAll(const DiagnosisWork& work, const std::vector<Measurement>& held_ou
   const auto judged = [&](const ExplanationModel& model) {
     return held_out.empty() ? judgeOnFolds(work.basis, model, folds) : judge(model.placed, held_out);
   };
+  tell(work.options.hooks, "readings kept out");
   result.heldout_before = judged(bare);
   result.heldout_after = result.heldout_before;
   result.after = result.before;
   auto& explanations = result.alternatives.empty() ? result.closest : result.alternatives;
-  for (std::size_t k = 0; k < explanations.size() && k < 3; ++k)
+  const std::size_t most = std::min<std::size_t>(explanations.size(), 3);
+  for (std::size_t k = 0; k < most; ++k) {
+    tell(work.options.hooks, "readings kept out", k + 1, most + 1);
     explanations[k].heldout = judged(modelOf(work.basis, explanations[k]));
+  }
   for (auto& entry : result.ranking) {
     entry.heldout_before = result.heldout_before;
     for (const auto& explanation : explanations)
@@ -146,6 +153,7 @@ Answer answerBy(Identification baseline, const std::vector<Measurement>& all, co
   const auto singles = bestVariants(work);
   for (int v = 0; v < static_cast<int>(work.space.variants().size()); ++v)
     result.evidence = std::max(result.evidence, work.space.evidence(v, work.space.score({v})));
+  tell(options.hooks, "simulated noise");
   const auto thresholds = work.space.familyThresholds({options.false_alarm, options.hint}, options.draws, options.seed);
   result.threshold = thresholds[0];
   result.hint_threshold = thresholds[1];
@@ -164,6 +172,7 @@ Diagnosis completed(Answer answer, const std::vector<Measurement>& all) {
   if (!answer.work.basis.residual.ok) return result;
   listDetectable(answer.work, result.threshold, result);
   judgeAll(answer.work, answer.held_out, result);
+  goOn(answer.work.options.hooks.stop);
   result.views = viewsOf(answer.work.basis, result, all);
   return std::move(result);
 }
@@ -204,11 +213,17 @@ bool isAnswered(const Diagnosis& result) {
   return result.verdict == Verdict::kExplained || result.verdict == Verdict::kAmbiguous;
 }
 
-}  // namespace
+Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& readings,
+                           const DiagnosisOptions& options) {
+  tell(options.hooks, "fit");
+  Identification baseline = identify(start, readings, baselineOptions(options));
+  goOn(options.hooks.stop);
+  return baseline;
+}
 
-Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
-  const auto baseline_options = baselineOptions(options);
-  Identification baseline = identify(start, readings, baseline_options);
+Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                const DiagnosisOptions& options) {
+  Identification baseline = fitBaseline(start, readings, options);
   std::vector<int> outliers;
   for (const auto& outlier : baseline.outliers) outliers.push_back(outlier.reading);
   std::sort(outliers.begin(), outliers.end());
@@ -218,7 +233,7 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   // What an effect moves is mostly spread too widely to be among a few outliers, but a base that slips between touches
   // of one point is not: an effect that explains every reading in fewer numbers goes before setting some aside.
   const auto set_aside = withOrphans(outliers, readings);
-  Identification rest = identify(start, without(readings, set_aside), baseline_options);
+  Identification rest = fitBaseline(start, without(readings, set_aside), options);
   const bool is_possible = rest.status != IdentificationStatus::kRefused;
   if (!is_possible || (isAnswered(whole.result) && whole.result.alternatives.front().criterion <
                                                        criterionOf(rest, whole.result, readings, outliers)))
@@ -226,13 +241,30 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   return completed(answerBy(std::move(rest), readings, set_aside, options), readings);
 }
 
+}  // namespace
+
+Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
+  try {
+    return diagnoseUnlessStopped(start, readings, options);
+  } catch (const WorkStopped&) {
+    Diagnosis stopped;
+    stopped.verdict = Verdict::kStopped;
+    stopped.reason = kStoppedReason;
+    return stopped;
+  }
+}
+
 std::vector<Explanation> explainBySingles(const PlacedArm& start, const std::vector<Measurement>& readings,
                                           const DiagnosisOptions& options) {
   std::vector<Measurement> used = readings;
   std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
-  const DiagnosisWork work = linearize(identify(start, used, baselineOptions(options)), used, options);
-  if (!work.basis.residual.ok) return {};
-  return plausibleSingles(work, bestVariants(work));
+  try {
+    const DiagnosisWork work = linearize(fitBaseline(start, used, options), used, options);
+    if (!work.basis.residual.ok) return {};
+    return plausibleSingles(work, bestVariants(work));
+  } catch (const WorkStopped&) {
+    return {};
+  }
 }
 
 }  // namespace tubeplan::calibration

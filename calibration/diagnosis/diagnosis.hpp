@@ -27,9 +27,10 @@ struct DiagnosisOptions {
   int draws = 2000;  ///< of noise, for the best of the catalogue
   int folds = 5;
   std::uint64_t seed = 1;
+  WorkHooks hooks;  ///< of the baseline too
 };
 
-enum class Verdict { kNotRun, kAdequate, kExplained, kAmbiguous, kUnexplained, kInconclusive };
+enum class Verdict { kNotRun, kAdequate, kExplained, kAmbiguous, kUnexplained, kInconclusive, kStopped };
 
 struct FoundNumber {
   std::string name;
@@ -100,7 +101,8 @@ struct Diagnosis {
                                  const DiagnosisOptions& options);
 
 /// The leading single effects, each fitted with everything that is free and of a plausible size, best first by the
-/// criterion; without verdict, pairs or judgement on readings kept out. Empty where the model cannot be fitted.
+/// criterion; without verdict, pairs or judgement on readings kept out. Empty where the model cannot be fitted, or
+/// where it was asked to stop.
 [[nodiscard]] std::vector<Explanation> explainBySingles(const PlacedArm& start,
                                                         const std::vector<Measurement>& readings,
                                                         const DiagnosisOptions& options);

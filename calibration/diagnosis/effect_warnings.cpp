@@ -19,7 +19,7 @@ constexpr double kNearNeutral = 2;  // sigmas
 struct Case {
   const PlacedArm& start;
   const std::vector<Measurement>& readings;  ///< without those that were set aside
-  IdentificationOptions options;             ///< of the fit with all effects
+  IdentificationOptions options;             ///< of the fit with all effects, untold
   const Identification& with;
   ErrorSize heldout;
   const EffectWarningOptions& limits;
@@ -84,6 +84,7 @@ Without fitWithout(const Case& c, int effect) {
                                                        [](const Placing& p) { return !p.is_known; });
   if (options.free.names.empty() && !places) return asItStands(bare, c.readings);
   const Identification fit = identify(bare, c.readings, options);
+  goOn(options.hooks.stop);
   return {fit.chi2, fit.heldout};
 }
 
@@ -177,6 +178,7 @@ std::optional<EffectWarning> findBetter(const Case& c, int effect, const Diagnos
   bare.baseline.free.names = otherNames(c.start.arm, options.baseline.free.names, effect);
   const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
   const auto fits = explainBySingles(withoutEffect(c.start, effect), c.readings, bare);
+  goOn(bare.hooks.stop);
   double own = c.with.chi2 + static_cast<double>(c.with.fitted_numbers.size()) * logReadings(c.with);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
   for (const auto& fit : fits) {
@@ -202,10 +204,12 @@ EffectWarning remaining(const Case& c, int effect, double p_value) {
 
 /// `with_more` is the least criterion of the model with another effect beside those it has.
 std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& effects, const DiagnosisOptions& options,
-                                      double with_more) {
+                                      const WorkHooks& hooks, double with_more) {
   std::vector<EffectWarning> warnings;
   const double misfit = effects.empty() ? 1 : chanceOfMisfit(c);
+  std::size_t done = 0;
   for (const int e : effects) {
+    tell(hooks, "effects of the cell", done++, effects.size());
     const auto better = findBetter(c, e, options, with_more);
     const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
     if (unneeded && !(better && isItself(*better))) warnings.push_back(*unneeded);
@@ -214,6 +218,16 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
     if (misfit < c.limits.misfit) warnings.push_back(remaining(c, e, misfit));
   }
   return warnings;
+}
+
+/// Warnings have no status: there are none of a work that was stopped.
+template <class Work>
+std::vector<EffectWarning> unlessStopped(Work work) {
+  try {
+    return work();
+  } catch (const WorkStopped&) {
+    return {};
+  }
 }
 
 double leastCriterion(const std::vector<Explanation>& explanations) {
@@ -233,16 +247,24 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   for (int e = 0; e < static_cast<int>(start.arm.effects.size()); ++e)
     if (is_usable && isFreed(fitted, e)) freed.push_back(e);
   if (freed.empty()) return {};
+  IdentificationOptions quiet = options;
+  quiet.hooks = untold(options.hooks);
   DiagnosisOptions look;
-  look.baseline = options;
-  return warningsOf({start, readings, options, fitted, fitted.heldout, limits}, freed, look,
-                    leastCriterion(explainBySingles(start, readings, look)));
+  look.baseline = quiet;
+  look.hooks = quiet.hooks;
+  const Case c{start, readings, quiet, fitted, fitted.heldout, limits};
+  return unlessStopped([&] {
+    tell(options.hooks, "effects of the cell");
+    const auto more = explainBySingles(start, readings, look);
+    return warningsOf(c, freed, look, options.hooks, leastCriterion(more));
+  });
 }
 
 std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                          const DiagnosisOptions& options, const Diagnosis& diagnosis,
                                          const EffectWarningOptions& limits) {
-  if (diagnosis.verdict == Verdict::kNotRun || start.arm.effects.empty()) return {};
+  if (diagnosis.verdict == Verdict::kNotRun || diagnosis.verdict == Verdict::kStopped) return {};
+  if (start.arm.effects.empty()) return {};
   std::vector<Measurement> used;
   for (int k = 0; k < static_cast<int>(readings.size()); ++k)
     if (!std::binary_search(diagnosis.set_aside.begin(), diagnosis.set_aside.end(), k))
@@ -250,10 +272,13 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   IdentificationOptions fit = options.baseline;
   fit.folds = options.folds;
   fit.seed = options.seed;
+  fit.hooks = untold(options.hooks);
+  DiagnosisOptions look = options;
+  look.hooks = fit.hooks;
   std::vector<int> all(start.arm.effects.size());
   std::iota(all.begin(), all.end(), 0);
-  return warningsOf({start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits}, all, options,
-                    leastCriterion(diagnosis.closest));
+  const Case c{start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits};
+  return unlessStopped([&] { return warningsOf(c, all, look, options.hooks, leastCriterion(diagnosis.closest)); });
 }
 
 }  // namespace tubeplan::calibration

@@ -34,13 +34,13 @@ struct EffectWarningOptions {
 };
 
 /// Of the effects that an identification fitted. `options` and `start` are those it was made with. Empty unless it was
-/// done.
+/// done, and where the options' hooks say stop.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const IdentificationOptions& options,
                                                        const Identification& fitted,
                                                        const EffectWarningOptions& limits = {});
 
-/// Of all effects that a diagnosed model carries. Empty unless it was run.
+/// Of all effects that a diagnosed model carries. Empty unless it was run, and where the hooks say stop.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const DiagnosisOptions& options, const Diagnosis& diagnosis,
                                                        const EffectWarningOptions& limits = {});

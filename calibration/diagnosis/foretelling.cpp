@@ -44,11 +44,13 @@ std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size
   return readings;
 }
 
-Foretold foretellAll(const std::vector<Rival>& rivals, const std::vector<Measurement>& readings) {
+Foretold foretellAll(const std::vector<Rival>& rivals, const std::vector<Measurement>& readings,
+                     const StopQuestion& stop) {
   Foretold all;
   const auto weights = weighReadings(rivals.front().model.placed, readings);
   if (!weights) return all;
   for (const Rival& rival : rivals) {
+    goOn(stop);
     auto residual = whitenedResidual(rival.model.placed, rival.model.unknowns, readings, *weights,
                                      zerosOf(rival.model.unknowns), true);
     if (!residual.ok) return {};
@@ -156,7 +158,8 @@ std::vector<Rival> rivalsOf(const DiagnosisBasis& basis, const std::vector<Expla
   return rivals;
 }
 
-std::vector<Foretold> foretell(const std::vector<Rival>& rivals, const std::vector<ReadingCandidate>& candidates) {
+std::vector<Foretold> foretell(const std::vector<Rival>& rivals, const std::vector<ReadingCandidate>& candidates,
+                               const StopQuestion& stop) {
   std::vector<Measurement> all;
   std::vector<Index> rows;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -168,18 +171,19 @@ std::vector<Foretold> foretell(const std::vector<Rival>& rivals, const std::vect
   }
   std::vector<Foretold> each(candidates.size());
   if (all.empty()) return each;
-  const Foretold together = foretellAll(rivals, all);
+  const Foretold together = foretellAll(rivals, all, stop);
   Index first = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    each[k] = together.value.empty() ? foretellAll(rivals, readingsOf(candidates[k], k, rivals.front().model.placed))
-                                     : rowsOf(together, first, rows[k]);
+    each[k] = together.value.empty()
+                  ? foretellAll(rivals, readingsOf(candidates[k], k, rivals.front().model.placed), stop)
+                  : rowsOf(together, first, rows[k]);
     first += rows[k];
   }
   return each;
 }
 
 std::vector<SplittingStep> chooseSplitting(const std::vector<Rival>& rivals, const std::vector<Foretold>& foretold,
-                                           int count) {
+                                           int count, const StopQuestion& stop) {
   Race race(rivals, foretold);
   std::vector<bool> is_taken(foretold.size());
   std::vector<SplittingStep> steps;
@@ -188,6 +192,7 @@ std::vector<SplittingStep> chooseSplitting(const std::vector<Rival>& rivals, con
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < foretold.size(); ++k) {
       if (is_taken[k] || foretold[k].value.empty()) continue;
+      goOn(stop);
       if (const double score = race.scoreWith(k); score < least) least = score, best = k;
     }
     if (best == foretold.size()) break;

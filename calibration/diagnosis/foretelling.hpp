@@ -24,9 +24,10 @@ struct Foretold {
   std::vector<Eigen::MatrixXd> sensitivity;
 };
 
-/// At each candidate; no rivals' entries where a shape does not settle.
+/// At each candidate; no rivals' entries where a shape does not settle. Unwinds where it was stopped.
 [[nodiscard]] std::vector<Foretold> foretell(const std::vector<Rival>& rivals,
-                                             const std::vector<ReadingCandidate>& candidates);
+                                             const std::vector<ReadingCandidate>& candidates,
+                                             const StopQuestion& stop = {});
 
 /// A greedy choice of candidates, each at most once.
 struct SplittingStep {
@@ -35,7 +36,8 @@ struct SplittingStep {
   double separation = 0;  ///< in noise sigmas
 };
 [[nodiscard]] std::vector<SplittingStep> chooseSplitting(const std::vector<Rival>& rivals,
-                                                         const std::vector<Foretold>& foretold, int count);
+                                                         const std::vector<Foretold>& foretold, int count,
+                                                         const StopQuestion& stop = {});
 
 /// The rise of b's chi-square over a's by chosen candidates, made `times` times, when a is true.
 struct ExpectedRise {

@@ -13,8 +13,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-const LeastSquaresOptions kRefit{1e-5, 30, LeastSquaresMethod::kLevenbergMarquardt};
-const LeastSquaresOptions kQuickRefit{1e-5, 4, LeastSquaresMethod::kLevenbergMarquardt};
+constexpr int kRefitIterations = 30, kQuickRefitIterations = 4;
+
+LeastSquaresOptions refitting(const DiagnosisBasis& basis, int iterations) {
+  return {1e-5, iterations, LeastSquaresMethod::kLevenbergMarquardt, basis.stop};
+}
 
 /// A catalogue's candidate as it goes into a model: which of its values are free, and where they start.
 struct Part {
@@ -43,6 +46,7 @@ double refinedTime(const DiagnosisBasis& basis, const Candidate& candidate, int 
   const VectorXd rest = -without(Q, basis.residual.r);
   double best = candidate.levels[static_cast<std::size_t>(level)], most = -1;
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    goOn(basis.stop);
     const double time = (times[k] + times[k + 1]) / 2;
     if (time < from || time > to) continue;
     const MatrixXd all = columns.at(time);
@@ -81,8 +85,8 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
     x.tail(start.size()) = start;
     model.unknowns.insert(model.unknowns.end(), own.begin(), own.end());
   }
-  const auto solution =
-      minimizeLeastSquares(fitProblem(model.placed, model.unknowns, basis.readings, basis.weights, x), kRefit);
+  const auto solution = minimizeOrUnwind(fitProblem(model.placed, model.unknowns, basis.readings, basis.weights, x),
+                                         refitting(basis, kRefitIterations));
   const auto residual = whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, solution.x, true);
   if (!residual.ok || solution.status == LeastSquaresStatus::kFailed) return result;
   result.fitted = applied(model.placed, model.unknowns, solution.x);
@@ -177,8 +181,8 @@ ErrorSize judgeOnFolds(const DiagnosisBasis& basis, const ExplanationModel& mode
   return judgeFolds(basis.readings, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
     const auto weights = weighReadings(model.placed, kept);  // whitening is by reading: the basis' own
     if (!weights) return {};
-    const auto solution =
-        minimizeLeastSquares(fitProblem(model.placed, model.unknowns, kept, *weights, start), kQuickRefit);
+    const auto solution = minimizeOrUnwind(fitProblem(model.placed, model.unknowns, kept, *weights, start),
+                                           refitting(basis, kQuickRefitIterations));
     if (solution.status == LeastSquaresStatus::kFailed) return {};
     return applied(model.placed, model.unknowns, solution.x);
   });

@@ -12,6 +12,7 @@ struct DiagnosisBasis {
   std::vector<Unknown> unknowns;      ///< kept by the baseline, 0 at its optimum
   ReadingWeights weights;
   WhitenedResidual residual;  ///< at the optimum, with the Jacobian by `unknowns`
+  StopQuestion stop = {};     ///< asked within fits, which unwind where the answer is yes
 };
 
 /// The variables of a baseline's kept unknowns, moved so that 0 is its optimum.

@@ -30,8 +30,9 @@ std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& ca
 }
 
 /// What the best readings of such candidates would do.
-double bestOf(const std::vector<Rival>& rivals, const std::vector<Foretold>& foretold, int count) {
-  return leastExpected(rivals, foretold, chooseSplitting(rivals, foretold, count), 1);
+double bestOf(const std::vector<Rival>& rivals, const std::vector<Foretold>& foretold,
+              const SplittingOptions& options) {
+  return leastExpected(rivals, foretold, chooseSplitting(rivals, foretold, options.count, options.hooks.stop), 1);
 }
 
 template <class Change>
@@ -111,13 +112,15 @@ FrameForecast forecastFrames(const Rival& rival, const Measurement& reading) {
 
 /// For every row, what the rivals foretell of its frame's place at each reading, measured as well as the tip.
 std::vector<std::vector<Foretold>> foretellFrames(const std::vector<Rival>& rivals,
-                                                  const std::vector<ReadingCandidate>& candidates) {
+                                                  const std::vector<ReadingCandidate>& candidates,
+                                                  const StopQuestion& stop) {
   const std::size_t rows = rivals.front().model.placed.arm.rows.size();
   std::vector<std::vector<Foretold>> of_row(rows, std::vector<Foretold>(candidates.size()));
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t c) {
     const Measurement& reading = candidates[c].readings.front();
     std::vector<FrameForecast> forecasts;
     for (const Rival& rival : rivals) {
+      if (shouldStop(stop)) return;
       forecasts.push_back(forecastFrames(rival, reading));
       if (forecasts.back().value.size() == 0) return;
     }
@@ -128,6 +131,7 @@ std::vector<std::vector<Foretold>> foretellFrames(const std::vector<Rival>& riva
                                                 reading.sigma);
       }
   });
+  goOn(stop);
   return of_row;
 }
 
@@ -150,12 +154,12 @@ std::string directCheck(const FoundEffect& found) {
   return "";
 }
 
-void addLinks(const std::vector<Rival>& rivals, const std::vector<ReadingCandidate>& candidates, int count,
-              std::vector<OtherMeans>& means) {
-  const auto of_row = foretellFrames(rivals, candidates);
+void addLinks(const std::vector<Rival>& rivals, const std::vector<ReadingCandidate>& candidates,
+              const SplittingOptions& options, std::vector<OtherMeans>& means) {
+  const auto of_row = foretellFrames(rivals, candidates, options.hooks.stop);
   OtherMeans best;
   for (std::size_t row = 0; row < of_row.size(); ++row) {
-    const double least = bestOf(rivals, of_row[row], count);
+    const double least = bestOf(rivals, of_row[row], options);
     if (!(least > best.least_expected) && std::isfinite(best.least_expected)) continue;
     best = {"measure the " + rivals.front().model.placed.arm.rows[row].name +
                 " as well as the tip (a target on it, or a dial gauge as loads change)",
@@ -185,7 +189,7 @@ std::vector<OtherMeans> findOtherMeans(const std::vector<Rival>& rivals, const s
   std::vector<OtherMeans> means;
   if (!some.empty()) {
     const auto attempt = [&](const std::string& what, const std::vector<Rival>& as, const auto& changes) {
-      means.push_back({what, bestOf(as, foretell(as, changes), options.count)});
+      means.push_back({what, bestOf(as, foretell(as, changes, options.hooks.stop), options)});
     };
     double heaviest = 0;
     for (const auto& reading : readings) heaviest = std::max(heaviest, reading.load);
@@ -197,7 +201,7 @@ std::vector<OtherMeans> findOtherMeans(const std::vector<Rival>& rivals, const s
               reading.temperature = (std::isfinite(reading.temperature) ? reading.temperature : reference) + kWarmer;
             }));
     attempt("set the base up once more, leaning by some 20 deg", placedAgain(rivals), some);
-    addLinks(rivals, some, options.count, means);
+    addLinks(rivals, some, options, means);
   }
   std::erase_if(means, [&](const OtherMeans& mean) { return !(mean.least_expected >= options.gap); });
   std::stable_sort(means.begin(), means.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 
 namespace tubeplan::calibration {
 
@@ -15,9 +16,11 @@ constexpr int kMostLeaders = 14;
 constexpr int kPairsFitted = 10;
 constexpr int kPairFirsts = 40;  // candidates, best first, that pairs are made of
 
-std::vector<Explanation> fitAll(const DiagnosisWork& work, const std::vector<Scored>& some) {
+std::vector<Explanation> fitAll(const DiagnosisWork& work, const std::vector<Scored>& some, std::string_view stage) {
   std::vector<Explanation> fits;
+  std::size_t done = 0;
   for (const Scored& scored : some) {
+    tell(work.options.hooks, stage, done++, some.size());
     Explanation fit = fitExplanation(work.basis, work.catalogue, work.space, scored.variants);
     if (std::isfinite(fit.chi2)) fits.push_back(std::move(fit));
   }
@@ -59,6 +62,7 @@ std::vector<Scored> bestPairs(const DiagnosisWork& work, const std::vector<Score
   std::vector<Scored> pairs;
   const std::size_t firsts = std::min<std::size_t>(singles.size(), kPairFirsts);
   for (std::size_t i = 0; i < firsts; ++i) {
+    goOn(work.options.hooks.stop);
     const int a = singles[i].variants.front();
     for (const auto& [candidate, some] : of_candidate) {
       if (candidate == variants[static_cast<std::size_t>(a)].candidate) continue;
@@ -134,7 +138,7 @@ std::vector<Scored> bestVariants(const DiagnosisWork& work) {
 }
 
 std::vector<Explanation> plausibleSingles(const DiagnosisWork& work, const std::vector<Scored>& singles) {
-  std::vector<Explanation> fits = fitAll(work, leadersOf(work, singles));
+  std::vector<Explanation> fits = fitAll(work, leadersOf(work, singles), "effects");
   std::erase_if(fits, [](const Explanation& fit) { return !isPlausible(fit); });
   return fits;
 }
@@ -147,7 +151,7 @@ Finding findExplanations(const DiagnosisWork& work, const std::vector<Scored>& s
   if (options.most_effects < 2) return finding;
   const double single = finding.fits.empty() ? 1e300 : finding.fits.front().criterion;
   std::vector<Explanation> pairs;
-  for (auto& fit : fitAll(work, bestPairs(work, singles)))
+  for (auto& fit : fitAll(work, bestPairs(work, singles), "pairs of effects"))
     if (isPlausible(fit) && fit.criterion < single - options.gap) pairs.push_back(std::move(fit));
   if (pairs.empty()) return finding;
   const auto good = withinGap(pairs, options.gap, options.lack_of_fit);

@@ -80,8 +80,10 @@ int timesNeeded(const std::vector<Rival>& rivals, const std::vector<Foretold>& f
 void countTimes(const std::vector<Rival>& rivals, const std::vector<Foretold>& foretold,
                 const std::vector<SplittingStep>& steps, const SplittingOptions& options, SplittingReadings& result) {
   std::map<std::pair<int, int>, int> times;
-  for (const auto& pair : result.pairs)
+  for (const auto& pair : result.pairs) {
+    goOn(options.hooks.stop);
     times[{pair.truth, pair.other}] = timesNeeded(rivals, foretold, steps, pair, options);
+  }
   for (const auto& pair : result.pairs) {
     if (pair.truth > pair.other) continue;
     const int most = std::max(times[{pair.truth, pair.other}], times[{pair.other, pair.truth}]);
@@ -150,9 +152,11 @@ std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most) 
   return open;
 }
 
-SplittingReadings proposeSplittingReadings(const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
-                                           const std::vector<ReadingCandidate>& candidates,
-                                           const SplittingOptions& options) {
+namespace {
+
+SplittingReadings proposeUnlessStopped(const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
+                                       const std::vector<ReadingCandidate>& candidates,
+                                       const SplittingOptions& options) {
   SplittingReadings result;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) {
     result.status = SplittingStatus::kNothingToSplit;
@@ -167,9 +171,10 @@ SplittingReadings proposeSplittingReadings(const Diagnosis& diagnosis, const std
     result.reason = "no effect stands out enough to aim readings at";
     return result;
   }
+  tell(options.hooks, "next readings");
   const auto rivals = rivalsOf(basis, result.explanations);
-  const auto foretold = foretell(rivals, candidates);
-  const auto steps = chooseSplitting(rivals, foretold, options.count);
+  const auto foretold = foretell(rivals, candidates, options.hooks.stop);
+  const auto steps = chooseSplitting(rivals, foretold, options.count, options.hooks.stop);
   if (steps.empty()) {
     result.status = SplittingStatus::kNoCandidates;
     result.reason = "no posture is clear and settles";
@@ -185,6 +190,21 @@ SplittingReadings proposeSplittingReadings(const Diagnosis& diagnosis, const std
     result.other_means =
         findOtherMeans(picked(rivals, together), picked(result.explanations, together), candidates, readings, options);
   return result;
+}
+
+}  // namespace
+
+SplittingReadings proposeSplittingReadings(const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
+                                           const std::vector<ReadingCandidate>& candidates,
+                                           const SplittingOptions& options) {
+  try {
+    return proposeUnlessStopped(diagnosis, readings, candidates, options);
+  } catch (const WorkStopped&) {
+    SplittingReadings stopped;
+    stopped.status = SplittingStatus::kStopped;
+    stopped.reason = kStoppedReason;
+    return stopped;
+  }
 }
 
 }  // namespace tubeplan::calibration

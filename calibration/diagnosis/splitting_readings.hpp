@@ -23,6 +23,7 @@ struct SplittingOptions {
   double gap = 8;             ///< in the information criterion: what tells two explanations apart
   int most_repeats = 4;       ///< of the whole choice, before postures are said not to split at all
   int most_explanations = 8;  ///< that are split, best first
+  WorkHooks hooks;
 };
 
 /// One ordered pair: what is to be expected when the first is true.
@@ -46,7 +47,7 @@ struct OtherMeans {
   double least_expected = std::numeric_limits<double>::quiet_NaN();  ///< as of SplittingReadings; NaN: not computed
 };
 
-enum class SplittingStatus { kNotRun, kNothingToSplit, kNoCandidates, kDone };
+enum class SplittingStatus { kNotRun, kNothingToSplit, kNoCandidates, kDone, kStopped };
 
 struct SplittingReadings {
   SplittingStatus status = SplittingStatus::kNotRun;

@@ -211,8 +211,9 @@ std::vector<PatternTest> distinctFindings(const Search& search, const std::vecto
 }  // namespace
 
 PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights, const WhitenedResidual& residual,
-                             double level) {
+                             double level, const WorkHooks& hooks) {
   PatternSearch result;
+  tell(hooks, "patterns");
   Search search{scene, weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()), residual.r, 0};
   search.freedom = weights.degrees_of_freedom - static_cast<int>(search.absorbed.cols());
   std::vector<std::vector<Variable>> variables;
@@ -227,8 +228,10 @@ PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& we
         if (variable.groups.empty() || frame == PatternFrame::kWorld)
           questions.push_back({&patternKinds()[k], &variable, frame});
   std::vector<PatternTest> asked(questions.size());
-  tbb::parallel_for(std::size_t{0}, questions.size(),
-                    [&](std::size_t k) { asked[k] = ask(search, questions[k], search.absorbed); });
+  tbb::parallel_for(std::size_t{0}, questions.size(), [&](std::size_t k) {
+    if (!shouldStop(hooks.stop)) asked[k] = ask(search, questions[k], search.absorbed);
+  });
+  goOn(hooks.stop);
   for (const auto& test : asked)
     if (test.numbers > 0)
       result.tests.push_back(test);

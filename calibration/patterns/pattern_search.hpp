@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/hooks.hpp"
 #include "calibration/patterns/pattern.hpp"
 #include "calibration/whitened_residual.hpp"
 
@@ -53,8 +54,9 @@ struct PatternSearch {
   std::vector<std::string> not_tested;  ///< and why
 };
 
-/// `residual` is that of a fit, at its optimum, with the Jacobian by what was fitted; predicted less measured.
+/// `residual` is that of a fit, at its optimum, with the Jacobian by what was fitted; predicted less measured. Unwinds
+/// where it was stopped.
 [[nodiscard]] PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights,
-                                           const WhitenedResidual& residual, double level);
+                                           const WhitenedResidual& residual, double level, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::calibration

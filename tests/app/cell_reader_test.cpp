@@ -69,6 +69,29 @@ TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
   EXPECT_EQ(cell.sheet->find(1, 2)->state, tubesheets::TubeState::kPlugged);
 }
 
+TEST_F(CellReader, readsTheManwayAndKeepsItInTheCellsThatItWrites) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  const std::string text = cellTextWithBase(cell, {cell.X_WB, Matrix6d::Identity(), true}, folder / "cell2.yaml");
+  for (const Cell& one : {cell, readCell(write("cell2.yaml", text))}) {
+    ASSERT_TRUE(one.sheet && one.sheet->manway);
+    EXPECT_TRUE(one.sheet->manway->centre.isApprox(Eigen::Vector3d(-33.1, 33.1, -42.2) * kInch));
+    EXPECT_DOUBLE_EQ(one.sheet->manway->diameter, 16 * kInch);
+  }
+  const std::string line = "  manway: {center: [-33.1, 33.1, -42.2], diameter: 16}";
+  EXPECT_FALSE(readCell(mockupWith(line, "  name: nameless  ")).sheet->manway.has_value());
+}
+
+TEST_F(CellReader, refusesManwaysThatAreNone) {
+  expectSays(refusal("diameter: 16}", "diameter: -16}"), "tubesheet.manway.diameter");
+  expectSays(refusal("diameter: 16}", "diameter: .nan}"), "tubesheet.manway.diameter");
+  expectSays(refusal("diameter: 16}", "diametre: 16}"), "did you mean 'diameter'?");
+  expectSays(refusal(", diameter: 16}", "}"), "diameter");
+  expectSays(refusal("33.1, -42.2]", "33.1, 42.2]"), "z below 0");
+  expectSays(refusal("33.1, -42.2]", "-33.1, -42.2]"), "y above 0 in the hot leg");
+  expectSays(refusal("33.1, -42.2]", "33.1]"), "tubesheet.manway.center");
+  expectSays(refusal("33.1, -42.2]", ".nan, -42.2]"), "tubesheet.manway.center");
+}
+
 TEST_F(CellReader, refusesWhatItDoesNotKnow) {
   expectSays(refusal("hole_diameter: 0.760", "hole_diametre: 0.760"), "did you mean 'hole_diameter'?");
   expectSays(refusal("type: square", "type: sqare"), "did you mean 'square'?");

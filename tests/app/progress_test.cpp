@@ -13,6 +13,11 @@ TEST(Progress, saysHowFarHowFastAndHowLong) {
             "planning [##############################] 60/60  1.0/s  0:00 left");
 }
 
+TEST(Progress, namesWorkOfUnknownLength) {
+  EXPECT_EQ(progressLine("fit", 0, 0, 3.0, 80), "fit ...");
+  EXPECT_EQ(progressLine("fit", 0, 0, 3.0, 2), "fi");
+}
+
 TEST(Progress, fitsAnyWidth) {
   for (int width = 0; width < 100; ++width)
     EXPECT_LE(static_cast<int>(progressLine("planning", 7, 60, 1.5, width).size()), width);

@@ -86,6 +86,42 @@ describe("the loop", () => {
     await other.context().close();
   });
 
+  it("plots the error against moments, as formulas name them", async () => {
+    const tab = await openTab(browser, `${server.address}#error`);
+    await tab.waitForFunction(() =>
+      [...document.querySelectorAll("select[aria-label='Variable'] option")].some((o) => o.value === "moment_tool_z"),
+    );
+    await tab.selectOption("select[aria-label='Variable']", "moment_tool_z");
+    const drawn = await tab.evaluate(() => {
+      const canvas = document.querySelector(".with-legend canvas");
+      const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return data.some((value) => value !== 0);
+    });
+    assert.ok(drawn);
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+  });
+
+  it("stops a diagnosis at once, and says nothing of it", async () => {
+    simulate(made.folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 1500, seed: 8});
+    const own = await serve(made.folder, "bench.yaml", [path.join(made.folder, "many.csv")]);
+    const tab = await openTab(browser, `${own.address}#error`);
+    await tab.click(".next:has-text('Compare')");
+    await tab.click(".next:has-text('Diagnose'):not([disabled])", {timeout: 120000});
+    await tab.waitForSelector(".job >> text=/catalogue|effects/", {timeout: 60000});
+    const start = Date.now();
+    await tab.click(".job button[title='Stop']");
+    await tab.waitForSelector(".job", {state: "detached", timeout: 30000});
+    console.log(`a diagnosis of 1,500 readings is stopped ${Date.now() - start} ms after the click`);
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])");
+    const state = await (await fetch(`${own.address}api/state`)).json();
+    assert.equal(state.results.diagnose, null);
+    assert.equal(state.jobs.at(-1).status, "cancelled");
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await own.stop();
+  });
+
   it("tries a formula, tells what is wrong with another, and takes it back", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.click(".tabs >> text=Formula");

@@ -21,6 +21,8 @@ after(async () => {
 describe("the mock-up", () => {
   it("shows its sheet, and what a hole is", async () => {
     await tab.waitForSelector(".sheet-words >> text=4,674 holes");
+    const {manway} = await (await fetch(`${server.address}api/sheet`)).json();
+    assert.ok(manway.u > 0 && manway.v > 0, "the manway is to the right, seen from below");
     await tab.focus(".stage");
     await tab.keyboard.press("ArrowUp");
     await tab.keyboard.press("Enter");
@@ -92,6 +94,15 @@ describe("the mock-up", () => {
     await tab.waitForTimeout(1500);
     await tab.click("button.play");
     assert.notEqual(await clock(), before, "playing moves the clock");
+    await tab.waitForFunction(() => /s: \d/.test(document.querySelector(".tour-figure").textContent));
+    const read = () => tab.innerText(".tour-figure");
+    const box = await tab.locator(".plot .u-over").boundingBox();
+    const figures = new Set();
+    for (let k = 1; k <= 8; ++k) {
+      await tab.mouse.move(box.x + (k / 9) * box.width, box.y + box.height / 2);
+      figures.add(/s: (\S+)/.exec(await read())[1]);
+    }
+    assert.ok(figures.size > 4, `the cursor reads ${[...figures].join(", ")}`);
     await tab.click(".menu summary");
     const [download] = await Promise.all([tab.waitForEvent("download"), tab.click(".menu a[download='worklist.csv']")]);
     assert.equal(download.suggestedFilename(), "worklist.csv");

@@ -26,9 +26,7 @@ function grid(): SheetDocument {
     columns: 11,
     viewing_side: "below",
     leg: "hot",
-    divider: null,
     manway: null,
-    outline: null,
     holes: {
       row,
       column,

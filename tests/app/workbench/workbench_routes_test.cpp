@@ -1,4 +1,7 @@
 // What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
+#include <map>
+#include <set>
+
 #include "tests/app/program.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
@@ -41,6 +44,11 @@ TEST_F(WorkbenchRoutes, sheetAndScene) {
   EXPECT_EQ(sheet["viewing_side"], "below");
   EXPECT_NEAR(sheet["holes"]["x"][5].get<double>(), -sheet["holes"]["u"][5].get<double>(), 1e-12);
   EXPECT_NEAR(sheet["holes"]["x"][6].get<double>() - sheet["holes"]["x"][5].get<double>(), 1.0625, 1e-9);
+  const json& manway = sheet["manway"];
+  EXPECT_EQ(manway["center"], json({-33.1, 33.1, -42.2}));
+  EXPECT_EQ(manway["diameter"], 16.0);
+  EXPECT_NEAR(manway["u"].get<double>(), std::sqrt(0.5), 1e-9);  // seen from below, as the holes
+  EXPECT_NEAR(manway["v"].get<double>(), std::sqrt(0.5), 1e-9);
   const json scene = get("/api/scene").body;
   ASSERT_EQ(scene["shapes"].size(), 5u);
   EXPECT_EQ(scene["shapes"][0]["kind"], "inside_of.sphere");
@@ -133,6 +141,36 @@ TEST_F(WorkbenchRoutes, readingsAreLoadedOrRefusedWithTheReadersOwnWords) {
   EXPECT_EQ(get("/api/files").body["measurements"], json({"readings.csv"}));
 }
 
+TEST_F(WorkbenchRoutes, momentsAreThoseThatFormulasName) {
+  serve("bench.yaml");
+  EXPECT_EQ(get("/api/moments").status, 404);
+  write("opened/two.csv",
+        "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n"
+        "a,position,,0,0,0,0,0,90,0,0,0.01\nb,position,,30,0,0,0,0,90,0,0,0.01\n");
+  ASSERT_EQ(post("/api/measurements/open", {{"file", "two.csv"}}).status, 200);
+  const json moments = get("/api/moments").body;
+  const auto named = [&](const char* name, const char* id) -> double {
+    const auto at = std::find(moments["names"].begin(), moments["names"].end(), name) - moments["names"].begin();
+    return moments["readings"][id][static_cast<std::size_t>(at)];
+  };
+  EXPECT_EQ(moments["names"].size(), 18u);
+  const json pose = post("/api/pose", {{"joints", {0, 0, 0, 0}}, {"load", 0}}).body;
+  const auto& frames = pose["frames"]["rigid"];
+  for (const auto& frame : frames) {
+    const auto row = static_cast<std::size_t>(frame["row"]);
+    double lever = 0;
+    for (int k = 0; k < 2; ++k)
+      lever += std::pow(pose["tip"]["rigid"][k].get<double>() - frame["position"][k].get<double>(), 2);
+    double gained = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      gained += std::pow(moments["readings"]["b"][3 * row + axis].get<double>() -
+                             moments["readings"]["a"][3 * row + axis].get<double>(),
+                         2);
+    EXPECT_NEAR(std::sqrt(gained), 30 * std::sqrt(lever), 1e-6) << row;  // a load times its level distance
+  }
+  EXPECT_NE(named("moment_tool_z", "a"), named("moment_tool_z", "b"));
+}
+
 TEST_F(WorkbenchRoutes, anotherCellCanBeOpened) {
   serve("bench.yaml");
   EXPECT_EQ(post("/api/cell/open", {{"file", "mockup.yaml"}}).body["cell"]["name"], "cobra-mockup");
@@ -196,6 +234,32 @@ TEST_F(WorkbenchRoutes, aPlanCanBePlayedAndExported) {
   EXPECT_EQ(post("/api/plan", {{"compensation", "magic"}}).status, 422);
 }
 
+TEST_F(WorkbenchRoutes, clearanceIsKnownAlongTheTourAndNeverBelowWhatIsProved) {
+  serve("mockup.yaml");
+  EXPECT_EQ(get("/api/plan/clearance").status, 404);
+  done("/api/plan", {{"tubes", json::array({3, 40, 41, 77})}, {"seed", 2}});
+  const json path = get("/api/plan/path").body, all = get("/api/plan/clearance").body;
+  const std::size_t samples = path["time"].size();
+  ASSERT_EQ(all["clearance"].size(), samples);
+  std::map<int, std::set<double>> of_segment;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const int segment = path["segment"][k];
+    const double here = all["clearance"][k], proved = path["clearance"][static_cast<std::size_t>(segment)];
+    EXPECT_GE(here, proved - 1e-6) << "sample " << k << " of segment " << segment;
+    of_segment[segment].insert(here);
+  }
+  std::size_t most = 0;
+  for (const auto& [segment, values] : of_segment) most = std::max(most, values.size());
+  EXPECT_GT(most, 5u);  // it changes along a segment
+  const json some = get("/api/plan/clearance?from=4&count=3").body;
+  EXPECT_EQ(some["from"], 4);
+  EXPECT_EQ(some["samples"], samples);
+  EXPECT_EQ(some["clearance"], json(std::vector<json>(all["clearance"].begin() + 4, all["clearance"].begin() + 7)));
+  EXPECT_EQ(get("/api/plan/clearance?from=" + std::to_string(samples)).status, 422);
+  for (const char* from : {"-1", "x", "1.5", "99999999999999999999", ""})
+    EXPECT_EQ(get(std::string("/api/plan/clearance?from=") + from).status, 422) << from;
+}
+
 TEST_F(WorkbenchRoutes, aPlanStopsWhenItIsAskedTo) {
   std::filesystem::copy_file(shippedCells() / "mockup.yaml", opened() / "large.yaml");
   serve("large.yaml");
@@ -205,6 +269,32 @@ TEST_F(WorkbenchRoutes, aPlanStopsWhenItIsAskedTo) {
   EXPECT_EQ(post("/api/jobs/" + std::to_string(id) + "/cancel").body["id"], id);
   EXPECT_EQ(ended(id)["status"], "cancelled");
   EXPECT_EQ(get("/api/results/plan").status, 404);
+}
+
+TEST_F(WorkbenchRoutes, theLoopStopsWhereverItIs) {
+  serve("bench.yaml");
+  simulate(400);
+  const auto stageOf = [&](int id) -> std::string {
+    const json state = get("/api/state").body;
+    for (const auto& job : state["jobs"])
+      if (job["id"] == id) return job["status"] == "running" ? job["stage"].get<std::string>() : "ended";
+    return "";
+  };
+  const json add = {{"effects", {{{"effect", "joint-offset"}, {"at", "theta3"}}}}};
+  const std::pair<const char*, json> asked[] = {{"compare", json::object()},  {"diagnose", json::object()},
+                                                {"identify", json::object()}, {"ladder", json::object()},
+                                                {"improve", json::object()},  {"add", add}};
+  for (const auto& [kind, body] : asked) {
+    const json begun = post(std::string("/api/") + kind, body).body;
+    const int id = begun["id"];
+    for (std::string stage = "waiting"; stage == "waiting" || stage == kind;) stage = stageOf(id);
+    post("/api/jobs/" + std::to_string(id) + "/cancel");
+    EXPECT_EQ(ended(id)["status"], "cancelled") << kind;
+    EXPECT_EQ(get(std::string("/api/results/") + kind).status, 404) << kind;
+    EXPECT_EQ(get("/api/state").body["models"].size(), 1u) << kind;
+  }
+  done("/api/identify");  // and goes on as if nothing had been
+  EXPECT_EQ(get("/api/results/identify").status, 200);
 }
 
 }  // namespace

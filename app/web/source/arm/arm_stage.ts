@@ -23,7 +23,7 @@ import type {PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
 import {magnifiedFrame, makeArm, placeArm, type ArmBodies} from "./arm_bodies";
 import {floorOf, plateOf} from "./sheet_plate";
-import {bowlOf, disposeAll, obstacleOf, vector} from "./solids";
+import {bowlOf, disposeAll, obstacleOf, openingOf, vector} from "./solids";
 
 /** Whether pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
 const IS_SOFTWARE = (() => {
@@ -129,6 +129,7 @@ export class ArmStage {
     }
     if (sheet) this.statics.add(plateOf(sheet, palette));
     else this.statics.add(floorOf(palette));
+    if (sheet?.manway) this.statics.add(openingOf(sheet.manway.center, sheet.manway.diameter, colours));
     this.replaceArms(document, palette);
     this.reach = sheet ? sheet.radius : 90;
     this.focus.set(0, sheet?.isOneLeg ? 0.42 * this.reach : 0, sheet ? -0.38 * this.reach : 25);

@@ -3,6 +3,7 @@ import {
   BoxGeometry,
   BufferGeometry,
   CapsuleGeometry,
+  CircleGeometry,
   CylinderGeometry,
   DoubleSide,
   EdgesGeometry,
@@ -14,6 +15,7 @@ import {
   Object3D,
   Quaternion,
   SphereGeometry,
+  TorusGeometry,
   Vector3,
   type Material,
 } from "three";
@@ -100,6 +102,29 @@ export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: stri
     ),
   );
   if (shape.center) group.position.set(...shape.center);
+  return group;
+}
+
+/** The rim of a round opening whose axis goes through the world's origin, and the light that falls through it. */
+export function openingOf(center: Triple, diameter: number, colours: {edge: string}): Object3D {
+  const group = new Group();
+  const rim = new TorusGeometry(diameter / 2, 0.03 * diameter, 8, 48);
+  group.add(new Mesh(rim, new MeshStandardMaterial({color: colours.edge, roughness: 0.8})));
+  const light = new CircleGeometry(diameter / 2, 48);
+  group.add(
+    new Mesh(
+      light,
+      new MeshStandardMaterial({
+        color: colours.edge,
+        side: DoubleSide,
+        transparent: true,
+        opacity: 0.18,
+        depthWrite: false,
+      }),
+    ),
+  );
+  group.position.set(...center);
+  group.lookAt(0, 0, 0);
   return group;
 }
 

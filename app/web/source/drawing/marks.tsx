@@ -18,18 +18,13 @@ export function drawMark(context: Path, shape: Shape, x: number, y: number, r: n
     case "none":
       return;
     case "ring":
-      context.arc(x, y, r * 0.86, 0, 2 * Math.PI);
-      context.lineWidth = Math.max(0.9, r * 0.22);
-      context.stroke();
+      strokeRing(context, x, y, r * 0.86, Math.max(0.9, r * 0.22));
       return;
     case "target":
-      context.arc(x, y, r * 0.9, 0, 2 * Math.PI);
-      context.lineWidth = Math.max(1, r * 0.24);
-      context.stroke();
+      strokeRing(context, x, y, r * 0.9, Math.max(1, r * 0.24));
       context.beginPath();
       context.arc(x, y, r * 0.36, 0, 2 * Math.PI);
-      context.fill();
-      return;
+      break;
     case "dot":
       context.arc(x, y, r * 0.5, 0, 2 * Math.PI);
       break;
@@ -37,9 +32,7 @@ export function drawMark(context: Path, shape: Shape, x: number, y: number, r: n
       context.arc(x, y, r, 0, 2 * Math.PI);
       break;
     case "half":
-      context.arc(x, y, r * 0.88, 0, 2 * Math.PI);
-      context.lineWidth = Math.max(0.9, r * 0.22);
-      context.stroke();
+      strokeRing(context, x, y, r * 0.88, Math.max(0.9, r * 0.22));
       context.beginPath();
       context.arc(x, y, r * 0.88, Math.PI / 2, 1.5 * Math.PI);
       break;
@@ -76,13 +69,20 @@ export function drawMark(context: Path, shape: Shape, x: number, y: number, r: n
   context.fill();
 }
 
+function strokeRing(context: Path, x: number, y: number, r: number, width: number): void {
+  context.arc(x, y, r, 0, 2 * Math.PI);
+  context.lineWidth = width;
+  context.stroke();
+}
+
+const RING = "M8 2.6a5.4 5.4 0 1 0 .01 0z";
 const OUTLINES: Record<Shape, string> = {
   none: "",
-  ring: "M8 2.6a5.4 5.4 0 1 0 .01 0z",
-  target: "M8 2.6a5.4 5.4 0 1 0 .01 0z",
+  ring: RING,
+  target: RING,
   dot: "M8 5a3 3 0 1 0 .01 0z",
   disc: "M8 2.2a5.8 5.8 0 1 0 .01 0z",
-  half: "M8 2.6a5.4 5.4 0 1 0 .01 0z",
+  half: RING,
   square: "M3 3h10v10H3z",
   bar: "M2 6h12v4H2z",
   diamond: "M8 1.6L14.4 8 8 14.4 1.6 8z",

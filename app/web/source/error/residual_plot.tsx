@@ -8,8 +8,9 @@ import {palette} from "../drawing/colours";
 import {exact, isNumber, roundTicks, short} from "../drawing/numbers";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
-import type {ErrorReading, Vector3} from "../server/documents";
+import type {ErrorReading, MomentsDocument, Vector3} from "../server/documents";
 import {units} from "../server/workbench";
+import {moments} from "./moments";
 import {readingErrors, type ReadingErrors} from "./series";
 
 interface Variable {
@@ -31,8 +32,30 @@ function partOf(error: Vector3 | null, which: Part): number | null {
   return which === "size" ? Math.hypot(...error) : error["xyz".indexOf(which)];
 }
 
+/** A moment that differs by less, as a share of the largest, is what rounding leaves of none. */
+const LEAST_MOMENT = 1e-6;
+
+/** Of the moments those that differ between the readings. */
+function momentVariables(errors: ReadingErrors, found: MomentsDocument | null): Variable[] {
+  if (!found) return [];
+  const {names, readings, unit} = found;
+  const ofReading = (reading: ErrorReading, k: number) => readings[reading.id]?.[k];
+  const spans = names.map((_, k) => {
+    const values = errors.readings.map((reading) => ofReading(reading, k)).filter(isNumber);
+    return values.length > 0 ? Math.max(...values) - Math.min(...values) : 0;
+  });
+  const least = LEAST_MOMENT * Math.max(0, ...spans);
+  return names.flatMap((name, k) =>
+    spans[k] > least ? [{key: name, name, unit, of: (reading: ErrorReading) => ofReading(reading, k)}] : [],
+  );
+}
+
 /** Only what differs between the readings. */
-export function variablesOf(errors: ReadingErrors, unit: Record<string, string | undefined>): Variable[] {
+export function variablesOf(
+  errors: ReadingErrors,
+  unit: Record<string, string | undefined>,
+  found: MomentsDocument | null = null,
+): Variable[] {
   const all: Variable[] = [
     ...errors.joints.map((name, i) => ({
       key: name,
@@ -48,6 +71,7 @@ export function variablesOf(errors: ReadingErrors, unit: Record<string, string |
       of: (reading: ErrorReading) => reading.senses?.[i],
     })),
     {key: "load", name: "load", unit: unit.force ?? "", of: (reading) => reading.load},
+    ...momentVariables(errors, found),
     {key: "temperature", name: "temperature", unit: unit.temperature ?? "", of: (reading) => reading.temperature},
     {key: "time", name: "time", unit: unit.time ?? "", of: (reading) => reading.time},
     {key: "order", name: "order", unit: "", of: (_, index) => index + 1},
@@ -60,14 +84,19 @@ function spread(variable: Variable, value: number, index: number): number {
   return variable.isSense ? value + 0.5 * (((index * 0.618034) % 1) - 0.5) : value;
 }
 
+/** A pattern says "moment forearm.z" of what a formula calls moment_forearm_z. */
 export function suggestVariable(patternVariable: string | undefined, variables: Variable[]): string {
-  return variables.find((variable) => variable.name === patternVariable)?.key ?? variables[0]?.key ?? "";
+  const wanted = patternVariable?.startsWith("moment ") ? patternVariable.replace(/\W/g, "_") : patternVariable;
+  return variables.find((variable) => variable.name === wanted)?.key ?? variables[0]?.key ?? "";
 }
 
 export function ResidualPlot({suggested}: {suggested?: string}) {
   const errors = readingErrors.value;
   const unit = units.value as unknown as Record<string, string | undefined>;
-  const variables = useMemo(() => (errors ? variablesOf(errors, unit) : []), [errors, units.value]);
+  const variables = useMemo(
+    () => (errors ? variablesOf(errors, unit, moments.value) : []),
+    [errors, units.value, moments.value],
+  );
   const variable =
     variables.find((entry) => entry.key === (chosen.value || suggestVariable(suggested, variables))) ?? variables[0];
   const wanted: Part = part.value === "size" && variable?.isSense && chosen.value === "" ? "y" : part.value;

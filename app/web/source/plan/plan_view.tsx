@@ -8,14 +8,15 @@ import {Icon} from "../drawing/icons";
 import {drawMark, MarkIcon} from "../drawing/marks";
 import {duration, percent, plural, short, whole} from "../drawing/numbers";
 import type {PlanDocument} from "../server/documents";
-import {cell, runJob, runningJob, units} from "../server/workbench";
+import {runJob, runningJob, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected} from "../shell/page_state";
-import {Nothing, ProblemWords, Waiting} from "../shell/states";
+import {ProblemWords} from "../shell/states";
 import {byState, bySteps} from "../sheet/colourings";
 import {toPixel} from "../sheet/sheet_camera";
-import {SheetPicture, type PaintOver} from "../sheet/sheet_picture";
-import {SelectionBox} from "../sheet/sheet_view";
+import type {PaintOver} from "../sheet/sheet_drawing";
 import type {SheetModel} from "../sheet/sheet_model";
+import {SelectionBox} from "../sheet/selection_panel";
+import {SheetPanel, WithSheet} from "../sheet/with_sheet";
 import {currentVisit, goToVisit, isFollowed, plan, wantPath} from "./playback";
 import {TourPlot} from "./tour_plot";
 import {Transport} from "./transport";
@@ -53,17 +54,16 @@ export default function PlanView() {
     };
   }, []);
   wantPath();
-  const model = sheet.value,
-    document = plan.value.document;
+  return (
+    <WithSheet without={<p>There is nothing to visit. Open a cell with a sheet.</p>}>
+      {(model) => <Plan model={model} />}
+    </WithSheet>
+  );
+}
+
+function Plan({model}: {model: SheetModel}) {
+  const document = plan.value.document;
   const points = useMemo(() => tourPoints(model, tour.value), [model, tour.value]);
-  if (cell.value && !cell.value.has_sheet) {
-    return (
-      <Nothing title={`${cell.value.name} has no tube sheet`}>
-        <p>There is nothing to visit. Open a cell with a sheet.</p>
-      </Nothing>
-    );
-  }
-  if (!model) return <Waiting words="Reading the sheet" isBusy />;
   return (
     <div class="plan-view">
       <PlanSheet model={model} document={document} />
@@ -94,8 +94,8 @@ export default function PlanView() {
 }
 
 /** Just under each hole, where the tool comes from. */
-function tourPoints(model: SheetModel | null, holes: number[]): Vector3[] | null {
-  if (!model || holes.length < 2) return null;
+function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
+  if (holes.length < 2) return null;
   return holes
     .filter((hole) => hole >= 0)
     .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
@@ -150,57 +150,58 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
     [model, document, colouring, tour.value, currentVisit.value],
   );
   return (
-    <section class="panel">
-      <header class="plan-head">
-        <SelectionBox />
-        <div class="end">
-          <PlanButton />
-        </div>
-      </header>
-      <div class="panel-body flush">
-        <SheetPicture
-          sheet={model}
-          colouring={colouring}
-          selection={document && tour.value.length > 0 ? unplanned.value : selection.value}
-          picked={picked}
-          paintOver={paintOver}
-          onLasso={(holes, isMore) => select(holes, isMore)}
-          onPick={(hole, event) => {
-            const visit = tour.value.indexOf(hole);
-            if (visit >= 0 && !event.shiftKey) goToVisit(visit);
-            else toggleSelected(hole);
-          }}
-        />
-      </div>
-      <footer class="stage-foot">
-        {document && isScored ? (
-          <>
-            <span class="muted">true arm, compensation</span>
-            <Segments
-              label="Compensation of the true arm"
-              choices={choicesOf(MODES)}
-              value={shownMode}
-              onChoose={(next) => (mode.value = next)}
-            />
-          </>
-        ) : (
-          <span class="muted">
-            {document
-              ? "steps of the tool as predicted"
-              : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
-          </span>
-        )}
-        {document ? (
-          <span class="counts">
-            {colouring.kinds.slice(0, 4).map((kind, i) => (
-              <span title={kind.name}>
-                <MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}
-              </span>
-            ))}
-          </span>
-        ) : null}
-      </footer>
-    </section>
+    <SheetPanel
+      headClass="plan-head"
+      head={
+        <>
+          <SelectionBox />
+          <div class="end">
+            <PlanButton />
+          </div>
+        </>
+      }
+      foot={
+        <>
+          {isScored ? (
+            <>
+              <span class="muted">true arm, compensation</span>
+              <Segments
+                label="Compensation of the true arm"
+                choices={choicesOf(MODES)}
+                value={shownMode}
+                onChoose={(next) => (mode.value = next)}
+              />
+            </>
+          ) : (
+            <span class="muted">
+              {document
+                ? "steps of the tool as predicted"
+                : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
+            </span>
+          )}
+          {document ? (
+            <span class="counts">
+              {colouring.kinds.slice(0, 4).map((kind, i) => (
+                <span title={kind.name}>
+                  <MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}
+                </span>
+              ))}
+            </span>
+          ) : null}
+        </>
+      }
+      sheet={model}
+      colouring={colouring}
+      selection={document && tour.value.length > 0 ? unplanned.value : selection.value}
+      picked={picked}
+      paintOver={paintOver}
+      onLasso={(holes, isMore) => select(holes, isMore)}
+      onPick={(hole, event) => {
+        const visit = tour.value.indexOf(hole);
+        if (visit >= 0 && !event.shiftKey) goToVisit(visit);
+        else toggleSelected(hole);
+      }}
+    />
   );
 }
 

@@ -1,6 +1,6 @@
 // Playing a plan: a clock that runs along the path, and the joints at any time of it.
 import {computed, effect, signal} from "@preact/signals";
-import type {PathDocument, PlanDocument} from "../server/documents";
+import type {PathClearances, PathDocument, PlanDocument} from "../server/documents";
 import {get, isMissing} from "../server/requests";
 import {report, result, state} from "../server/workbench";
 import {poseRequest} from "../arm/pose_link";
@@ -8,6 +8,8 @@ import {jointsAt, sampleAt} from "./sampling";
 
 export const plan = result<PlanDocument>("plan");
 export const path = signal<PathDocument | null>(null);
+/** The distance to what is nearest at the path's samples, as far as it has been asked for; null where nothing is near. */
+export const clearances = signal<(number | null)[]>([]);
 export const time = signal(0);
 export const speed = signal(1);
 export const isPlaying = signal(false);
@@ -27,17 +29,35 @@ export function wantPath(): void {
   if (mark < 0 || mark === fetchedMark) return;
   fetchedMark = mark;
   isPlaying.value = false;
+  clearances.value = [];
   get<PathDocument>("/api/plan/path").then(
     (found) => {
       if (planMark.peek() !== mark) return;
       path.value = {...found, clearance: perSample(found)};
       time.value = 0;
+      void askClearances(mark, found.time.length);
     },
     (error) => {
       path.value = null;
       if (!isMissing(error)) report("The path of the plan", error);
     },
   );
+}
+
+const AT_ONCE = 500;
+
+/** A batch at a time: each takes about a tenth of a second, and poses are asked in between. */
+async function askClearances(mark: number, samples: number): Promise<void> {
+  try {
+    while (clearances.peek().length < samples && planMark.peek() === mark) {
+      const from = clearances.peek().length;
+      const found = await get<PathClearances>(`/api/plan/clearance?from=${from}&count=${AT_ONCE}`);
+      if (planMark.peek() !== mark || found.clearance.length === 0) return;
+      clearances.value = [...clearances.peek(), ...found.clearance];
+    }
+  } catch (error) {
+    if (!isMissing(error)) report("The clearance along the plan", error);
+  }
 }
 
 /** Clearance is proved of whole segments: each sample has that of its own. */

@@ -1,14 +1,16 @@
-// Clearance, travel time and centring along the tour, with the playhead; a click goes there.
+// Clearance, travel time and centring along the tour, with the playhead; the cursor reads the clearance, a click goes
+// there.
 import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
 import {palette} from "../drawing/colours";
-import {exact, roundTicks} from "../drawing/numbers";
+import {exact, fixed, roundTicks, short} from "../drawing/numbers";
 import {axis, Plot} from "../drawing/plot";
 import type {PathDocument, PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
-import {arrivals, isPlaying, path, plan, time} from "./playback";
+import {arrivals, clearances, isPlaying, path, plan, time} from "./playback";
+import {sampleAt} from "./sampling";
 
 type What = "clearance" | "travel" | "centring";
 const WHATS: [What, string][] = [
@@ -17,14 +19,16 @@ const WHATS: [What, string][] = [
   ["centring", "Chance of three steps"],
 ];
 const what = signal<What>("clearance");
+/** The time under the mouse. */
+const pointed = signal<number | null>(null);
 
 export function TourPlot() {
   const held = useRef<uPlot | null>(null);
   const document = plan.value.document,
     along = path.value;
   const made = useMemo(
-    () => (document && along ? makePlot(what.value, document, along) : null),
-    [document, along, what.value, palette.value, units.value],
+    () => (document && along ? makePlot(what.value, document, along, clearances.value) : null),
+    [document, along, what.value, clearances.value, palette.value, units.value],
   );
   useSignalEffect(() => {
     void time.value;
@@ -44,6 +48,7 @@ export function TourPlot() {
         </div>
       </header>
       <div class="panel-body flush">
+        {along && what.value === "clearance" ? <ClearanceFigure along={along} /> : null}
         {made ? (
           <Plot
             {...made}
@@ -66,8 +71,29 @@ export function TourPlot() {
   );
 }
 
-function pointsOf(which: What, document: PlanDocument, along: PathDocument): [number[], (number | null)[]] {
-  if (which === "clearance" && along.clearance) return [along.time, along.clearance];
+/** What the arm keeps clear where the mouse points, else where the tour is played. */
+function ClearanceFigure({along}: {along: PathDocument}) {
+  const at = pointed.value ?? time.value;
+  const sample = sampleAt(along.time, at);
+  const here = clearances.value[sample],
+    proved = along.clearance?.[sample];
+  return (
+    <p class="tour-figure">
+      {fixed(at, 1)} s: <b>{here === undefined ? "…" : here === null ? "–" : short(here)}</b> {units.value.length}
+      {typeof proved === "number" ? <span class="muted"> (motion proved {short(proved)})</span> : null}
+    </p>
+  );
+}
+
+/** Times, and one or two courses over them: what is found at the samples, and what is proved of their motions. */
+function pointsOf(
+  which: What,
+  document: PlanDocument,
+  along: PathDocument,
+  sampled: (number | null)[],
+): [number[], ...(number | null)[][]] {
+  if (which === "clearance" && along.clearance)
+    return [along.time, along.time.map((_, i) => sampled[i] ?? null), along.clearance];
   const times = arrivals.peek();
   const known = document.tubes
     .map((tube, i) => ({tube, at: times[i], before: i > 0 ? times[i - 1] : 0}))
@@ -77,8 +103,7 @@ function pointsOf(which: What, document: PlanDocument, along: PathDocument): [nu
   return [known.map((row) => row.at), known.map((row) => row.at - (Number.isFinite(row.before) ? row.before : 0))];
 }
 
-function makePlot(which: What, document: PlanDocument, along: PathDocument) {
-  const [x, y] = pointsOf(which, document, along);
+function makePlot(which: What, document: PlanDocument, along: PathDocument, sampled: (number | null)[]) {
   const colours = palette.peek(),
     length = units.peek().length;
   const names: Record<What, string> = {
@@ -86,7 +111,7 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument) {
     travel: "to this tube, s",
     centring: "chance",
   };
-  const data: uPlot.AlignedData = [x, y];
+  const data: uPlot.AlignedData = pointsOf(which, document, along, sampled);
   const isBars = which !== "clearance";
   const options: Omit<uPlot.Options, "width" | "height"> = {
     legend: {show: false},
@@ -119,8 +144,19 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument) {
         points: {show: false},
         ...(isBars ? {paths: uPlot.paths.bars!({size: [0.6, 8]})} : {}),
       },
+      ...(data.length > 2
+        ? [{stroke: colours.muted, width: 1, points: {show: false}, paths: uPlot.paths.stepped!({align: 1})}]
+        : []),
     ],
-    hooks: {draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)]},
+    hooks: {
+      draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)],
+      setCursor: [
+        ({cursor, posToVal}) => {
+          const left = cursor.left ?? -1;
+          pointed.value = left >= 0 ? posToVal(left, "x") : null;
+        },
+      ],
+    },
   };
   return {options, data};
 }

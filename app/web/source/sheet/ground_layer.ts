@@ -5,17 +5,10 @@ import {legWords, type SheetModel, type Tick} from "./sheet_model";
 
 type Context = CanvasRenderingContext2D;
 
-export function drawGround(
-  context: Context,
-  sheet: SheetModel,
-  camera: Camera,
-  size: Size,
-  palette: Palette,
-  manway: [number, number] | null,
-): void {
+export function drawGround(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette): void {
   context.clearRect(0, 0, size.width, size.height);
   drawPlate(context, sheet, camera, size, palette);
-  if (manway) drawManway(context, sheet, camera, size, palette, manway);
+  drawManway(context, sheet, camera, size, palette);
 }
 
 /** A disc, or for one leg the half of it on the leg's side of the divider. */
@@ -45,16 +38,10 @@ function drawPlate(context: Context, sheet: SheetModel, camera: Camera, size: Si
   context.fillText("divider plate", x, y + (isBelow ? -5 : 6));
 }
 
-/** The manway lies outside the plate: a door at the rim in its direction. */
-function drawManway(
-  context: Context,
-  sheet: SheetModel,
-  camera: Camera,
-  size: Size,
-  palette: Palette,
-  manway: [number, number],
-): void {
-  const angle = Math.atan2(manway[1], manway[0]);
+/** The manway lies in the bowl under the plate: a door at the rim in its direction. */
+function drawManway(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette): void {
+  if (!sheet.manway) return;
+  const angle = Math.atan2(sheet.manway.v, sheet.manway.u);
   const r = sheet.radius * camera.scale;
   const [x, y] = toPixel(camera, size, 0, 0);
   context.beginPath();

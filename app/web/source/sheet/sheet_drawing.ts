@@ -15,7 +15,6 @@ export interface SheetPictureProps {
   colouring: Colouring;
   hidden?: ReadonlySet<number>;
   selection?: ReadonlySet<number>;
-  manway?: [number, number] | null;
   picked?: Signal<number>;
   paintOver?: PaintOver;
   onPick?: (hole: number, event: {shiftKey: boolean; ctrlKey: boolean; metaKey: boolean}) => void;
@@ -97,7 +96,7 @@ export class SheetDrawing {
     if (this.size.width === 0 || !palette.peek().ink) return;
     const start = performance.now();
     const colours = palette.peek();
-    if (this.parts.ground) drawGround(this.ground, sheet, this.camera, this.size, colours, this.props.manway ?? null);
+    if (this.parts.ground) drawGround(this.ground, sheet, this.camera, this.size, colours);
     if (this.parts.holes) {
       this.holes.draw(
         sheet,

@@ -26,6 +26,7 @@ export interface SheetModel {
   radius: number;
   /** A sheet of one leg ends at the divider plate. */
   isOneLeg: boolean;
+  manway: SheetDocument["manway"];
   rowTicks: Tick[];
   columnTicks: Tick[];
   nearest: (u: number, v: number, reach: number) => number;
@@ -67,6 +68,7 @@ export function makeSheetModel(document: SheetDocument): SheetModel {
     extent,
     radius: radiusOf(u, v) + 1.4 * pitch,
     isOneLeg,
+    manway: document.manway,
     rowTicks: ticksOf(row, v, pitch),
     columnTicks: ticksOf(column, u, pitch),
     nearest: finderOf(u, v, pitch, extent),

@@ -1,0 +1,107 @@
+// Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
+import {fixed, short} from "../drawing/numbers";
+import {units} from "../server/workbench";
+import {ProblemWords} from "../shell/states";
+import {Covariance} from "./covariance";
+import {outcome} from "./touches";
+
+export function BasePanel() {
+  const found = outcome.value;
+  if (found.problem)
+    return (
+      <section class="panel grow">
+        <div class="panel-body">
+          <ProblemWords problem={found.problem} />
+        </div>
+      </section>
+    );
+  const document = found.document;
+  if (!document) {
+    return (
+      <section class="panel grow">
+        <header>
+          <h2>Base</h2>
+        </header>
+        <div class="panel-body">
+          <p class="muted">
+            Where the base stands, what is left at each touch and how sure that is, once three holes are touched.
+          </p>
+        </div>
+      </section>
+    );
+  }
+  const {length, angle} = units.value;
+  return (
+    <section class="panel grow">
+      <header>
+        <h2>Base</h2>
+        <div class="end">
+          <span class="muted">
+            rms {short(document.rms)} {length}
+          </span>
+        </div>
+      </header>
+      <div class="panel-body">
+        <table>
+          <thead>
+            <tr>
+              <th />
+              <th class="number">x</th>
+              <th class="number">y</th>
+              <th class="number">z</th>
+            </tr>
+          </thead>
+          <tbody>
+            <FigureRow name={`position, ${length}`} values={document.base.position} />
+            <FigureRow name="± sigma" values={document.sigma.position} />
+            <FigureRow name={`turn, ${angle}`} values={document.base.rpy} />
+            <FigureRow name="± sigma" values={document.sigma.rotation} />
+          </tbody>
+        </table>
+        <h3>Left at each touch, {length}</h3>
+        <table>
+          <tbody>
+            {document.residuals.map((touch) => (
+              <tr>
+                <td>{touch.id}</td>
+                <td>{touch.hole}</td>
+                {touch.residual.map((value) => (
+                  <td class="number">{fixed(value, 4)}</td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        <h3>Distances by arm and sheet, {length}</h3>
+        <table>
+          <tbody>
+            {document.distances.map((row) => (
+              <tr>
+                <td>
+                  {row.from} to {row.to}
+                </td>
+                <td class="number">{fixed(row.by_arm, 3)}</td>
+                <td class="number">{fixed(row.on_sheet, 3)}</td>
+                <td class="number">{fixed(row.difference, 4)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        <h3>Correlations of the base's numbers</h3>
+        <Covariance matrix={document.covariance} />
+        {document.reason ? <p class="muted">{document.reason}</p> : null}
+      </div>
+    </section>
+  );
+}
+
+function FigureRow({name, values}: {name: string; values: readonly number[]}) {
+  return (
+    <tr>
+      <th>{name}</th>
+      {values.map((value) => (
+        <td class="number">{fixed(value, 4)}</td>
+      ))}
+    </tr>
+  );
+}

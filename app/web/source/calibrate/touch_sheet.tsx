@@ -1,0 +1,116 @@
+// The sheet with the holes to touch ringed, over the error that the model leaves at each hole.
+import {signal} from "@preact/signals";
+import {useCallback, useMemo} from "preact/hooks";
+import {MarkIcon} from "../drawing/marks";
+import {runJob, runningJob} from "../server/workbench";
+import {picked} from "../shell/page_state";
+import {byField, byState} from "../sheet/colourings";
+import {toPixel} from "../sheet/sheet_camera";
+import type {PaintOver} from "../sheet/sheet_drawing";
+import {holeName, type SheetModel} from "../sheet/sheet_model";
+import {SheetPanel} from "../sheet/with_sheet";
+import {field, holeOf, proposals, touches} from "./touches";
+
+const isHeat = signal(true);
+
+export function TouchSheet({model}: {model: SheetModel}) {
+  const found = field.value.document;
+  const isField = isHeat.value && found?.of === "centring" && found.values.length === model.count;
+  const colouring = useMemo(
+    () => (isField ? byField(model, found!, "Predicted error") : byState(model)),
+    [model, isField, found],
+  );
+  const suggested = useMemo(
+    () => (proposals.value.document?.next_readings ?? []).map((reading) => holeOf(model, reading.point)),
+    [model, proposals.value.document],
+  );
+  const paintOver = useCallback<PaintOver>(
+    (context, camera, size, colours) => {
+      const ring = (hole: number, colour: string, words: string, dash: number[]) => {
+        if (hole < 0) return;
+        const [x, y] = toPixel(camera, size, model.u[hole], model.v[hole]);
+        context.beginPath();
+        context.arc(x, y, 12, 0, 2 * Math.PI);
+        context.setLineDash(dash);
+        context.strokeStyle = colour;
+        context.lineWidth = 3;
+        context.stroke();
+        context.setLineDash([]);
+        label(context, words, x, y, size.width, colours.ink, colours.panel);
+      };
+      const done = touches.peek().map((touch) => touch.hole);
+      suggested.forEach((hole, i) => {
+        if (!done.includes(hole)) ring(hole, colours.accent, `best ${i + 1}: ${holeName(model, hole)}`, [5, 4]);
+      });
+      done.forEach((hole, i) => ring(hole, colours.good, `T${i + 1}: ${holeName(model, hole)}`, []));
+    },
+    [model, suggested, touches.value],
+  );
+  return (
+    <SheetPanel
+      head={<TouchHead />}
+      foot={
+        isField ? (
+          colouring.kinds.map((kind) => (
+            <span title={colouring.meaning}>
+              <MarkIcon mark={kind.mark} size={12} /> {kind.name}
+            </span>
+          ))
+        ) : (
+          <span class="muted">Predict shows the error that this model leaves at each hole.</span>
+        )
+      }
+      sheet={model}
+      colouring={colouring}
+      picked={picked}
+      paintOver={paintOver}
+      onPick={(hole) => (picked.value = hole)}
+    />
+  );
+}
+
+function TouchHead() {
+  return (
+    <>
+      <h2>Touches</h2>
+      <div class="end">
+        <label class="check">
+          <input type="checkbox" checked={isHeat.value} onChange={() => (isHeat.value = !isHeat.value)} /> predicted
+          error
+        </label>
+        <button
+          class="button"
+          disabled={runningJob("field") !== null}
+          onClick={() => {
+            isHeat.value = true;
+            void runJob("Predicted error", "/api/field", {of: "centring"});
+          }}
+        >
+          Predict
+        </button>
+      </div>
+    </>
+  );
+}
+
+function label(
+  context: CanvasRenderingContext2D,
+  words: string,
+  x: number,
+  y: number,
+  width: number,
+  ink: string,
+  ground: string,
+): void {
+  context.font = "600 12px 'IBM Plex Sans Variable', system-ui, sans-serif";
+  const long = context.measureText(words).width;
+  const left = x + 18 + long > width - 8 ? x - 18 - long : x + 18;
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.fillStyle = ground;
+  context.globalAlpha = 0.85;
+  context.fillRect(left - 4, y - 10, long + 8, 20);
+  context.globalAlpha = 1;
+  context.fillStyle = ink;
+  context.fillText(words, left, y);
+}

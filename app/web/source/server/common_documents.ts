@@ -1,0 +1,21 @@
+// What several of the server's documents hold.
+
+export type Vector3 = [number, number, number];
+export type Vector2 = [number, number];
+
+export interface Units {
+  length: string;
+  angle: string;
+  force: string;
+  temperature?: string;
+  time?: string;
+}
+
+/** What is wrong with an input, as the program says it. */
+export interface Problem {
+  where?: string;
+  found?: string;
+  expected?: string;
+  advice?: string;
+  message: string;
+}

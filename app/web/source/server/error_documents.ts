@@ -1,0 +1,159 @@
+// The loop: readings, their errors, what is missing, the numbers of the model.
+import type {Units, Vector3} from "./common_documents";
+import type {EffectAt, EffectNumber} from "./state_documents";
+
+export interface ErrorReading {
+  id: string;
+  kind: string;
+  point: string;
+  setup?: string;
+  joints: number[];
+  senses?: number[];
+  load?: number;
+  temperature?: number;
+  time?: number;
+  sigma?: number;
+  held_out?: boolean;
+}
+
+export interface ComparedReading extends ErrorReading {
+  error_before: Vector3;
+  error_after: Vector3;
+  size_before: number;
+  size_after: number;
+  sigmas_after?: number;
+  measured?: Vector3;
+  position_after?: Vector3;
+}
+
+export interface CompareDocument {
+  verdict: string;
+  sentence: string;
+  chi2_per_dof: number;
+  p_value: number;
+  grounds: string[];
+  joint_columns: string[];
+  patterns: {sentence: string; variable: string; share_of_misfit: number; size: number}[];
+  readings: ComparedReading[];
+  rms: Record<string, number>;
+  worst: {id: string; size: number; sigmas: number}[];
+  units: Units;
+  model: number;
+  revision: number;
+}
+
+export interface Explanation {
+  effects: EffectAt[];
+  enough?: boolean;
+  chi2: number;
+  p_value: number;
+  rms: number;
+  heldout_rms: number | null;
+}
+
+export interface RankedEffect extends EffectAt {
+  chi2_fall: number;
+  kept_fraction: number;
+  probability: number;
+  p_value: number;
+  size: (EffectNumber & {name: string}) | null;
+  heldout_rms?: {before: number; after: number} | null;
+}
+
+export interface DiagnosedReading extends ErrorReading {
+  before: Vector3;
+  after: Vector3 | null;
+  explained: (Vector3 | null)[];
+  position: Vector3;
+}
+
+/** A reading that would tell explanations apart, with the posture, load and sense of arrival to take it at. */
+export interface NextReading {
+  point?: string;
+  kind?: string;
+  load?: number;
+  posture: Record<string, number>;
+  senses?: Record<string, number>;
+  splits?: string[];
+  separation_sigmas?: number;
+}
+
+export interface DiagnoseDocument {
+  verdict: string;
+  sentence: string;
+  chi2_per_dof: number;
+  p_value: number;
+  evidence: {best: number; noise_reaches: number};
+  explanations: Explanation[];
+  closest: Explanation[];
+  ranking: RankedEffect[];
+  readings: DiagnosedReading[];
+  next_readings: NextReading[];
+  splitting?: {
+    advice?: string;
+    other_means?: {what: string}[];
+    columns_to_add?: string[];
+    pairs?: {
+      if_true: string;
+      against: string;
+      criterion_gap_now: number;
+      criterion_gap_expected: number;
+      probability_told: number;
+    }[];
+  };
+  warnings: (string | {sentence: string})[];
+  set_aside: string[];
+  rms: Record<string, number>;
+  joints: {name: string; unit: string}[];
+  units: Units;
+  model: number;
+  revision: number;
+}
+
+export interface IdentifyDocument {
+  chi2_per_dof: number;
+  p_value: number;
+  rms: Record<string, number>;
+  parameters: {
+    name: string;
+    value: number;
+    sigma: number | null;
+    start: number;
+    unit: string;
+    identifiable: string;
+    interval: [number, number] | null;
+  }[];
+  units: Units;
+  model: number;
+  revision: number;
+}
+
+export interface LadderDocument {
+  rungs: {
+    name: string;
+    chi2_per_dof: number;
+    fitted_numbers: number;
+    rms: {as_it_stands: number; fitted: number; heldout: number | null; noise_floor: number};
+  }[];
+  units: Units;
+  model: number;
+  revision: number;
+}
+
+export interface CatalogueDocument {
+  effects: {
+    effect: string;
+    at: string;
+    law: string;
+    validity: string;
+    source: string;
+    parameters: {name: string; unit: string; neutral: number; low: number; high: number}[];
+  }[];
+}
+
+/** Moments about the rows of the undeflected arm, by the id of the reading. */
+export interface MomentsDocument {
+  unit: string;
+  names: string[];
+  readings: Record<string, number[]>;
+}

@@ -1,0 +1,103 @@
+// Sheet, scene, postures and what is known of every hole.
+import type {Units, Vector2, Vector3} from "./common_documents";
+
+export interface SheetDocument {
+  name: string;
+  units: Units | string;
+  pitch: number;
+  hole_diameter: number;
+  rows: number;
+  columns: number;
+  viewing_side: string;
+  leg: string;
+  /** In the bowl, in the world; u and v its direction from the sheet's middle as drawn. Null: the cell does not say. */
+  manway: {center: Vector3; diameter: number; u: number; v: number} | null;
+  tool?: {diameters: number[]; tolerances: number[]} | null;
+  holes: {
+    row: number[];
+    column: number[];
+    leg?: (string | number)[];
+    x: number[];
+    y: number[];
+    z: number[];
+    u: number[];
+    v: number[];
+    state: number[];
+    states: string[];
+  };
+}
+
+/** A shape of the cell file: its kind and the fields of that kind, in the world or in its row's frame. */
+export interface SolidShape {
+  kind: string;
+  name: string;
+  from?: Vector3;
+  to?: Vector3;
+  radius?: number;
+  center?: Vector3;
+  size?: Vector3;
+  rpy?: Vector3;
+  point?: Vector3;
+  normal?: Vector3;
+}
+
+export interface ArmRow {
+  row: number;
+  name: string;
+  moves?: boolean;
+  bodies: SolidShape[];
+}
+
+export interface SceneDocument {
+  units?: Units;
+  clearance?: number;
+  shapes: SolidShape[];
+  arm: ArmRow[];
+  tip?: Vector3;
+  tool_axis?: Vector3;
+}
+
+export interface Frame {
+  row: number;
+  position: Vector3;
+  quaternion: [number, number, number, number];
+}
+
+export interface TipPose {
+  position: Vector3;
+  fixed_angles: Vector3;
+}
+
+export interface PoseDocument {
+  joints?: number[];
+  rigid: TipPose;
+  flexible: TipPose;
+  change: TipPose;
+  frames: {rigid: Frame[]; flexible: Frame[]};
+  tip: {rigid: Vector3; flexible: Vector3};
+  clearance: null | {distance: number; margin?: number; pair: [string, string]; from: Vector3; to: Vector3 | null};
+  centring: null | {offset: Vector2; distance: number; height?: number; steps: number | null; tilt: number};
+}
+
+export interface ReachDocument {
+  reachable: number[];
+  reason: string[];
+  branches: number[];
+}
+
+export interface FieldDocument {
+  of: string;
+  meaning?: string;
+  values: (number | null)[];
+  unit: string;
+  steps?: (number | null)[];
+}
+
+export interface InverseDocument {
+  /** found, not-found or out-of-reach. */
+  status: string;
+  branch: number;
+  joints: number[] | null;
+  predicted_tip?: Vector3 | null;
+  branches: {status: string; reason: string; joints: number[]; tilt?: number; clearance: null | {distance: number}}[];
+}

@@ -1,0 +1,49 @@
+// A plan, its path and what it keeps clear.
+import type {Units, Vector3} from "./common_documents";
+
+export interface PlannedTube {
+  name: string;
+  leg: string;
+  row: number;
+  column: number;
+  hole: Vector3;
+  joints: number[];
+  steps: number;
+  tilt: number;
+  centring_error: number;
+  approach_deviation: number;
+  probability_by_steps: number[];
+  scored?: Record<string, null | {error: number; dx: number; dy: number; steps: number}>;
+}
+
+export interface PlanDocument {
+  tubes: PlannedTube[];
+  unreachable: {row: number; column: number; leg?: string; reason: string}[];
+  gap: number;
+  travel_time_s: number;
+  total_time_s: number;
+  lower_bound_s: number;
+  row_by_row_time_s: number;
+  min_clearance: number;
+  clearance_required: number;
+  tightest: string;
+  detours: number;
+  counts?: Record<string, number[]>;
+  units: Units;
+}
+
+/** The distance to what is nearest at some of a path's samples. */
+export interface PathClearances {
+  from: number;
+  samples: number;
+  clearance: (number | null)[];
+}
+
+export interface PathDocument {
+  time: number[];
+  segment: number[];
+  kind: string[];
+  joints: number[][];
+  clearance: (number | null)[] | null;
+  tube?: number[];
+}

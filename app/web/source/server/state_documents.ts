@@ -1,0 +1,86 @@
+// The state that all browsers share.
+import type {Problem, Units} from "./common_documents";
+
+export interface JointInfo {
+  name: string;
+  unit: string;
+  lower: number | null;
+  upper: number | null;
+  home: number;
+}
+
+export interface CellInfo {
+  name: string;
+  file: string;
+  units: Units;
+  base_known: boolean;
+  has_sheet: boolean;
+  has_scene: boolean;
+  has_tool: boolean;
+  has_truth: boolean;
+  joints: JointInfo[];
+  identify: string[];
+  loads: number[];
+}
+
+export interface EffectAt {
+  effect: string;
+  at: string;
+  parameters?: Record<string, EffectNumber | number | string>;
+}
+
+export interface EffectNumber {
+  value: number;
+  sigma: number | null;
+  unit: string;
+}
+
+export interface Model {
+  id: number;
+  label: string;
+  origin: string;
+  effects: EffectAt[];
+  free: string[];
+}
+
+export interface ReadingsInfo {
+  name: string;
+  readings: number;
+  kinds: Record<string, number>;
+  setups: number;
+  sigma: number | null;
+}
+
+export interface Job {
+  id: number | string;
+  kind: string;
+  label: string;
+  status: "running" | "done" | "failed" | "cancelled";
+  stage: string;
+  done: number;
+  total: number;
+  rate: number | null;
+  left_s: number | null;
+  error: Problem | null;
+  result: string | null;
+}
+
+export interface ResultMark {
+  model: number;
+  revision: number;
+}
+
+export interface WorkbenchState {
+  revision: number;
+  version: string;
+  folder: string;
+  cell: CellInfo;
+  models: Model[];
+  model: number;
+  can_undo: boolean;
+  can_redo: boolean;
+  measurements: ReadingsInfo | null;
+  results: Record<string, ResultMark | null>;
+  jobs: Job[];
+  touches?: number;
+}

@@ -1,0 +1,78 @@
+// What is known of the hole that is pointed out, and the posture that brings the tool under it.
+import {fixed} from "../drawing/numbers";
+import type {InverseDocument} from "../server/documents";
+import {cell, units} from "../server/workbench";
+import {picked, selection, toggleSelected, view} from "../shell/page_state";
+import {poseRequest, whyNot} from "../arm/pose_link";
+import type {Colouring} from "./colourings";
+import {holeName, legWords, type SheetModel} from "./sheet_model";
+
+export function HolePanel({model, colouring: shown}: {model: SheetModel; colouring: Colouring}) {
+  const hole = picked.value;
+  if (hole < 0 || hole >= model.count) {
+    return (
+      <section class="panel grow no-print">
+        <header>
+          <h2>Hole</h2>
+        </header>
+        <div class="panel-body">
+          <p class="muted">Pick a hole: the arm goes under it. Shift adds it to the selection.</p>
+        </div>
+      </section>
+    );
+  }
+  return (
+    <section class="panel grow">
+      <header>
+        <h2>{holeName(model, hole)}</h2>
+        <span class="muted">{legWords(model.legs[hole])}</span>
+        <div class="end no-print">
+          <button class="button" aria-pressed={selection.value.has(hole)} onClick={() => toggleSelected(hole)}>
+            {selection.value.has(hole) ? "Drop" : "Select"}
+          </button>
+        </div>
+      </header>
+      <div class="panel-body">
+        <dl class="figures">
+          <dt>x, y, z</dt>
+          <dd>
+            {[0, 1, 2].map((k) => fixed(model.world[3 * hole + k], 3)).join("  ")} {units.value.length}
+          </dd>
+          <dt>state</dt>
+          <dd>{model.states[model.state[hole]] ?? "open"}</dd>
+          {shown.words(hole).map((line) => (
+            <>
+              <dt></dt>
+              <dd>{line}</dd>
+            </>
+          ))}
+        </dl>
+        <Posture inverse={poseRequest.inverse.value} />
+      </div>
+    </section>
+  );
+}
+
+/** The joints that bring the tool under the hole, or why none do. */
+function Posture({inverse}: {inverse: InverseDocument | null}) {
+  if (!inverse) return <p class="muted reserve">Finding a posture …</p>;
+  if (inverse.status !== "found" || !inverse.joints) return <p class="reserve bad">Out of reach: {whyNot(inverse)}</p>;
+  const joints = cell.value?.joints ?? [];
+  return (
+    <>
+      <dl class="figures">
+        {inverse.joints.map((value, i) => (
+          <>
+            <dt>{joints[i]?.name}</dt>
+            <dd>
+              {fixed(value, 3)} {joints[i]?.unit}
+            </dd>
+          </>
+        ))}
+      </dl>
+      <button class="button no-print" onClick={() => (view.value = "arm")}>
+        See the arm
+      </button>
+    </>
+  );
+}

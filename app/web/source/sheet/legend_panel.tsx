@@ -1,0 +1,60 @@
+// The legend of a colouring: what the marks mean, how many holes have each, and which are shown.
+import {effect, signal} from "@preact/signals";
+import {MarkIcon} from "../drawing/marks";
+import {whole} from "../drawing/numbers";
+import {select} from "../shell/page_state";
+import type {Colouring} from "./colourings";
+import {chosen} from "./sheet_choice";
+
+/** Kinds of the colouring whose holes are not drawn. */
+export const hiddenKinds = signal<ReadonlySet<number>>(new Set());
+effect(() => {
+  void chosen.value;
+  hiddenKinds.value = new Set();
+});
+
+function toggleKind(kind: number): void {
+  const next = new Set(hiddenKinds.value);
+  if (!next.delete(kind)) next.add(kind);
+  hiddenKinds.value = next;
+}
+
+export function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; isReady: boolean}) {
+  return (
+    <section class="panel">
+      <header>
+        <h2>{isReady ? shown.title : "State"}</h2>
+        <div class="end">
+          <span class="muted">{whole(shown.of.length)} holes</span>
+        </div>
+      </header>
+      <ul class="legend">
+        {shown.kinds.map((kind, index) =>
+          shown.counts[index] === 0 && shown.kinds.length > 6 ? null : (
+            <li key={kind.name}>
+              <label>
+                <input type="checkbox" checked={!hiddenKinds.value.has(index)} onChange={() => toggleKind(index)} />
+                <MarkIcon mark={kind.mark} />
+                <span>{kind.name}</span>
+                <b>{whole(shown.counts[index])}</b>
+              </label>
+              <button
+                class="link"
+                title={`Select these ${whole(shown.counts[index])} holes`}
+                disabled={shown.counts[index] === 0}
+                onClick={() => select(holesOf(shown, index))}
+              >
+                select
+              </button>
+            </li>
+          ),
+        )}
+      </ul>
+      {shown.meaning ? <p class="meaning muted">{shown.meaning}</p> : null}
+    </section>
+  );
+}
+
+function* holesOf(shown: Colouring, kind: number): Generator<number> {
+  for (let i = 0; i < shown.of.length; ++i) if (shown.of[i] === kind) yield i;
+}

@@ -1,0 +1,48 @@
+// What the views of a cell's tube sheet have in common: words where there is no sheet, and a panel with its picture.
+import type {ComponentChildren} from "preact";
+import {cell, sheetDocument} from "../server/workbench";
+import {sheet} from "../shell/page_state";
+import {Nothing, ProblemWords, Waiting} from "../shell/states";
+import type {SheetPictureProps} from "./sheet_drawing";
+import type {SheetModel} from "./sheet_model";
+import {SheetPicture} from "./sheet_picture";
+
+/** Shows the sheet once it is read; `without` is what to say of a cell that has none. */
+export function WithSheet({
+  without,
+  children,
+}: {
+  without: ComponentChildren;
+  children: (model: SheetModel) => ComponentChildren;
+}) {
+  const {problem} = sheetDocument.value;
+  if (cell.value && !cell.value.has_sheet)
+    return <Nothing title={`${cell.value.name} has no tube sheet`}>{without}</Nothing>;
+  if (problem)
+    return (
+      <Nothing title="The sheet cannot be shown">
+        <ProblemWords problem={problem} />
+      </Nothing>
+    );
+  return sheet.value ? <>{children(sheet.value)}</> : <Waiting words="Reading the sheet" isBusy />;
+}
+
+interface SheetPanelProps extends SheetPictureProps {
+  head: ComponentChildren;
+  headClass?: string;
+  over?: ComponentChildren;
+  foot?: ComponentChildren;
+}
+
+export function SheetPanel({head, headClass, over, foot, ...picture}: SheetPanelProps) {
+  return (
+    <section class="panel">
+      <header class={headClass}>{head}</header>
+      <div class="panel-body flush">
+        <SheetPicture {...picture} />
+        {over}
+      </div>
+      {foot ? <footer class="stage-foot">{foot}</footer> : null}
+    </section>
+  );
+}

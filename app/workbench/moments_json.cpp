@@ -1,0 +1,26 @@
+#include "app/workbench/moments_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/readers/effects_reader.hpp"
+#include "calibration/reading_prediction.hpp"
+#include "deflection/effects/user_formula.hpp"
+
+namespace tubeplan::app {
+
+nlohmann::json momentsJson(const Cell& cell, const ReadingSet& set) {
+  auto symbols = deflection::formulaSymbols(cell.arm, formulaUnitsOf(cell.units));
+  std::erase_if(symbols, [](const auto& named) { return named.symbol.of != deflection::FormulaSymbol::Of::kMoment; });
+  nlohmann::json names = nlohmann::json::array(), readings = nlohmann::json::object();
+  for (const auto& named : symbols) names.push_back(named.name);
+  for (const auto& reading : set.readings) {
+    const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
+    nlohmann::json moments = nlohmann::json::array();
+    for (const auto& named : symbols)
+      moments.push_back(rounded(deflection::user_formula::valueOf<double>(named.symbol, cell.arm, posture)));
+    readings[reading.id] = std::move(moments);
+  }
+  return {{"unit", cell.units.nameOf(dimension::kTorque)}, {"names", names}, {"readings", readings}};
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,195 @@
+// Long work that is asked to stop says so and gives nothing else, wherever it is; that it could be asked changes
+// nothing.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+
+#include "app/splitting_candidates.hpp"
+#include "calibration/comparison.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/effect_warnings.hpp"
+#include "calibration/diagnosis/splitting_readings.hpp"
+#include "tests/calibration/bench_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+/// Hooks that count what they are asked and told, and say stop from the n-th question on.
+class Watch {
+ public:
+  explicit Watch(int stop_at = -1) : stop_at_(stop_at) {}
+
+  [[nodiscard]] WorkHooks hooks() {
+    return {[this](std::string_view stage, std::size_t done, std::size_t total) {
+              stages_.insert(std::string(stage));
+              is_ordered_ = is_ordered_ && (total == 0 || done <= total);
+            },
+            [this] {
+              const int asked = ++asked_;
+              return stop_at_ >= 0 && asked >= stop_at_;
+            }};
+  }
+  [[nodiscard]] int asked() const { return asked_; }
+  [[nodiscard]] const std::set<std::string>& stages() const { return stages_; }
+  [[nodiscard]] bool isOrdered() const { return is_ordered_; }
+
+ private:
+  int stop_at_;
+  std::atomic<int> asked_ = 0;
+  std::set<std::string> stages_;
+  bool is_ordered_ = true;
+};
+
+/// Early, late and in between.
+std::vector<int> momentsOf(int all) { return {1, 2, all / 7, all / 3, all / 2, (9 * all) / 10, all}; }
+
+constexpr int kAsItEnds =
+    200;  // questions that may still be asked once the answer was to stop: of solvers that give up
+
+class Stopping : public testing::Test {
+ protected:
+  const app::Cell cell = shippedBench();
+  const std::vector<Measurement> readings = benchReadings(cell, "hysteresis", "theta3", {0.0008}, 60, 5);
+  const PlacedArm start = benchStart(cell, readings);
+
+  [[nodiscard]] IdentificationOptions identification(const WorkHooks& hooks) const {
+    IdentificationOptions options;
+    options.free = {cell.identify, false};
+    options.hooks = hooks;
+    return options;
+  }
+  [[nodiscard]] DiagnosisOptions diagnosis(const WorkHooks& hooks) const {
+    DiagnosisOptions options;
+    options.baseline.free = {cell.identify, false};
+    options.draws = 300;
+    options.hooks = hooks;
+    return options;
+  }
+  [[nodiscard]] ComparisonOptions comparison(const WorkHooks& hooks) const {
+    ComparisonOptions options;
+    options.refit.free = {cell.identify, false};
+    options.hooks = hooks;
+    return options;
+  }
+
+  /// The work with hooks that watch, then stopped at several of its questions.
+  template <class Work, class IsStopped>
+  void stopEverywhere(Work work, IsStopped isStopped) {
+    Watch whole;
+    EXPECT_FALSE(isStopped(work(whole.hooks())));
+    EXPECT_GT(whole.asked(), 10);
+    EXPECT_TRUE(whole.isOrdered());
+    for (const int moment : momentsOf(whole.asked())) {
+      Watch watch(moment);
+      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.asked();
+      EXPECT_LT(watch.asked(), moment + kAsItEnds);
+    }
+  }
+};
+
+TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
+  stopEverywhere([&](const WorkHooks& hooks) { return identify(start, readings, identification(hooks)); },
+                 [](const Identification& result) {
+                   if (result.status != IdentificationStatus::kStopped) return false;
+                   EXPECT_TRUE(result.numbers.empty());
+                   EXPECT_TRUE(result.fitted.arm.rows.empty());
+                   EXPECT_FALSE(result.reason.empty());
+                   return true;
+                 });
+}
+
+TEST_F(Stopping, EverySolverStops) {
+  for (const auto& kind : leastSquaresMethods()) {
+    Watch watch(5);
+    IdentificationOptions options = identification(watch.hooks());
+    options.solver.method = kind.method;
+    EXPECT_EQ(identify(start, readings, options).status, IdentificationStatus::kStopped) << kind.name;
+    EXPECT_LT(watch.asked(), 5 + kAsItEnds) << kind.name;
+  }
+}
+
+TEST_F(Stopping, DiagnosisSaysThatItWasStopped) {
+  stopEverywhere([&](const WorkHooks& hooks) { return diagnose(start, readings, diagnosis(hooks)); },
+                 [](const Diagnosis& result) {
+                   if (result.verdict != Verdict::kStopped) return false;
+                   EXPECT_TRUE(result.ranking.empty() && result.alternatives.empty() && result.closest.empty());
+                   EXPECT_TRUE(result.baseline.numbers.empty());
+                   return true;
+                 });
+}
+
+TEST_F(Stopping, ComparisonSaysThatItWasStopped) {
+  stopEverywhere([&](const WorkHooks& hooks) { return compare(start, readings, comparison(hooks)); },
+                 [](const Comparison& result) {
+                   if (result.status != ComparisonStatus::kStopped) return false;
+                   EXPECT_TRUE(result.readings.empty() && result.patterns.tests.empty());
+                   EXPECT_EQ(result.verdict, Adequacy::kNotRun);
+                   return true;
+                 });
+}
+
+TEST_F(Stopping, ProposalsSayThatTheyWereStopped) {
+  Diagnosis open = diagnose(start, readings, diagnosis({}));
+  ASSERT_FALSE(open.closest.empty());
+  open.verdict = Verdict::kInconclusive;  // so that there is something to split
+  const auto candidates = app::splittingCandidates(cell, open.baseline.fitted, readings);
+  stopEverywhere(
+      [&](const WorkHooks& hooks) {
+        SplittingOptions options;
+        options.hooks = hooks;
+        return proposeSplittingReadings(open, readings, candidates, options);
+      },
+      [](const SplittingReadings& result) {
+        if (result.status != SplittingStatus::kStopped) return false;
+        EXPECT_TRUE(result.readings.empty() && result.pairs.empty());
+        return true;
+      });
+}
+
+TEST_F(Stopping, ThereAreNoWarningsOfWorkThatWasStopped) {
+  auto carrying = start;
+  carrying.arm.effects.push_back(deflection::makeEffect(carrying.arm, "backlash", "tool.z").effect);
+  IdentificationOptions options = identification({});
+  options.free.names.emplace_back("backlash@tool.z.gap");
+  const auto fit = identify(carrying, readings, options);
+  Watch whole;
+  options.hooks = whole.hooks();
+  EXPECT_FALSE(warnOfEffects(carrying, readings, options, fit).empty());
+  for (const int moment : momentsOf(whole.asked())) {
+    Watch watch(moment);
+    options.hooks = watch.hooks();
+    EXPECT_TRUE(warnOfEffects(carrying, readings, options, fit).empty()) << moment;
+    EXPECT_LT(watch.asked(), moment + kAsItEnds);
+  }
+}
+
+TEST_F(Stopping, HooksChangeNothing) {
+  Watch watch;
+  const Diagnosis with = diagnose(start, readings, diagnosis(watch.hooks())),
+                  without = diagnose(start, readings, diagnosis({}));
+  EXPECT_EQ(with.verdict, without.verdict);
+  EXPECT_EQ(with.chi2, without.chi2);
+  EXPECT_EQ(with.heldout_after.rms, without.heldout_after.rms);
+  ASSERT_EQ(with.ranking.size(), without.ranking.size());
+  for (std::size_t k = 0; k < with.ranking.size(); ++k) {
+    EXPECT_EQ(with.ranking[k].at, without.ranking[k].at);
+    EXPECT_EQ(with.ranking[k].size.value, without.ranking[k].size.value);
+  }
+  for (const char* stage : {"fit", "catalogue", "effects", "pairs of effects", "readings kept out"})
+    EXPECT_TRUE(watch.stages().contains(stage)) << stage;
+  for (const auto& kind : leastSquaresMethods()) {
+    IdentificationOptions asked = identification(watch.hooks()), alone = identification({});
+    asked.solver.method = alone.solver.method = kind.method;
+    asked.folds = alone.folds = 0;
+    const auto a = identify(start, readings, asked), b = identify(start, readings, alone);
+    ASSERT_EQ(a.numbers.size(), b.numbers.size()) << kind.name;
+    for (std::size_t k = 0; k < a.numbers.size(); ++k) {
+      EXPECT_EQ(a.numbers[k].value, b.numbers[k].value) << kind.name;
+      EXPECT_EQ(a.numbers[k].lower, b.numbers[k].lower) << kind.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
