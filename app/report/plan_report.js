@@ -10,6 +10,7 @@ const SECTIONS = [
   {id: "clearance", title: "Clearance", make: clearanceSection},
   {id: "time", title: "Time", make: timingSection},
   {id: "tubes", title: "Every tube", make: tubeTableSection},
+  {id: "list", title: "Work list", make: workListSection},
 ];
 
 /// "60 tubes are visited in 9 min 12 s; with via-point compensation all three steps enter 41 of 60 (0 without)."

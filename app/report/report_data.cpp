@@ -67,6 +67,7 @@ json tubesData(const PlanOutcome& outcome) {
                   {"tilt", angleOf(visit.branch.tilt, units)},
                   {"predicted_error", lengthOf(outcome.predicted[k].error, units)},
                   {"probability_by_steps", outcome.probability_by_steps[k]}};
+    if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
     const char* names[] = {"none", "goal_point", "via_point"};
     for (int mode = 0; mode < 3; ++mode)
       entry[names[mode]] = outcome.scores.empty()

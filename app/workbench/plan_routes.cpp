@@ -90,6 +90,12 @@ void requirePlanned(const PlanOutcome& outcome) {
   throw InputError("tubes", outcome.plan.reason + first, "tubes that the arm can visit");
 }
 
+/// A request names tubes, never a file.
+void requireNoFile(const std::string& tubes) {
+  if (tubes.ends_with(".csv"))
+    throw InputError("request (first)", inQuotes(tubes), "tubes as --tubes says them, no file");
+}
+
 Answer plan(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Situation now = workbench.situation();
@@ -102,6 +108,14 @@ Answer plan(Workbench& workbench, const Request& request) {
   asked.load = numberOf(body, "load", 0);
   (void)parseLoad(asked.load, cell.units);
   asked.seed = seedOf(body);
+  asked.conditions = {textOf(body, "start"), textOf(body, "end"), {}, numberOf(body, "dwell", 0)};
+  asked.padding = numberOf(body, "padding", 0);
+  if (body.contains("first"))
+    for (const auto& zone : textsOf(body, "first")) {
+      requireNoFile(zone);
+      asked.conditions.first.push_back(zone);
+    }
+  (void)conditionsOf(asked.conditions, cell, {});
   return beginJob(workbench, "plan", "a proved visit of the tubes", [&workbench, asked](JobContext& context) mutable {
     const Situation began = workbench.situation();
     asked.truth = began.truth;

@@ -56,6 +56,7 @@ json cellJson(const Situation& situation) {
           {"has_scene", !cell.scene.obstacles.empty() || !cell.scene.bodies.empty()},
           {"has_tool", cell.tool.has_value()},
           {"has_truth", !situation.truth.empty()},
+          {"has_park", cell.park.has_value()},
           {"joints", jointRangesJson(cell)},
           {"identify", cell.identify},
           {"loads", loadsJson(situation, cell.units)}};

@@ -8,7 +8,7 @@ import {Icon} from "../drawing/icons";
 import {drawMark, MarkIcon} from "../drawing/marks";
 import {duration, percent, plural, short, whole} from "../drawing/numbers";
 import type {PlanDocument} from "../server/documents";
-import {runJob, runningJob, units} from "../server/workbench";
+import {cell, runJob, runningJob, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
 import {byState, bySteps} from "../sheet/colourings";
@@ -31,6 +31,7 @@ const EXPORTS = [
   ["cell.yaml", "Cell"],
 ];
 const compensation = signal("via-point");
+const isParked = signal(false);
 const mode = signal("via_point");
 const MODES: [string, string][] = [
   ["none", "none"],
@@ -225,6 +226,16 @@ function PlanButton() {
         <option value="goal-point">goal point</option>
         <option value="none">no compensation</option>
       </select>
+      {cell.value?.has_park ? (
+        <label title="set out from the park posture and come back to it">
+          <input
+            type="checkbox"
+            checked={isParked.value}
+            onChange={() => (isParked.value = !isParked.value)}
+          />{" "}
+          park
+        </label>
+      ) : null}
       <button
         class="button first"
         disabled={count === 0 || job !== null}
@@ -234,6 +245,7 @@ function PlanButton() {
             compensation: compensation.value,
             load: 0,
             seed: 1,
+            ...(isParked.value && cell.value?.has_park ? {start: "park", end: "park"} : {}),
           })
         }
       >

@@ -18,6 +18,7 @@ export interface CellInfo {
   has_scene: boolean;
   has_tool: boolean;
   has_truth: boolean;
+  has_park: boolean;
   joints: JointInfo[];
   identify: string[];
   loads: number[];

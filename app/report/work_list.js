@@ -1,0 +1,43 @@
+// ---- work_list.js: the tubes in visiting order as a sheet of paper to tick off at the arm; every line names leg, row and
+// column, and those that cannot be visited stand at its end with their reason.
+
+function workListSection(report) {
+  const tubes = list(report.tubes);
+  if (tubes.length === 0) return [notRecorded("The work list")];
+  const place = el("div");
+  const show = () => {
+    if (place.childElementCount === 0) place.append(...workList(report, tubes));
+  };
+  const card = el(
+      "details", {class: "card", toggle: (event) => event.target.open && show()},
+      el("summary", {}, `Work list of ${plural(tubes.length, "tube")}, to print`), place);
+  const print = el("button", {
+    type: "button",
+    class: "print",
+    click: () => {
+      show();
+      card.open = true;
+      document.body.classList.add("list-only");
+      window.print();
+      document.body.classList.remove("list-only");
+    },
+  }, "Print the list alone");
+  return [print, card];
+}
+
+function workList(report, tubes) {
+  const sheet = object(report.sheet) ?? {}, leg = String(sheet.leg ?? "");
+  const head = el(
+      "p", {}, `${sheet.name ?? ""} · ${leg} leg, seen from ${sheet.viewed_from} · sheet ${sheet.fingerprint} · `,
+      `${plural(tubes.length, "tube")} · signed ____________________  date ____________`);
+  const rows = tubes.map((tube, i) => ["\u2610", whole(i + 1), `${leg} ${tubeName(tube)}`, stayText(tube), ""]);
+  const parts = [head, table(["done", "visit", "tube", "stay, s", "remark"], rows, {text: [0, 2, 4]})];
+  const missed = list(report.unreachable);
+  if (missed.length > 0)
+    parts.push(
+        el("p", {}, `${plural(missed.length, "tube")} cannot be visited:`),
+        table(["tube", "reason"], missed.map((tube) => [`${leg} ${tubeName(tube)}`, tube.reason]), {text: [0, 1]}));
+  return parts;
+}
+
+function stayText(tube) { return isNumber(tube.dwell_s) ? short(tube.dwell_s) : ""; }
