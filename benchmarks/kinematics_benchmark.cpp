@@ -1,5 +1,6 @@
 // What the flexible arm costs beside a rigid one: the converged deflected shape of the Cobra arm, its Jacobian by the
-// joints and by every number of the arm, against Orocos KDL's rigid kinematics of the same chain in the same run.
+// joints and by every number of the arm, one posture or many at a time, against Orocos KDL's rigid kinematics of the
+// same chain in the same run; and what its inverse costs for a tube (all branches) and for a via point.
 #include <benchmark/benchmark.h>
 
 #include <kdl/chain.hpp>
@@ -9,7 +10,8 @@
 #include <random>
 #include <string>
 
-#include "deflection/tip_differentiation.hpp"
+#include "deflection/inverse_solver.hpp"
+#include "deflection/posture_batch.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::benchmarks {
@@ -126,10 +128,85 @@ void stiffnessJacobian(benchmark::State& state) {
   derive(state, variables);
 }
 
+constexpr int kSideBySide = 64;
+
+/// The same postures as a batch; an iteration is one of them.
+void batch(benchmark::State& state, bool derive) {
+  Postures postures;
+  BatchKinematics kinematics(postures.arm);
+  PostureBatch all;
+  all.resize(4, kSideBySide);
+  for (Eigen::Index k = 0; k < kSideBySide; ++k) {
+    const Posture& posture = postures.next();
+    all.q.col(k) = posture.q;
+    all.load[k] = posture.load;
+  }
+  TipBatch tips;
+  int at = 0;
+  for (auto _ : state) {
+    if (at++ % kSideBySide != 0) continue;
+    if (derive)
+      kinematics.solveWithJacobian(all, tips);
+    else
+      kinematics.solve(all, tips);
+    benchmark::DoNotOptimize(tips.poses.data());
+  }
+  state.counters["lanes"] = kinematics.lanes();
+}
+
+void batchedPose(benchmark::State& state) { batch(state, false); }
+void batchedJacobian(benchmark::State& state) { batch(state, true); }
+
+/// Goals that postures meet under the full load, and starts an inch or so away.
+struct InverseProblems {
+  Arm arm = cobraArm();
+  std::vector<ToolGoal> goals;
+  std::vector<Eigen::VectorXd> starts;
+  InverseSolver solver{arm, 90, -Eigen::Vector3d::UnitZ()};
+
+  InverseProblems() {
+    std::mt19937_64 random(4);
+    for (int k = 0; k < kSideBySide; ++k) {
+      const Eigen::VectorXd q = randomJoints(arm, random);
+      const auto shape = solveFlexibleKinematics(arm, {q, 90}, {1e-14, 100});
+      goals.push_back({shape.X_BD.p, shape.X_BD.R * arm.tool_axis_L});
+      starts.push_back(q.array() + (k % 2 ? 0.01 : -0.01));
+    }
+  }
+};
+
+void inverseOfTubes(benchmark::State& state) {
+  InverseProblems problems;
+  int at = 0;
+  double branches = 0;
+  for (auto _ : state) {
+    if (at++ % kSideBySide != 0) continue;
+    const auto found = problems.solver.solve(problems.goals);
+    branches = 0;
+    for (const auto& one : found) branches += static_cast<double>(one.branches.size());
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.counters["branches"] = branches / kSideBySide;
+}
+
+void inverseOfViaPoints(benchmark::State& state) {
+  InverseProblems problems;
+  int at = 0;
+  for (auto _ : state) {
+    if (at++ % kSideBySide != 0) continue;
+    benchmark::DoNotOptimize(problems.solver.refine(problems.goals, problems.starts));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
 BENCHMARK(rigidPose)->Name("rigid KDL/pose");
 BENCHMARK(rigidJacobian)->Name("rigid KDL/pose and Jacobian");
 BENCHMARK(flexiblePose)->Name("flexible/pose");
 BENCHMARK(singleShape)->Name("flexible/single shape");
+BENCHMARK(batchedPose)->Name("flexible/pose, batched");
+BENCHMARK(batchedJacobian)->Name("flexible/pose and Jacobian by joints, batched");
+BENCHMARK(inverseOfTubes)->Name("inverse/tubes, all branches");
+BENCHMARK(inverseOfViaPoints)->Name("inverse/via points");
 BENCHMARK(flexibleJacobian)->Name("flexible/pose and Jacobian by joints");
 BENCHMARK(stiffnessJacobian)->Name("flexible/pose and Jacobian by stiffnesses, base and joints");
 BENCHMARK(numbersJacobian)->Name("flexible/pose and Jacobian by all numbers");
@@ -145,7 +222,9 @@ class RatioReporter : public benchmark::ConsoleReporter {
   void Finalize() override {
     ConsoleReporter::Finalize();
     print("flexible/pose", "rigid KDL/pose");
+    print("flexible/pose, batched", "rigid KDL/pose");
     print("flexible/pose and Jacobian by joints", "rigid KDL/pose and Jacobian");
+    print("flexible/pose and Jacobian by joints, batched", "rigid KDL/pose and Jacobian");
   }
 
  private:

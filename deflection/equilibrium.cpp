@@ -125,7 +125,7 @@ void Equilibrium::gatherInwards(bool bends) {
   }
 }
 
-double Equilibrium::turnOutwards() {
+double Equilibrium::turnOutwards(bool bends) {
   double change = 0;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     for (std::size_t d = 0; d < loads.size(); ++d) {
@@ -133,7 +133,7 @@ double Equilibrium::turnOutwards() {
       const Vector3d far = e == 0 ? inboard : Vector3d(elements[e - 1].turn.transpose() * inboard);
       beyond(e, d).direction = bodies[e].far.R.transpose() * far;
     }
-    change += bend(e, true);
+    if (bends) change += bend(e, true);
   }
   return change;
 }
@@ -142,12 +142,18 @@ KinematicsStatus Equilibrium::settle(double tolerance, int max_iterations) {
   straighten();
   gatherInwards(false);
   for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
-    const double change = turnOutwards();
+    const double change = turnOutwards(true);
     if (!std::isfinite(change)) return KinematicsStatus::kNotConverged;
     if (change <= tolerance) return KinematicsStatus::kConverged;
     gatherInwards(true);
   }
   return KinematicsStatus::kNotConverged;
+}
+
+void Equilibrium::carryLoads() {
+  beyond_.resize(elements.size() * loads.size());
+  gatherInwards(false);
+  (void)turnOutwards(false);
 }
 
 PoseOf<double> Equilibrium::tip() const {

@@ -63,6 +63,9 @@ class Equilibrium {
   /// From the undeflected shape until the elements rest: no sweep moves the tip by more than `tolerance` [m].
   KinematicsStatus settle(double tolerance, int max_iterations);
 
+  /// What the elements carry when they have given as they are said to have.
+  void carryLoads();
+
   /// Pairs of sweeps that the last solution took.
   [[nodiscard]] int iterations() const { return iterations_; }
 
@@ -85,7 +88,7 @@ class Equilibrium {
 
   void straighten();
   void gatherInwards(bool bend);
-  [[nodiscard]] double turnOutwards();
+  [[nodiscard]] double turnOutwards(bool bends);
   double bend(std::size_t element, bool with_gaps);
   double turnHinge(std::size_t element);
   [[nodiscard]] Beyond& beyond(std::size_t element, std::size_t load) { return beyond_[element * loads.size() + load]; }

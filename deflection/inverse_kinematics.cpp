@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "deflection/hinges/hinge_chain.hpp"
+#include "deflection/hinges/kernels.hpp"
+#include "deflection/inverse_solver.hpp"
 #include "deflection/tip_differentiation.hpp"
+#include "deflection/turret_branches.hpp"
 
 namespace tubeplan::deflection {
 
@@ -12,6 +17,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr int kStraightSteps = 12;  ///< without damping; a goal that takes more is met alone
 
 /// Residual of the goal and its Jacobian by the joints.
 struct GoalResidual {
@@ -60,31 +66,31 @@ GoalResidual poseResidual(const Arm& arm, const ToolGoal& goal, const TipDiffere
   return out;
 }
 
+/// The residual of one goal after the other.
 class GoalProblem {
  public:
-  GoalProblem(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B,
+  GoalProblem(const Arm& arm, bool turret, double load, const Vector3d& gravity_B,
               const InverseKinematicsOptions& options)
       : arm_(arm),
-        goal_(goal),
         load_(load),
         gravity_B_(gravity_B),
         options_(options),
-        turret_(isTurretArm(arm)),
+        turret_(turret),
         reach_(reachOf(arm)),
         variables_(jointVariables(arm)),
         tip_(arm) {}
 
   bool exact() const { return turret_; }
   double reach() const { return reach_; }
+  const PreparedArm& arm() const { return tip_.arm(); }
 
-  GoalResidual evaluate(const VectorXd& q) {
+  GoalResidual evaluate(const ToolGoal& goal, const VectorXd& q) {
     tip_.solve({q, load_, gravity_B_}, variables_, options_.kinematics);
-    return turret_ ? turretResidual(arm_, goal_, tip_, reach_) : poseResidual(arm_, goal_, tip_, options_);
+    return turret_ ? turretResidual(arm_, goal, tip_, reach_) : poseResidual(arm_, goal, tip_, options_);
   }
 
  private:
   const Arm& arm_;
-  const ToolGoal& goal_;
   double load_;
   Vector3d gravity_B_;
   const InverseKinematicsOptions& options_;
@@ -105,9 +111,9 @@ bool reached(const GoalResidual& r, const VectorXd& step, bool exact, const Inve
 }
 
 /// Newton where square, Gauss-Newton otherwise; halved until the residual falls.
-Branch dampedNewton(GoalProblem& problem, VectorXd q, const InverseKinematicsOptions& options) {
+Branch dampedNewton(GoalProblem& problem, const ToolGoal& goal, VectorXd q, const InverseKinematicsOptions& options) {
   Branch branch;
-  GoalResidual r = problem.evaluate(q);
+  GoalResidual r = problem.evaluate(goal, q);
   VectorXd step = VectorXd::Constant(q.size(), 1);
   for (branch.iterations = 0; branch.iterations < options.max_iterations && r.value.allFinite(); ++branch.iterations) {
     if (reached(r, step, problem.exact(), options)) {
@@ -117,11 +123,11 @@ Branch dampedNewton(GoalProblem& problem, VectorXd q, const InverseKinematicsOpt
     step = -r.jacobian.completeOrthogonalDecomposition().solve(r.value);
     const double longest = step.cwiseAbs().maxCoeff();
     if (longest > 0.5) step *= 0.5 / longest;
-    GoalResidual next = problem.evaluate(q + step);
+    GoalResidual next = problem.evaluate(goal, q + step);
     double damping = 1;
     while (!(next.value.norm() < r.value.norm()) && damping > 1e-4 && step.norm() * damping > 1e-12) {
       damping /= 2;
-      next = problem.evaluate(q + damping * step);
+      next = problem.evaluate(goal, q + damping * step);
     }
     const bool stuck = !(next.value.norm() < r.value.norm());
     if (stuck && problem.exact() && r.position_error > options.position_tolerance) break;
@@ -139,15 +145,17 @@ Branch dampedNewton(GoalProblem& problem, VectorXd q, const InverseKinematicsOpt
 
 /// Brings each revolute reading into its limits by whole turns where that is possible, and names the one that is not.
 std::string wrapIntoLimits(const Arm& arm, VectorXd& q) {
-  const auto active = activeRows(arm);
-  for (int k = 0; k < q.size(); ++k) {
-    const auto& joint = arm.rows[active[k]].joint;
+  Eigen::Index k = 0;
+  for (const auto& row : arm.rows) {
+    const auto& joint = row.joint;
+    if (joint.type == JointType::kPassive) continue;
     if (joint.type == JointType::kRevolute) {
       q[k] = std::remainder(q[k], kTurn);
       if (q[k] < joint.lower && q[k] + kTurn <= joint.upper) q[k] += kTurn;
       if (q[k] > joint.upper && q[k] - kTurn >= joint.lower) q[k] -= kTurn;
     }
     if (q[k] < joint.lower || q[k] > joint.upper) return joint.name;
+    ++k;
   }
   return {};
 }
@@ -224,34 +232,178 @@ const char* nameOf(BranchStatus status) {
   return "";
 }
 
+namespace {
+
+hinges::Tool toolOf(const Arm& arm, const hinges::HingeChain& chain) {
+  const hinges::TurnDirection& last = chain.lastAxis();
+  hinges::Tool tool{{}, last.turn, {}};
+  std::copy_n(arm.tool_axis_L.data(), 3, tool.axis);
+  std::copy_n(last.direction.data(), 3, tool.hand_axis);
+  return tool;
+}
+
+void setLane(const ToolGoal& goal, const VectorXd& start, std::size_t lane, hinges::Goals& lanes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    lanes.p_BT[axis][lane] = goal.p_BT[axis];
+    lanes.axis_B[axis][lane] = goal.axis_B[axis];
+  }
+  for (int j = 0; j < 4; ++j) lanes.start[j][lane] = start[j];
+}
+
+Branch branchOf(const hinges::Reached& reached, std::size_t lane) {
+  Branch branch;
+  if (reached.done[lane] == 1) branch.status = BranchStatus::kConverged;
+  branch.q = Eigen::Vector4d(reached.q[0][lane], reached.q[1][lane], reached.q[2][lane], reached.q[3][lane]);
+  branch.position_error = reached.position_error[lane];
+  branch.tilt = std::atan2(reached.tilt_sine[lane], reached.tilt_cosine[lane]);
+  branch.smallest_singular_value = reached.smallest_singular_value[lane];
+  branch.iterations = static_cast<int>(reached.steps[lane]);
+  return branch;
+}
+
+}  // namespace
+
+/// What leads starts to their goals: kernels where they can, else one by one.
+class InverseSolver::Parts {
+ public:
+  Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
+      : options(asked),
+        branches(arm),
+        arm_(arm),
+        load_(load),
+        gravity_B_(gravity_B),
+        problem_(arm, branches.isTurret(), load, gravity_B, options) {}
+
+  /// Each start led to its goal.
+  std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
+    std::vector<Branch> found(goals.size());
+    std::vector<std::size_t> open(goals.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    const hinges::HingeChain* chain = problem_.arm().hinges();
+    // Most goals are met straight away; those that are not would keep their neighbours waiting.
+    if (problem_.exact() && chain && chain->hasJacobian())
+      for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
+    for (const std::size_t k : open) found[k] = leadAlone(goals[k], starts[k]);
+    for (Branch& branch : found) judge(arm_, problem_.exact(), options, branch);
+    return found;
+  }
+
+  const InverseKinematicsOptions options;
+  const RigidBranches branches;
+
+ private:
+  /// Those of `which` that a kernel leads to their goals or as near as they come; returns the others.
+  std::vector<std::size_t> leadSideBySide(const hinges::HingeChain& chain, std::span<const ToolGoal> goals,
+                                          std::span<const VectorXd> starts, std::span<const std::size_t> which,
+                                          bool damped, std::vector<Branch>& found);
+  hinges::Goals goalsFor(const hinges::HingeArm& numbers, bool damped) const;
+  Branch leadAlone(const ToolGoal& goal, const VectorXd& start);
+
+  const Arm& arm_;
+  double load_;
+  Vector3d gravity_B_;
+  GoalProblem problem_;
+};
+
+std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const hinges::HingeChain& chain,
+                                                              std::span<const ToolGoal> goals,
+                                                              std::span<const VectorXd> starts,
+                                                              std::span<const std::size_t> which, bool damped,
+                                                              std::vector<Branch>& found) {
+  const hinges::HingeArm numbers = chain.numbers();
+  const hinges::Tool tool = toolOf(arm_, chain);
+  hinges::Goals lanes = goalsFor(numbers, damped);
+  hinges::Reached reached{};
+  std::vector<std::size_t> open;
+  for (std::size_t first = 0; first < which.size();) {
+    const hinges::Kernel& kernel = hinges::kernelFor(static_cast<int>(which.size() - first));
+    const std::size_t width = static_cast<std::size_t>(kernel.lanes), count = std::min(which.size() - first, width);
+    for (std::size_t l = 0; l < width; ++l) {
+      const std::size_t k = which[first + std::min(l, count - 1)];
+      setLane(goals[k], starts[k], l, lanes);
+    }
+    kernel.meet(numbers, tool, lanes, reached);
+    for (std::size_t l = 0; l < count; ++l) {
+      if (reached.done[l] == 0)
+        open.push_back(which[first + l]);
+      else
+        found[which[first + l]] = branchOf(reached, l);
+    }
+    first += count;
+  }
+  return open;
+}
+
+hinges::Goals InverseSolver::Parts::goalsFor(const hinges::HingeArm& numbers, bool damped) const {
+  hinges::Goals lanes{};
+  lanes.tolerance = options.kinematics.tolerance * numbers.reach;
+  lanes.position_tolerance = options.position_tolerance;
+  lanes.pitch_tolerance = options.pitch_tolerance;
+  lanes.max_sweeps = options.kinematics.max_iterations;
+  lanes.damped = damped;
+  lanes.max_steps = damped ? options.max_iterations : std::min(options.max_iterations, kStraightSteps);
+  for (std::size_t l = 0; l < 8; ++l) {
+    lanes.load[l] = load_;
+    for (int axis = 0; axis < 3; ++axis) lanes.gravity_B[axis][l] = gravity_B_[axis];
+  }
+  return lanes;
+}
+
+Branch InverseSolver::Parts::leadAlone(const ToolGoal& goal, const VectorXd& start) {
+  Branch branch = dampedNewton(problem_, goal, start, options);
+  if (arm_.effects.empty() || branch.status != BranchStatus::kConverged) return branch;
+  // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
+  VectorXd wrapped = branch.q;
+  wrapIntoLimits(arm_, wrapped);
+  return wrapped == branch.q ? branch : dampedNewton(problem_, goal, wrapped, options);
+}
+
+InverseSolver::InverseSolver(const Arm& arm, double load, const Vector3d& gravity_B,
+                             const InverseKinematicsOptions& options)
+    : parts_(std::make_unique<Parts>(arm, load, gravity_B, options)) {}
+
+InverseSolver::~InverseSolver() = default;
+
+std::vector<Branch> InverseSolver::refine(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
+  return parts_->lead(goals, starts);
+}
+
+std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> goals) {
+  std::vector<ToolGoal> goal_of;
+  std::vector<VectorXd> starts;
+  std::vector<std::size_t> ends;
+  for (const ToolGoal& goal : goals) {
+    parts_->branches.addStarts(goal, parts_->options.lattice_starts, starts);
+    goal_of.resize(starts.size(), goal);
+    ends.push_back(starts.size());
+  }
+  std::vector<Branch> found = parts_->lead(goal_of, starts);
+  std::vector<InverseKinematics> results(goals.size());
+  for (std::size_t g = 0, k = 0; g < goals.size(); ++g) {
+    auto& branches = results[g].branches;
+    branches.reserve(parts_->branches.isTurret() ? ends[g] - k : 0);
+    for (; k < ends[g]; ++k) {
+      Branch& branch = found[k];
+      const bool known = std::any_of(branches.begin(), branches.end(),
+                                     [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
+      if (!known && (parts_->branches.isTurret() || branch.status != BranchStatus::kNotConverged))
+        branches.push_back(std::move(branch));
+    }
+    summarise(results[g]);
+  }
+  return results;
+}
+
+InverseKinematics InverseSolver::solve(const ToolGoal& goal) { return std::move(solve(std::span(&goal, 1)).front()); }
+
 Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B, const VectorXd& start,
                     const InverseKinematicsOptions& options) {
-  GoalProblem problem(arm, goal, load, gravity_B, options);
-  Branch branch = dampedNewton(problem, start, options);
-  if (!arm.effects.empty()) {
-    // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
-    VectorXd wrapped = branch.q;
-    wrapIntoLimits(arm, wrapped);
-    if (branch.status == BranchStatus::kConverged && wrapped != branch.q)
-      branch = dampedNewton(problem, wrapped, options);
-  }
-  judge(arm, problem.exact(), options, branch);
-  return branch;
+  return InverseSolver(arm, load, gravity_B, options).refine(std::span(&goal, 1), std::span(&start, 1)).front();
 }
 
 InverseKinematics solveInverseKinematics(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B,
                                          const InverseKinematicsOptions& options) {
-  InverseKinematics result;
-  const bool turret = isTurretArm(arm);
-  const auto starts = turret ? turretBranches(arm, goal) : latticeStarts(arm, options.lattice_starts);
-  for (const auto& start : starts) {
-    Branch branch = refineBranch(arm, goal, load, gravity_B, start, options);
-    const bool known = std::any_of(result.branches.begin(), result.branches.end(),
-                                   [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
-    if (!known && (turret || branch.status != BranchStatus::kNotConverged)) result.branches.push_back(branch);
-  }
-  summarise(result);
-  return result;
+  return InverseSolver(arm, load, gravity_B, options).solve(goal);
 }
 
 }  // namespace tubeplan::deflection

@@ -1,6 +1,10 @@
 #include "deflection/prepared_arm.hpp"
 
+#include <cassert>
 #include <cmath>
+
+#include "deflection/hinges/hinge_chain.hpp"
+#include "deflection/hinges/kernels.hpp"
 
 namespace tubeplan::deflection {
 
@@ -45,6 +49,22 @@ int hingeOf(const FlexibleElement& element) {
 
 PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(arm.effects.empty() && !hasSlide(arm)) {
   if (is_fixed_) prepare(arm, turnsUndone(arm, VectorXd::Zero(static_cast<Eigen::Index>(activeRows(arm).size()))));
+  if (is_fixed_) findHinges(arm);
+}
+
+PreparedArm::~PreparedArm() = default;
+
+void PreparedArm::findHinges(const Arm& arm) {
+  hinges_.reset();
+  const auto& tip = arm.tip_load;
+  const bool tip_pulls = tip && !(tip->contact_force == 0 && tip->payload_offset.isZero(0));
+  if (equilibrium_.loads.size() > 1 || equilibrium_.clearances > 0 || tip_pulls) return;
+  std::vector<int> joint_of(chain_.links.size(), -1);
+  for (const JointTurn& turn : turns_) joint_of[turn.link] = turn.joint;
+  auto found = hinges::HingeChain::of(chain_, arm, joint_of, equilibrium_.elements, equilibrium_.reach);
+  if (!found) return;
+  hinges_ = std::make_unique<const hinges::HingeChain>(std::move(*found));
+  gives_.resize(4 * static_cast<std::size_t>(hinges_->numbers().count));
 }
 
 void PreparedArm::addElement(const Arm& arm, const ChainLink<double>& link) {
@@ -115,7 +135,7 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   equilibrium_.bodies.assign(part_ends_.size(), {});
 }
 
-void PreparedArm::pose(const VectorXd& q) {
+void PreparedArm::pose(const VectorXd& q) const {
   std::size_t p = 0;
   auto hanging = hanging_.begin();
   for (std::size_t b = 0; b < part_ends_.size(); ++b) {
@@ -136,7 +156,7 @@ void PreparedArm::pose(const VectorXd& q) {
   }
 }
 
-void PreparedArm::load(const Arm& arm, const Posture& posture) {
+void PreparedArm::load(const Arm& arm, const Posture& posture) const {
   DeadLoad& gravity = equilibrium_.loads.front();
   gravity.direction_B = posture.gravity_B;
   gravity.at_tip = posture.load;
@@ -144,6 +164,45 @@ void PreparedArm::load(const Arm& arm, const Posture& posture) {
   if (!arm.tip_load) return;
   gravity.at_tip -= arm.tip_load->contact_force;
   gravity.tip_moment = posture.load * arm.tip_load->payload_offset;
+}
+
+bool PreparedArm::hasJacobian() const { return is_fixed_ && hinges_ && hinges_->hasJacobian(); }
+
+const hinges::HingeChain* PreparedArm::hinges() const { return is_fixed_ ? hinges_.get() : nullptr; }
+
+KinematicsStatus PreparedArm::solveHinges(const FlexibleKinematicsOptions& options, double* jacobian) {
+  const hinges::HingeArm arm = hinges_->numbers();
+  const Posture& posture = effectivePosture();
+  assert(posture.q.size() == arm.joints);
+  double pose[12], sweeps = 0;
+  hinges::kernels().front().solve(arm,
+                                  {posture.q.data(), &posture.load, posture.gravity_B.data(), 1,
+                                   options.tolerance * arm.reach, options.max_iterations},
+                                  {pose, jacobian, &sweeps, gives_.data(), 1});
+  X_BD_.p = Eigen::Map<const Vector3d>(pose);
+  X_BD_.R = Eigen::Map<const Eigen::Matrix3d>(pose + 3);
+  if (situation_) X_BD_ = situation_->X_BM * X_BD_;
+  is_told_ = false;
+  iterations_ = sweeps < 0 ? options.max_iterations : (static_cast<int>(sweeps) + 1) / 2;
+  status_ = sweeps < 0 ? KinematicsStatus::kNotConverged : KinematicsStatus::kConverged;
+  return status_;
+}
+
+KinematicsStatus PreparedArm::solveWithJacobian(const Posture& posture, const FlexibleKinematicsOptions& options,
+                                                double* jacobian) {
+  assert(hasJacobian());
+  asked_ = posture;
+  return solveHinges(options, jacobian);
+}
+
+/// The elements as the kernel has found them, and the loads on them.
+void PreparedArm::tellElements() const {
+  if (is_told_) return;
+  is_told_ = true;
+  pose(effectivePosture().q);
+  load(effective(), effectivePosture());
+  hinges_->tell(gives_.data(), 1, equilibrium_.elements);
+  equilibrium_.carryLoads();
 }
 
 KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinematicsOptions& options) {
@@ -158,10 +217,16 @@ KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinema
   }
   const Arm& arm = effective();
   const Posture& effective_posture = effectivePosture();
-  if (!is_fixed_) prepare(arm, turnsUndone(arm, effective_posture.q));
+  if (!is_fixed_) {
+    prepare(arm, turnsUndone(arm, effective_posture.q));
+    findHinges(arm);
+  }
+  if (hinges_) return solveHinges(options, nullptr);
+  is_told_ = true;
   pose(effective_posture.q);
   load(arm, effective_posture);
   status_ = equilibrium_.settle(options.tolerance * equilibrium_.reach, options.max_iterations);
+  iterations_ = equilibrium_.iterations();
   X_BD_ = equilibrium_.tip();
   if (situation_) X_BD_ = situation_->X_BM * X_BD_;
   return status_;
@@ -183,6 +248,7 @@ std::string PreparedArm::reason() const {
 /// Calls `visit(k, X)` with the near frame of every link and with the tip's, without any deflection where `rigid`.
 template <class Visit>
 void PreparedArm::walkLinks(bool rigid, Visit&& visit) const {
+  tellElements();
   const VectorXd& q = effectivePosture().q;
   PoseOf<double> X;
   std::size_t element = 0;
@@ -266,7 +332,7 @@ FlexibleKinematics PreparedArm::shape() const {
   result.rows.resize(arm_.rows.size());
   result.X_BT = result.X_BD = X_BD_;
   if (status_ == KinematicsStatus::kUndefined) return result;
-  result.iterations = equilibrium_.iterations();
+  result.iterations = iterations_;
   std::vector<PoseOf<double>> rigid, deflected;
   linkFrames(true, rigid);
   linkFrames(false, deflected);

@@ -2,6 +2,7 @@
 // from the heap.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,10 @@
 
 namespace tubeplan::deflection {
 
+namespace hinges {
+class HingeChain;
+}
+
 /// Solves one posture after the other; each thread needs its own.
 class PreparedArm {
  public:
@@ -19,9 +24,19 @@ class PreparedArm {
   explicit PreparedArm(const Arm& arm);
   PreparedArm(const PreparedArm&) = delete;
   PreparedArm& operator=(const PreparedArm&) = delete;
+  ~PreparedArm();
 
   /// Solves the deflected shape at a posture. All that follows is about the last one solved.
   KinematicsStatus solve(const Posture& posture, const FlexibleKinematicsOptions& options = {});
+
+  /// The same with the tip's exact derivatives by the joints, where hasJacobian(): position [m per unit], then rotation
+  /// vector [rad per unit], base axes; 6 rows, joint by joint. Not numbers where the shape does not converge.
+  KinematicsStatus solveWithJacobian(const Posture& posture, const FlexibleKinematicsOptions& options,
+                                     double* jacobian);
+  [[nodiscard]] bool hasJacobian() const;
+
+  /// The arm as a kernel takes it, for every posture alike; null where it is not (hinges/hinge_chain.hpp).
+  [[nodiscard]] const hinges::HingeChain* hinges() const;
 
   [[nodiscard]] KinematicsStatus status() const { return status_; }
   [[nodiscard]] std::string reason() const;
@@ -62,10 +77,13 @@ class PreparedArm {
   [[nodiscard]] const Arm& effective() const { return situation_ ? situation_->arm : arm_; }
   [[nodiscard]] const Posture& effectivePosture() const { return situation_ ? situation_->posture : asked_; }
   void prepare(const Arm& arm, const Eigen::VectorXd& q);
+  void findHinges(const Arm& arm);
+  KinematicsStatus solveHinges(const FlexibleKinematicsOptions& options, double* jacobian);
+  void tellElements() const;
   void addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k);
   void addElement(const Arm& arm, const ChainLink<double>& link);
-  void pose(const Eigen::VectorXd& q);
-  void load(const Arm& arm, const Posture& posture);
+  void pose(const Eigen::VectorXd& q) const;
+  void load(const Arm& arm, const Posture& posture) const;
   void undefine();
   template <class Visit>
   void walkLinks(bool rigid, Visit&& visit) const;
@@ -81,7 +99,11 @@ class PreparedArm {
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< of each body
   std::vector<Hanging> hanging_;
-  Equilibrium equilibrium_;
+  mutable Equilibrium equilibrium_;  ///< where a kernel has solved the shape, told by tellElements() when asked for
+  std::unique_ptr<const hinges::HingeChain> hinges_;  ///< the same arm for the kernels, where it is one for them
+  std::vector<double> gives_;                         ///< what a kernel has found of each turn
+  mutable bool is_told_ = true;
+  int iterations_ = 0;
   KinematicsStatus status_ = KinematicsStatus::kNotRun;
   PoseOf<double> X_BD_;
 };

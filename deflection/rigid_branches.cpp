@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "deflection/flexible_kinematics.hpp"
+#include "deflection/turret_branches.hpp"
 
 namespace tubeplan::deflection {
 
@@ -76,20 +77,20 @@ std::vector<Vector2d> solveTwoLinks(const Vector2d& elbow, const Vector2d& wrist
 
 }  // namespace
 
-bool isTurretArm(const Arm& arm) {
+namespace {
+
+bool carriesPlane(const Arm& arm, const AxesAtZero& axes) {
   const auto active = activeRows(arm);
   if (active.size() != 4) return false;
   for (int row : active)
     if (arm.rows[row].joint.type != JointType::kRevolute) return false;
-  const AxesAtZero axes = axesAtZero(arm);
   const double parallel = std::cos(5 * kPi / 180);
   const Vector3d& h = axes.direction[1];
   return std::abs(h.dot(axes.direction[2])) > parallel && std::abs(h.dot(axes.direction[3])) > parallel &&
          std::abs(h.dot(axes.direction[0])) < std::cos(kPi / 6);
 }
 
-std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
-  const AxesAtZero axes = axesAtZero(arm);
+void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector<VectorXd>& branches) {
   const Vector3d& turret = axes.direction[0];
   const Vector3d& h = axes.direction[1];
   const Vector3d along = turret * turret.dot(h), across = h - along;
@@ -97,7 +98,6 @@ std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
   const double offset = h.dot(axes.tip - axes.point[0]);
   const double s3 = h.dot(axes.direction[2]) > 0 ? 1 : -1, s4 = h.dot(axes.direction[3]) > 0 ? 1 : -1;
 
-  std::vector<VectorXd> branches;
   for (double q1 : solveCosineSine(across.dot(p), turret.cross(across).dot(p), offset - along.dot(p))) {
     const Matrix3d R = Eigen::AngleAxisd(q1, turret).toRotationMatrix();
     const Vector3d u = axes.tool_axis - h * h.dot(axes.tool_axis);
@@ -115,7 +115,34 @@ std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
       branches.push_back(q);
     }
   }
+}
+
+}  // namespace
+
+bool isTurretArm(const Arm& arm) { return carriesPlane(arm, axesAtZero(arm)); }
+
+std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
+  std::vector<VectorXd> branches;
+  addTurretBranches(axesAtZero(arm), goal, branches);
   return branches;
+}
+
+RigidBranches::RigidBranches(const Arm& arm) : arm_(arm) {
+  const AxesAtZero axes = axesAtZero(arm);
+  is_turret_ = carriesPlane(arm, axes);
+  points_ = axes.point;
+  directions_ = axes.direction;
+  tip_ = axes.tip;
+  tool_axis_ = axes.tool_axis;
+}
+
+void RigidBranches::addStarts(const ToolGoal& goal, int lattice_starts, std::vector<VectorXd>& starts) const {
+  if (is_turret_) {
+    addTurretBranches({points_, directions_, tip_, tool_axis_}, goal, starts);
+    return;
+  }
+  const std::vector<VectorXd> lattice = latticeStarts(arm_, lattice_starts);
+  starts.insert(starts.end(), lattice.begin(), lattice.end());
 }
 
 std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {

@@ -16,6 +16,14 @@ int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   return rows;
 }
 
+/// All joints in order, and nothing else.
+bool areJoints(const std::vector<Variable>& variables, std::size_t joints) {
+  if (variables.size() != joints) return false;
+  for (std::size_t k = 0; k < joints; ++k)
+    if (variables[k].type != Variable::Type::kJoint || variables[k].index != static_cast<int>(k)) return false;
+  return true;
+}
+
 /// Which of a row's numbers change.
 struct RowChanges {
   bool placement = false, flexibility = false, others = false;
@@ -174,9 +182,14 @@ void TipDifferentiation::moveBase(TipColumns& tip) const {
 
 KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
                                            const FlexibleKinematicsOptions& options) {
-  arm_.solve(posture, options);
   const auto n = static_cast<Eigen::Index>(variables.size());
   columns_.resize(6, n);
+  if (arm_.hasJacobian() && areJoints(variables, active_.size())) {
+    arm_.solveWithJacobian(posture, options, columns_.data());
+    if (arm_.status() != KinematicsStatus::kConverged) columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return arm_.status();
+  }
+  arm_.solve(posture, options);
   if (arm_.status() != KinematicsStatus::kConverged) {
     columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
     return arm_.status();

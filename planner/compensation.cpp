@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+
+#include "deflection/inverse_solver.hpp"
+#include "planner/tip_prediction.hpp"
 
 namespace tubeplan::planner {
 
@@ -22,17 +26,30 @@ constexpr std::array kModes{CompensationRow{Compensation::kNone, "none"},
 /// Inverse kinematics of one model of the cell (the arm as it is, or rigid), goals given in the world.
 class ToolPlacer {
  public:
-  ToolPlacer(const Workcell& cell, deflection::Arm arm, const deflection::InverseKinematicsOptions& options)
-      : cell_(cell), arm_(std::move(arm)), options_(options), gravity_B_(deflection::gravityInBase(arm_, cell.X_WB)) {}
+  ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options)
+      : cell_(cell),
+        joints_(static_cast<Eigen::Index>(deflection::activeRows(arm).size())),
+        gravity_B_(deflection::gravityInBase(arm, cell.X_WB)),
+        solver_(arm, cell.load, gravity_B_, options),
+        kinematics_(arm) {}
 
-  deflection::InverseKinematics allBranches(const Vector3d& tip_W) const {
-    return solveInverseKinematics(arm_, goalAt(tip_W), cell_.load, gravity_B_, options_);
+  std::vector<deflection::Branch> allBranches(const Vector3d& tip_W) {
+    return std::move(solver_.solve(goalAt(tip_W)).branches);
   }
-  deflection::Branch near(const Vector3d& tip_W, const VectorXd& start) const {
-    return refineBranch(arm_, goalAt(tip_W), cell_.load, gravity_B_, start, options_);
+  std::vector<deflection::Branch> near(const std::vector<Vector3d>& tips_W, const std::vector<VectorXd>& starts) {
+    goals_.clear();
+    for (const Vector3d& tip_W : tips_W) goals_.push_back(goalAt(tip_W));
+    return solver_.refine(goals_, starts);
   }
-  Vector3d tipAt(const VectorXd& q) const {
-    return cell_.X_WB * solveFlexibleKinematics(arm_, {q, cell_.load, gravity_B_}).X_BD.p;
+  /// Not numbers where the shape does not settle.
+  std::vector<Vector3d> tipsAt(const std::vector<VectorXd>& postures) {
+    const auto n = static_cast<Eigen::Index>(postures.size());
+    batch_.resize(joints_, n, cell_.load, gravity_B_);
+    for (Eigen::Index k = 0; k < n; ++k) batch_.q.col(k) = postures[static_cast<std::size_t>(k)];
+    kinematics_.solve(batch_, tips_);
+    std::vector<Vector3d> tips_W;
+    for (Eigen::Index k = 0; k < n; ++k) tips_W.push_back(cell_.X_WB * Vector3d(tips_.poses.col(k).head<3>()));
+    return tips_W;
   }
 
  private:
@@ -41,51 +58,151 @@ class ToolPlacer {
   }
 
   const Workcell& cell_;
-  deflection::Arm arm_;
-  deflection::InverseKinematicsOptions options_;
+  Eigen::Index joints_;
   Vector3d gravity_B_;
+  deflection::InverseSolver solver_;
+  deflection::BatchKinematics kinematics_;
+  std::vector<ToolGoal> goals_;
+  deflection::PostureBatch batch_;
+  deflection::TipBatch tips_;
 };
 
-double lateral(const Vector3d& p, const Vector3d& hole) { return std::hypot(p.x() - hole.x(), p.y() - hole.y()); }
+/// The way up to a branch's goal: its via points at equal heights, from the goal down to the standoff, are made twice
+/// as many until the placer's own tip keeps to the vertical midway between them.
+class Approach {
+ public:
+  Approach(const Vector3d& goal_W, TubeBranch& branch) : goal_W_(goal_W), branch_(&branch), postures_{branch.q} {}
 
-/// Via points from the goal down to the standoff at equal heights, each started from the one above. Empty when one
-/// fails.
-std::vector<VectorXd> viaPoints(const ToolPlacer& placer, const Vector3d& goal_W, const VectorXd& q_goal,
-                                double standoff, int count, std::string& reason) {
-  std::vector<VectorXd> postures{q_goal};
-  for (int k = 1; k < count; ++k) {
-    const auto via = placer.near(goal_W - standoff * k / (count - 1) * kHoleAxis_W, postures.back());
-    if (via.status != BranchStatus::kConverged) {
-      reason = "approach: " + via.reason;
-      return {};
-    }
-    postures.push_back(via.q);
+  [[nodiscard]] bool isOpen() const { return open_; }
+  [[nodiscard]] const VectorXd& lowest() const { return postures_.back(); }
+  [[nodiscard]] const std::vector<VectorXd>& middles() const { return middles_; }
+
+  /// At a share of the standoff below the goal.
+  [[nodiscard]] Vector3d placeAt(double share, double standoff) const {
+    return goal_W_ - share * standoff * kHoleAxis_W;
   }
-  std::reverse(postures.begin(), postures.end());
-  return postures;
+  [[nodiscard]] Vector3d middlePlace(std::size_t k, double standoff) const {
+    return placeAt((static_cast<double>(k) + 0.5) / static_cast<double>(postures_.size() - 1), standoff);
+  }
+
+  void addBelow(const deflection::Branch& via) {
+    if (!fails(via)) postures_.push_back(via.q);
+  }
+
+  /// One more between every two.
+  void addBetween(std::span<const deflection::Branch> vias) {
+    std::vector<VectorXd> denser{postures_.front()};
+    for (std::size_t k = 0; k < vias.size(); ++k) {
+      if (fails(vias[k])) return;
+      denser.push_back(vias[k].q);
+      denser.push_back(postures_[k + 1]);
+    }
+    postures_ = std::move(denser);
+  }
+
+  void findMiddles() {
+    middles_.clear();
+    for (std::size_t k = 0; k + 1 < postures_.size(); ++k) middles_.push_back((postures_[k] + postures_[k + 1]) / 2);
+  }
+
+  /// Ends where the tip is near enough to the vertical at the middles, or where no more via points are allowed.
+  void judge(std::span<const Vector3d> tips_W, const CompensationOptions& options) {
+    double worst = 0;
+    for (const Vector3d& tip_W : tips_W) worst = worseOf(worst, (tip_W - goal_W_).head<2>().norm());
+    if (worst <= options.path_tolerance) {
+      open_ = false;
+      branch_->approach.assign(postures_.rbegin(), postures_.rend());
+    } else if (2 * static_cast<int>(postures_.size()) - 1 > options.max_via_points) {
+      branch_->approach.assign(postures_.rbegin(), postures_.rend());
+      fail("the tip leaves the hole's axis between via points");
+    }
+  }
+
+  void fail(const std::string& why) {
+    open_ = false;
+    branch_->status = BranchStatus::kNotConverged;
+    branch_->reason = "approach: " + why;
+  }
+
+ private:
+  bool fails(const deflection::Branch& via) {
+    if (via.status == BranchStatus::kConverged) return false;
+    fail(via.reason);
+    return true;
+  }
+
+  Vector3d goal_W_;
+  TubeBranch* branch_;
+  std::vector<VectorXd> postures_, middles_;
+  bool open_ = true;
+};
+
+void dropClosed(std::vector<Approach>& approaches) {
+  std::erase_if(approaches, [](const Approach& approach) { return !approach.isOpen(); });
 }
 
-/// Greatest sideways distance of the placer's own tip from the vertical through its goal, midway between via points.
-double midwayDeviation(const ToolPlacer& placer, const Vector3d& goal_W, const std::vector<VectorXd>& postures) {
-  double worst = 0;
-  for (std::size_t k = 0; k + 1 < postures.size(); ++k)
-    worst = std::max(worst, lateral(placer.tipAt((postures[k] + postures[k + 1]) / 2), goal_W));
-  return worst;
+/// The first via points of all branches: halfway down, then at the standoff.
+void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approaches) {
+  for (const double share : {0.5, 1.}) {
+    std::vector<Vector3d> places;
+    std::vector<VectorXd> starts;
+    for (const Approach& approach : approaches) {
+      places.push_back(approach.placeAt(share, standoff));
+      starts.push_back(approach.lowest());
+    }
+    const auto vias = placer.near(places, starts);
+    for (std::size_t k = 0; k < approaches.size(); ++k) approaches[k].addBelow(vias[k]);
+    dropClosed(approaches);
+  }
+}
+
+/// Judges all by the tips midway between their via points.
+void judgeMiddles(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach>& approaches) {
+  std::vector<VectorXd> postures;
+  for (Approach& approach : approaches) {
+    approach.findMiddles();
+    postures.insert(postures.end(), approach.middles().begin(), approach.middles().end());
+  }
+  const std::vector<Vector3d> tips_W = placer.tipsAt(postures);
+  std::size_t first = 0;
+  for (Approach& approach : approaches) {
+    const std::size_t count = approach.middles().size();
+    approach.judge(std::span(tips_W).subspan(first, count), options);
+    first += count;
+  }
+  dropClosed(approaches);
+}
+
+void makeDenser(ToolPlacer& placer, double standoff, std::vector<Approach>& approaches) {
+  std::vector<Vector3d> places;
+  std::vector<VectorXd> starts;
+  for (const Approach& approach : approaches)
+    for (std::size_t k = 0; k < approach.middles().size(); ++k) {
+      places.push_back(approach.middlePlace(k, standoff));
+      starts.push_back(approach.middles()[k]);
+    }
+  const auto vias = placer.near(places, starts);
+  std::size_t first = 0;
+  for (Approach& approach : approaches) {
+    const std::size_t count = approach.middles().size();
+    approach.addBetween(std::span(vias).subspan(first, count));
+    first += count;
+  }
+  dropClosed(approaches);
 }
 
 /// As many via points as keep the placer's tip within the tolerance of its straight line.
-void addApproach(const ToolPlacer& placer, const Vector3d& goal_W, const CompensationOptions& options,
-                 TubeBranch& branch) {
-  for (int count = 3; count <= options.max_via_points; count = 2 * count - 1) {
-    branch.approach = viaPoints(placer, goal_W, branch.q, options.standoff, count, branch.reason);
-    if (branch.approach.empty()) {
-      branch.status = BranchStatus::kNotConverged;
-      return;
-    }
-    if (midwayDeviation(placer, goal_W, branch.approach) <= options.path_tolerance) return;
+void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach> approaches) {
+  if (options.max_via_points < 3) {
+    for (Approach& approach : approaches) approach.fail("the tip leaves the hole's axis between via points");
+    return;
   }
-  branch.status = BranchStatus::kNotConverged;
-  branch.reason = "approach: the tip leaves the hole's axis between via points";
+  goDown(placer, options.standoff, approaches);
+  judgeMiddles(placer, options, approaches);
+  while (!approaches.empty()) {
+    makeDenser(placer, options.standoff, approaches);
+    judgeMiddles(placer, options, approaches);
+  }
 }
 
 }  // namespace
@@ -100,75 +217,74 @@ std::optional<Compensation> findCompensation(std::string_view name) {
   return std::nullopt;
 }
 
-PredictedTip predictTip(const Workcell& cell, const VectorXd& q) {
-  const auto shape =
-      solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)}, {1e-13, 100});
-  const Vector3d axis_W = cell.X_WB.linear() * shape.X_BD.R * cell.arm.tool_axis_L;
-  return {cell.X_WB * shape.X_BD.p, std::atan2(axis_W.cross(kHoleAxis_W).norm(), axis_W.dot(kHoleAxis_W))};
-}
-
-double lateralDeviation(const Workcell& cell, const Vector3d& hole_W, const std::vector<VectorXd>& postures,
-                        int samples) {
-  double worst = 0;
-  for (std::size_t k = 0; k + 1 < postures.size(); ++k)
-    for (int s = 0; s <= samples; ++s) {
-      const double share = static_cast<double>(s) / samples;
-      worst =
-          std::max(worst, lateral(predictTip(cell, (1 - share) * postures[k] + share * postures[k + 1]).p_WT, hole_W));
-    }
-  return worst;
-}
-
 namespace {
 
-/// The two models that a mode works with: one for the goal, one for the way up to it.
+/// The two models that a mode works with: one for the goal, one for the way up to it. Either is made when asked for.
 class Modes {
  public:
-  Modes(const Workcell& cell, const CompensationOptions& options)
-      : cell_(cell),
-        options_(options),
-        flexible_(cell, cell.arm, options.inverse),
-        rigid_(cell, deflection::rigidCopy(cell.arm), options.inverse) {}
+  Modes(const Workcell& cell, const CompensationOptions& options) : cell_(cell), options_(options), tips_(cell) {}
 
-  const ToolPlacer& goal() const { return options_.mode == Compensation::kNone ? rigid_ : flexible_; }
-  const ToolPlacer& via() const { return options_.mode == Compensation::kViaPoint ? flexible_ : rigid_; }
+  ToolPlacer& goal() { return options_.mode == Compensation::kNone ? rigid() : flexible(); }
 
-  TubeBranch complete(const Vector3d& hole_W, const deflection::Branch& found) const {
-    TubeBranch branch;
-    branch.status = found.status;
-    branch.reason = found.reason;
-    branch.q = found.q;
-    if (found.status != BranchStatus::kConverged) return branch;
-    const PredictedTip tip = predictTip(cell_, found.q);
-    branch.predicted_tip_W = tip.p_WT;
-    branch.tilt = tip.tilt;
-    if (!options_.with_approach) return branch;
-    // The goal as the way's own model sees it: for goal-point compensation, the rigid place of the flexible goal.
-    addApproach(via(), via().tipAt(found.q), options_, branch);
-    if (branch.status == BranchStatus::kConverged)
-      branch.path_deviation = lateralDeviation(cell_, hole_W, branch.approach);
-    return branch;
+  std::vector<TubeBranch> complete(const Vector3d& hole_W, std::vector<deflection::Branch> found) {
+    std::vector<TubeBranch> branches;
+    for (auto& one : found) branches.push_back(atTheHole(std::move(one)));
+    if (!options_.with_approach) return branches;
+    ToolPlacer& via = options_.mode == Compensation::kViaPoint ? flexible() : rigid();
+    std::vector<Approach> approaches;
+    for (TubeBranch& branch : branches)
+      // The goal as the way's own model sees it: for goal-point compensation, the rigid place of the flexible goal.
+      if (branch.status == BranchStatus::kConverged) approaches.emplace_back(via.tipsAt({branch.q}).front(), branch);
+    addApproaches(via, options_, std::move(approaches));
+    for (TubeBranch& branch : branches)
+      if (branch.status == BranchStatus::kConverged)
+        branch.path_deviation = tips_.lateralDeviation(hole_W, branch.approach);
+    return branches;
   }
 
  private:
+  TubeBranch atTheHole(deflection::Branch found) {
+    TubeBranch branch;
+    branch.status = found.status;
+    branch.reason = std::move(found.reason);
+    branch.q = std::move(found.q);
+    if (branch.status != BranchStatus::kConverged) return branch;
+    const PredictedTip tip = tips_.at(branch.q);
+    branch.predicted_tip_W = tip.p_WT;
+    branch.tilt = tip.tilt;
+    return branch;
+  }
+
+  ToolPlacer& flexible() {
+    if (!flexible_) flexible_.emplace(cell_, cell_.arm, options_.inverse);
+    return *flexible_;
+  }
+  ToolPlacer& rigid() {
+    if (!rigid_) {
+      rigid_arm_ = deflection::rigidCopy(cell_.arm);
+      rigid_.emplace(cell_, *rigid_arm_, options_.inverse);
+    }
+    return *rigid_;
+  }
+
   const Workcell& cell_;
   const CompensationOptions& options_;
-  ToolPlacer flexible_, rigid_;
+  TipPrediction tips_;
+  std::optional<deflection::Arm> rigid_arm_;
+  std::optional<ToolPlacer> flexible_, rigid_;
 };
 
 }  // namespace
 
 std::vector<TubeBranch> compensate(const Workcell& cell, const Vector3d& hole_W, const CompensationOptions& options) {
-  const Modes modes(cell, options);
-  std::vector<TubeBranch> branches;
-  for (const auto& found : modes.goal().allBranches(hole_W).branches) branches.push_back(modes.complete(hole_W, found));
-  return branches;
+  Modes modes(cell, options);
+  return modes.complete(hole_W, modes.goal().allBranches(hole_W));
 }
 
 TubeBranch compensateFrom(const Workcell& cell, const Vector3d& hole_W, const VectorXd& q_start,
                           const CompensationOptions& options) {
-  const Modes modes(cell, options);
-  return modes.complete(hole_W, modes.goal().near(hole_W, q_start));
+  Modes modes(cell, options);
+  return std::move(modes.complete(hole_W, modes.goal().near({hole_W}, {q_start})).front());
 }
 
 }  // namespace tubeplan::planner

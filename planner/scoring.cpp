@@ -1,17 +1,34 @@
 #include "planner/scoring.hpp"
 
+#include <cassert>
+
 namespace tubeplan::planner {
 
-Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
+Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
                     const Eigen::Vector3d& tip_error_W) {
   Centring score;
-  const Eigen::Vector3d off = predictTip(truth, visit.q).p_WT + tip_error_W - hole_W;
+  const Eigen::Vector3d off = tips.at(visit.q).p_WT + tip_error_W - hole_W;
   score.offset = off.head<2>();
   score.error = score.offset.norm();
   score.height = off.z();
-  score.approach_deviation = lateralDeviation(truth, hole_W - tip_error_W, visit.approach);
+  score.approach_deviation = tips.lateralDeviation(hole_W - tip_error_W, visit.approach);
   score.steps = tubesheets::stepsInserted(truth.tool, score.error);
   return score;
+}
+
+Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
+                    const Eigen::Vector3d& tip_error_W) {
+  TipPrediction tips(truth);
+  return scoreVisit(tips, truth, hole_W, visit, tip_error_W);
+}
+
+std::vector<Centring> scoreVisits(const Workcell& truth, std::span<const Eigen::Vector3d> holes_W,
+                                  std::span<const TubeBranch> visits) {
+  assert(holes_W.size() == visits.size());
+  TipPrediction tips(truth);
+  std::vector<Centring> scores;
+  for (std::size_t k = 0; k < visits.size(); ++k) scores.push_back(scoreVisit(tips, truth, holes_W[k], visits[k]));
+  return scores;
 }
 
 std::vector<int> countSteps(const std::vector<Centring>& scores, int steps) {

@@ -1,8 +1,7 @@
 // Flexible inverse kinematics: every branch, its status, and the way up and down.
-#include "deflection/inverse_kinematics.hpp"
-
 #include <gtest/gtest.h>
 
+#include "deflection/inverse_solver.hpp"
 #include "tests/deflection/effect_arms.hpp"
 
 namespace tubeplan::deflection {
@@ -47,6 +46,58 @@ void everyPostureIsFoundAgain(const Eigen::Vector3d& gravity_B) {
 
 TEST(InverseKinematics, EveryPostureIsFoundAgain) { everyPostureIsFoundAgain(-Eigen::Vector3d::UnitZ()); }
 TEST(InverseKinematics, EveryPostureIsFoundAgainUpsideDown) { everyPostureIsFoundAgain(Eigen::Vector3d::UnitZ()); }
+
+/// Many goals side by side, each as if it were alone; some out of reach, some at a stretched elbow, one not a number.
+TEST(InverseSolver, SolvesEachGoalAsIfItWereAlone) {
+  std::mt19937_64 random(22);
+  const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
+  for (const Arm& arm : {cobraArm(), withEffect(cobraArm(), "joint-offset", "theta1", {0.002})}) {
+    std::vector<ToolGoal> goals;
+    for (int n = 0; n < 37; ++n) goals.push_back(goalOf(arm, randomJoints(arm, random), 90, down));
+    goals[5].p_BT *= 3;
+    goals[11] = goalOf(arm, Eigen::Vector4d(10, 60, 0.3, -40) * kDegree, 90, down);
+    goals[17].p_BT.x() = std::numeric_limits<double>::quiet_NaN();
+    InverseSolver solver(arm, 90, down);
+    const auto together = solver.solve(goals);
+    ASSERT_EQ(together.size(), goals.size());
+    for (std::size_t k = 0; k < goals.size(); ++k) {
+      const auto alone = solveInverseKinematics(arm, goals[k], 90, down);
+      EXPECT_EQ(together[k].status, alone.status) << k;
+      ASSERT_EQ(together[k].branches.size(), alone.branches.size()) << k;
+      for (std::size_t b = 0; b < alone.branches.size(); ++b) {
+        EXPECT_EQ(together[k].branches[b].status, alone.branches[b].status) << k;
+        if (alone.branches[b].status == BranchStatus::kConverged) {
+          EXPECT_EQ(together[k].branches[b].q, alone.branches[b].q) << k;
+        }
+      }
+    }
+    EXPECT_EQ(together[5].status, BranchStatus::kOutOfReach);
+    EXPECT_NE(together[17].status, BranchStatus::kConverged);
+  }
+}
+
+/// The kernels' steps and those of the general derivatives lead to the same readings and say the same of them.
+TEST(InverseSolver, AgreesWithTheGeneralSteps) {
+  std::mt19937_64 random(23);
+  const Arm arm = cobraArm(), general = withEffect(arm, "contact-force", "tip", {1e-200});
+  const Eigen::Vector3d gravity_B = randomDirection(random);
+  int compared = 0;
+  for (int n = 0; n < 60; ++n) {
+    const Eigen::VectorXd q = randomJoints(arm, random);
+    if (std::abs(std::sin(q[2])) < 0.1) continue;
+    const ToolGoal goal = goalOf(arm, q, 90, gravity_B);
+    const Eigen::VectorXd start = q + 0.03 * Eigen::Vector4d(1, -1, 1, -1);
+    const Branch a = refineBranch(arm, goal, 90, gravity_B, start),
+                 b = refineBranch(general, goal, 90, gravity_B, start);
+    if (a.status != BranchStatus::kConverged || b.status != BranchStatus::kConverged) continue;
+    ++compared;
+    EXPECT_LE((a.q - b.q).norm(), 1e-8) << n;
+    EXPECT_NEAR(a.tilt, b.tilt, 1e-8) << n;
+    EXPECT_NEAR(a.smallest_singular_value, b.smallest_singular_value, 1e-6) << n;
+    EXPECT_LE(a.position_error, InverseKinematicsOptions{}.position_tolerance) << n;
+  }
+  EXPECT_GT(compared, 40);
+}
 
 TEST(InverseKinematics, TellsWhatIsOutOfReach) {
   const auto found =

@@ -10,7 +10,7 @@
 
 #include "deflection/elements/beam.hpp"
 #include "deflection/elements/joint_stiffness.hpp"
-#include "deflection/tip_differentiation.hpp"
+#include "deflection/posture_batch.hpp"
 #include "tests/deflection/effect_arms.hpp"
 
 namespace {
@@ -58,6 +58,27 @@ TEST(PreparedArm, SolvesWithoutTheHeap) {
   const long before = allocations;
   for (const Posture& posture : postures) prepared.solve(posture);
   EXPECT_EQ(allocations, before);
+}
+
+TEST(PostureBatch, IsSolvedWithoutTheHeap) {
+  std::mt19937_64 random(9);
+  const Arm arm = cobraArm();
+  BatchKinematics kinematics(arm);
+  PostureBatch batch;
+  batch.resize(4, 29, 50);
+  for (Eigen::Index k = 0; k < batch.size(); ++k) batch.q.col(k) = randomJoints(arm, random);
+  TipBatch tips;
+  kinematics.solveWithJacobian(batch, tips);
+  const long before = allocations;
+  for (int n = 0; n < 5; ++n) kinematics.solveWithJacobian(batch, tips);
+  EXPECT_EQ(allocations, before);
+  TipDifferentiation one(arm);
+  const std::vector<Variable> joints = jointVariables(arm);
+  const Posture posture{batch.q.col(0)};
+  ASSERT_EQ(one.solve(posture, joints), KinematicsStatus::kConverged);
+  const long before_one = allocations;
+  one.solve(posture, joints);
+  EXPECT_EQ(allocations, before_one);
 }
 
 TEST(TipDifferentiation, TakesDerivativesWithoutTheHeap) {

@@ -1,0 +1,69 @@
+// What the mock-up's whole sheet costs on one core: postures at every hole, the way up to each, what collision checks
+// add to that, and the score of one visit to each.
+#include <benchmark/benchmark.h>
+
+#include "app/workcell.hpp"
+#include "planner/scoring.hpp"
+#include "planner/tube_reach.hpp"
+
+namespace tubeplan::benchmarks {
+namespace {
+
+using namespace planner;
+using deflection::BranchStatus;
+
+struct Sheet {
+  const Workcell cell = app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml"), "time the sheet");
+  const ArmClearance clearance{cell};
+  std::vector<Eigen::Vector3d> holes_W;
+  std::vector<TubeBranch> visits;  ///< one for each of `holes_W`
+
+  Sheet() {
+    for (const auto& tube : cell.sheet.tubes)
+      for (TubeBranch& branch : compensate(cell, holeCentre(tube))) {
+        if (branch.status != BranchStatus::kConverged) continue;
+        holes_W.push_back(holeCentre(tube));
+        visits.push_back(std::move(branch));
+        break;
+      }
+  }
+};
+
+const Sheet& sheet() {
+  static const Sheet made;
+  return made;
+}
+
+void postures(benchmark::State& state, bool with_approach) {
+  CompensationOptions options;
+  options.with_approach = with_approach;
+  const Sheet& all = sheet();
+  for (auto _ : state)
+    for (const auto& tube : all.cell.sheet.tubes)
+      benchmark::DoNotOptimize(compensate(all.cell, holeCentre(tube), options));
+  state.counters["tubes"] = static_cast<double>(all.cell.sheet.tubes.size());
+}
+
+void reach(benchmark::State& state) {
+  const Sheet& all = sheet();
+  for (auto _ : state)
+    for (std::size_t k = 0; k < all.cell.sheet.tubes.size(); ++k)
+      benchmark::DoNotOptimize(reachTube(all.clearance, static_cast<int>(k)));
+  state.counters["tubes"] = static_cast<double>(all.cell.sheet.tubes.size());
+}
+
+void score(benchmark::State& state) {
+  const Sheet& all = sheet();
+  for (auto _ : state) benchmark::DoNotOptimize(scoreVisits(all.cell, all.holes_W, all.visits));
+  state.counters["visits"] = static_cast<double>(all.visits.size());
+}
+
+BENCHMARK_CAPTURE(postures, hole, false)->Name("sheet/postures at the holes")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(postures, approach, true)->Name("sheet/and their approaches")->Unit(benchmark::kMillisecond);
+BENCHMARK(reach)->Name("sheet/and collision checks: reach")->Unit(benchmark::kMillisecond);
+BENCHMARK(score)->Name("sheet/scoring")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace tubeplan::benchmarks
+
+BENCHMARK_MAIN();

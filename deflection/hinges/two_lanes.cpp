@@ -1,0 +1,11 @@
+// The kernels, two postures at a time. See CMakeLists.txt for the processor that this is compiled for.
+#define TUBEPLAN_LANES 2
+#include "deflection/hinges/inverse_kernel.hpp"
+
+namespace tubeplan::deflection::hinges::two_lanes {
+
+void solve(const HingeArm& arm, const Postures& in, const Shapes& out) { solveShapes(arm, in, out); }
+
+void meet(const HingeArm& arm, const Tool& tool, const Goals& goals, Reached& out) { meetGoals(arm, tool, goals, out); }
+
+}  // namespace tubeplan::deflection::hinges::two_lanes
