@@ -219,7 +219,7 @@ Outcome planByLibraries(const Workcell& cell, const std::vector<int>& tubes, con
   const Waypoints order = nearestNeighbourOrder(libraryStandoffs(cell, tubes, checker), jointSpeedsOf(cell.arm));
   outcome.asked = static_cast<int>(tubes.size());
   outcome.visits = order.empty() ? 0 : 1;
-  for (std::size_t k = 0; k + 1 < order.size() && watch.wall() < options.most_seconds; ++k) {
+  for (std::size_t k = 0; k + 1 < order.size() && watch.processor() < options.most_seconds; ++k) {
     ++outcome.visits;
     Waypoints travel = libraryTravel(cell, checker, order[k], order[k + 1]);
     outcome.failed += travel.empty();
@@ -251,8 +251,9 @@ Outcome planByOwn(const Workcell& cell, const std::vector<int>& tubes, std::uint
 
 /// The travels of an outcome, looked at closely.
 struct Look {
-  double time = 0;                                                   ///< s, at rest at every waypoint
-  double flowing_time = 0;                                           ///< s, at best, without a rest on the way
+  double time = 0;           ///< s, at rest at every waypoint
+  double straight_time = 0;  ///< s, were every travel a straight move: the order and the postures alone
+  double flowing_time = 0;   ///< s, at best, without a rest on the way
   double least_clearance = std::numeric_limits<double>::infinity();  ///< m
   int below_clearance = 0, colliding = 0;                            ///< travels
 };
@@ -270,6 +271,7 @@ Look lookAt(const Workcell& cell, const std::vector<Waypoints>& travels, int sam
   for (const Waypoints& travel : travels) {
     const TimedPolyline timed = timePolyline(travel, speeds);
     look.time += timed.duration;
+    look.straight_time += straightMoveDuration(travel.front(), travel.back(), speeds);
     look.flowing_time += flowingTime(travel, speeds);
     double least = std::numeric_limits<double>::infinity();
     const int each = std::max(2, samples / std::max(1, static_cast<int>(travel.size()) - 1));
@@ -286,15 +288,17 @@ Look lookAt(const Workcell& cell, const std::vector<Waypoints>& travels, int sam
 }
 
 nlohmann::json report(const Outcome& outcome, const Look& look) {
-  fmt::print("{:>6} {:<12} {:>6} {:>9.2f} {:>9.2f} {:>10.1f} {:>10.1f} {:>8} {:>7} {:>11.4f} {:>8} {:>8}\n",
-             outcome.asked, outcome.name, outcome.visits, outcome.processor, outcome.wall, look.time, look.flowing_time,
-             outcome.detours, outcome.failed, look.least_clearance / kInch, look.below_clearance, look.colliding);
+  fmt::print("{:>6} {:<12} {:>6} {:>9.2f} {:>9.2f} {:>10.1f} {:>10.1f} {:>10.1f} {:>8} {:>7} {:>11.4f} {:>8} {:>8}\n",
+             outcome.asked, outcome.name, outcome.visits, outcome.processor, outcome.wall, look.straight_time,
+             look.flowing_time, look.time, outcome.detours, outcome.failed, look.least_clearance / kInch,
+             look.below_clearance, look.colliding);
   return {{"asked", outcome.asked},
           {"by", outcome.name},
           {"visits", outcome.visits},
           {"processor_s", outcome.processor},
           {"wall_s", outcome.wall},
           {"travel_time_s", look.time},
+          {"straight_time_s", look.straight_time},
           {"travel_time_without_rests_s", look.flowing_time},
           {"detours", outcome.detours},
           {"without_path", outcome.failed},
@@ -319,15 +323,17 @@ int main(int argc, char** argv) {
   cli.add_option("--cell", file, "the cell file")->capture_default_str();
   cli.add_option("--tubes", lists, "work lists, one after another");
   cli.add_option("--seed", options.seed, "of both")->capture_default_str();
-  cli.add_option("--seconds", options.most_seconds, "the libraries are stopped after")->capture_default_str();
+  cli.add_option("--seconds", options.most_seconds, "of processor time, after which the libraries are stopped")
+      ->capture_default_str();
   cli.add_option("--samples", samples, "of each travel, when its clearance is looked at")->capture_default_str();
   cli.add_option("--json", json, "write the figures to this file");
   CLI11_PARSE(cli, argc, argv);
   ompl::msg::noOutputHandler();
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(options.seed));
   const planner::Workcell cell = app::workcellOf(app::readCell(file), "compare plans");
-  fmt::print("{:>6} {:<12} {:>6} {:>9} {:>9} {:>10} {:>10} {:>8} {:>7} {:>11} {:>8} {:>8}\n", "tubes", "by", "visits",
-             "cpu s", "wall s", "travel s", "no rests s", "detours", "no path", "nearest in", "too near", "collide");
+  fmt::print("{:>6} {:<12} {:>6} {:>9} {:>9} {:>10} {:>10} {:>10} {:>8} {:>7} {:>11} {:>8} {:>8}\n", "tubes", "by",
+             "visits", "cpu s", "wall s", "straight s", "no rests s", "travel s", "detours", "no path", "nearest in",
+             "too near", "collide");
   nlohmann::json rows = nlohmann::json::array();
   for (const std::string& list : lists) {
     const auto tubes = tubesheets::selectTubes(cell.sheet, list).tube_indices;

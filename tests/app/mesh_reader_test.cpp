@@ -34,6 +34,23 @@ TEST_F(MeshReader, PolygonsAreCutAndOtherFilesAreLeftAlone) {
   EXPECT_EQ(readMeshFile(square).mesh.triangles.size(), 2u);
 }
 
+TEST_F(MeshReader, APolygonThatPointsInwardsIsCutFromACornerThatSeesAllOthersOrRefused) {
+  // An arrow head, and a comb that no corner sees all of.
+  const auto arrow = readMeshFile(write("arrow.obj", "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n")).mesh;
+  double area = 0;
+  for (const auto& [a, b, c] : arrow.triangles) {
+    const auto& v = arrow.vertices;
+    area += 0.5 * (v[static_cast<std::size_t>(b)] - v[static_cast<std::size_t>(a)])
+                      .cross(v[static_cast<std::size_t>(c)] - v[static_cast<std::size_t>(a)])
+                      .norm();
+  }
+  EXPECT_NEAR(area, 1, 1e-6);
+  const auto comb = write("comb.obj",
+                          "v 0 0 0\nv 5 0 0\nv 5 3 0\nv 4 3 0\nv 4 1 0\nv 3 1 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\n"
+                          "v 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n");
+  expectSays(messageOf([&] { (void)readMeshFile(comb); }), "cut plainly");
+}
+
 TEST_F(MeshReader, WhatIsNoMeshIsRefused) {
   const auto message = [](const std::string& file) { return messageOf([&] { (void)readMeshFile(file); }); };
   expectSays(message((folder / "none.stl").string()), "no such file");
