@@ -116,6 +116,9 @@ void append(const aiMesh& part, const std::string& path, planner::TriangleMesh& 
 
 MeshFile readMeshFile(const std::string& path) {
   const std::string kind = kindOf(path), bytes = bytesOf(path);
+  // Without the end of its header a PLY file keeps the library busy for ever.
+  if (kind == "ply" && (!bytes.starts_with("ply") || bytes.find("end_header") == std::string::npos))
+    throw InputError(path, "a PLY file without a whole header", "ply ... end_header", "export the part again");
   MeshFile file;
   file.fingerprint = fingerprintOf(bytes);
   Assimp::Importer importer;
