@@ -1,6 +1,6 @@
 # make demo   installs what is missing, builds, and plans the mock-up's tubes
 # make test   the same, and runs every test
-# make bench  the same, and times least squares beside Ceres, the diagnosis, and clearance beside FCL
+# make bench  the same, and times least squares beside Ceres, the diagnosis, clearance beside FCL, and plans beside OMPL with FCL
 TUBES   ?= spread:60
 TOUCHES ?= auto
 SEED    ?= 1

@@ -137,6 +137,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"min_clearance", lengthOf(minClearance(outcome), outcome.cell.units)},
                  {"clearance_required", lengthOf(outcome.model.scene.clearance, outcome.cell.units)},
                  {"tightest", tightestText(outcome)},
+                 {"warnings", outcome.cell.warnings},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
                  {"counts", countsJson(outcome)}};
   if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
@@ -198,6 +199,7 @@ std::string planText(const PlanOutcome& outcome) {
           "  the model is off by more than the readings' noise; the base's covariance is widened by {:.0f}\n",
           base.chi2 / base.degrees_of_freedom);
   }
+  for (const auto& warning : outcome.cell.warnings) text += "warning: " + warning + "\n";
   if (!outcome.calibration && !outcome.cell.base_known)
     text += "the base is taken where the cell has it; it was not found by touching (--touches)\n";
   text += fmt::format(

@@ -23,15 +23,17 @@ constexpr std::array<std::string_view, 6> kOtherKeys{"name", "base", "identify",
 constexpr std::array<std::string_view, 7> kModelParts{"program",   "arm and scene", "base", "load",
                                                       "clearance", "compensation",  "sheet"};
 
-/// Values without their places and comments.
-void append(const YamlNode& node, std::string& text) {
-  if (node.kind == YamlNode::Kind::kScalar) text += fmt::format("{}:{}", node.scalar.size(), node.scalar);
+/// Values without their places and comments; files by what is in them.
+void append(const YamlNode& node, const std::vector<SceneMesh>& meshes, std::string& text) {
+  const auto mesh = std::find_if(meshes.begin(), meshes.end(), [&](const SceneMesh& m) { return m.key == node.path; });
+  const std::string& scalar = mesh == meshes.end() ? node.scalar : mesh->fingerprint;
+  if (node.kind == YamlNode::Kind::kScalar) text += fmt::format("{}:{}", scalar.size(), scalar);
   if (node.kind == YamlNode::Kind::kNull) text += '~';
   if (node.items.empty()) return;
   text += node.keys.empty() ? '[' : '{';
   for (std::size_t k = 0; k < node.items.size(); ++k) {
     if (!node.keys.empty()) text += node.keys[k] + "=";
-    append(node.items[k], text);
+    append(node.items[k], meshes, text);
     text += ',';
   }
   text += ']';
@@ -44,7 +46,8 @@ std::string modelText(const Cell& cell) {
     if (std::find(kOtherKeys.begin(), kOtherKeys.end(), root.keys[k]) != kOtherKeys.end()) continue;
     // The arm's file by its content: a copy elsewhere is the same arm.
     text += root.keys[k] + "=";
-    append(root.keys[k] == "arm" && !cell.arm_source.text.empty() ? cell.arm_source.root : root.items[k], text);
+    const bool is_arm_file = root.keys[k] == "arm" && !cell.arm_source.text.empty();
+    append(is_arm_file ? cell.arm_source.root : root.items[k], cell.meshes, text);
     text += '\n';
   }
   return text;

@@ -54,7 +54,8 @@ CollisionWorld::CollisionWorld(Scene scene) : scene_(std::move(scene)), body_rea
 void CollisionWorld::addPair(const Pair& pair, bool allowed) { (allowed ? allowed_pairs_ : pairs_).push_back(pair); }
 
 bool CollisionWorld::isQuick(const Pair& pair) const {
-  return !pair.solid || (pair.solid->isCapsule() && solids_[pair.body]->isCapsule());
+  if (pair.solid) return pair.solid->isCapsule() && solids_[pair.body]->isCapsule();
+  return !scene_.obstacles[pair.other].shape->isSearched();
 }
 
 CollisionWorld::Placed CollisionWorld::place(std::span<const Isometry3d> X_WL) const {
@@ -66,10 +67,10 @@ CollisionWorld::Placed CollisionWorld::place(std::span<const Isometry3d> X_WL) c
   return placed;
 }
 
-/// By the spheres around the capsules around the two, then by the capsules. Nothing is told of a region.
+/// By the spheres around the capsules around the two, then by the capsules; what is no solid is asked itself.
 bool CollisionWorld::isFarther(const Pair& pair, const Placed& placed, double distance) const {
-  if (!pair.solid) return false;
   const Capsule& a = placed.around_W[pair.body];
+  if (!pair.solid) return scene_.obstacles[pair.other].shape->isFartherThan(distance, a);
   const Capsule& b = pair.with_body ? placed.around_W[pair.other] : pair.solid->around();
   const double reach = distance + a.radius + b.radius +
                        0.5 * (std::sqrt((a.to - a.from).squaredNorm()) + std::sqrt((b.to - b.from).squaredNorm()));

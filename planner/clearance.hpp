@@ -56,7 +56,7 @@ class CollisionWorld {
     int body;
     int other;  ///< an obstacle's index, or a body's
     bool with_body;
-    const Solid* solid;  ///< of the other; null where that is a region
+    const Solid* solid;  ///< of the other; null where that is a region or a mesh
   };
   struct Placed;  ///< the bodies in one posture
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "planner/mesh_shape.hpp"
 #include "planner/separation.hpp"
 
 namespace tubeplan::planner {
@@ -192,15 +193,25 @@ MadeShape made(Arguments&&... arguments) {
   return {std::make_shared<const S>(std::forward<Arguments>(arguments)...), ""};
 }
 
-MadeShape makeCapsule(Numbers n) { return made<CapsuleSolid>(Capsule{vectorAt(n, 0), vectorAt(n, 3), n[6]}); }
-MadeShape makeSphere(Numbers n) { return made<CapsuleSolid>(Capsule{vectorAt(n, 0), vectorAt(n, 0), n[3]}); }
-MadeShape makeBox(Numbers n) { return made<BoxSolid>(poseOf(vectorAt(n, 0), vectorAt(n, 6)), vectorAt(n, 3)); }
-MadeShape makeCylinder(Numbers n) {
+MadeShape makeCapsule(Numbers n, const TriangleMesh*) {
+  return made<CapsuleSolid>(Capsule{vectorAt(n, 0), vectorAt(n, 3), n[6]});
+}
+MadeShape makeSphere(Numbers n, const TriangleMesh*) {
+  return made<CapsuleSolid>(Capsule{vectorAt(n, 0), vectorAt(n, 0), n[3]});
+}
+MadeShape makeBox(Numbers n, const TriangleMesh*) {
+  return made<BoxSolid>(poseOf(vectorAt(n, 0), vectorAt(n, 6)), vectorAt(n, 3));
+}
+MadeShape makeCylinder(Numbers n, const TriangleMesh*) {
   if (vectorAt(n, 0) == vectorAt(n, 3)) return {nullptr, "from and to are the same point: a cylinder needs a length"};
   return made<CylinderSolid>(vectorAt(n, 0), vectorAt(n, 3), n[6]);
 }
-MadeShape makeSphereInterior(Numbers n) { return made<SphereInterior>(vectorAt(n, 0), n[3]); }
-MadeShape makeHalfSpace(Numbers n) { return made<HalfSpace>(vectorAt(n, 0), vectorAt(n, 3)); }
+MadeShape makeSphereInterior(Numbers n, const TriangleMesh*) { return made<SphereInterior>(vectorAt(n, 0), n[3]); }
+MadeShape makeHalfSpace(Numbers n, const TriangleMesh*) { return made<HalfSpace>(vectorAt(n, 0), vectorAt(n, 3)); }
+
+MadeShape makeMesh(Numbers n, const TriangleMesh* mesh) {
+  return made<MeshShape>(*mesh, poseOf(vectorAt(n, 0), vectorAt(n, 3)));
+}
 
 using enum ShapeQuantity;
 const std::vector<ShapeRow> kSceneShapes = {
@@ -220,6 +231,13 @@ const std::vector<ShapeRow> kSceneShapes = {
      {{"from", kPosition, 3}, {"to", kPosition, 3}, {"radius", kSize, 1}},
      true,
      makeCylinder},
+    {"mesh",
+     "The triangles of an STL, OBJ or PLY file, its origin at `position`, turned by rpy: solid where they close, else "
+     "a "
+     "surface.",
+     {{"file", kMesh, 0}, {"unit", kUnit, 0, false}, {"position", kPosition, 3, false}, {"rpy", kAngle, 3, false}},
+     false,
+     makeMesh},
     {"inside_of.sphere",
      "The arm must stay inside this sphere.",
      {{"center", kPosition, 3}, {"radius", kSize, 1}},
@@ -258,7 +276,12 @@ int numberCount(const ShapeRow& row) {
                          [](int sum, const ShapeField& field) { return sum + field.count; });
 }
 
-MadeShape makeShape(const ShapeRow& row, Numbers numbers) {
+const ShapeField* findMeshField(const ShapeRow& row) {
+  const auto found = std::ranges::find(row.fields, kMesh, &ShapeField::quantity);
+  return found == row.fields.end() ? nullptr : &*found;
+}
+
+MadeShape makeShape(const ShapeRow& row, Numbers numbers, const TriangleMesh* mesh) {
   if (static_cast<int>(numbers.size()) != numberCount(row))
     return {nullptr, fmt::format("{} takes {} numbers, {} given", row.key, numberCount(row), numbers.size())};
   std::size_t start = 0;
@@ -267,7 +290,11 @@ MadeShape makeShape(const ShapeRow& row, Numbers numbers) {
     if (!problem.empty()) return {nullptr, problem};
     start += field.count;
   }
-  return row.make(numbers);
+  if (const ShapeField* field = findMeshField(row)) {
+    const std::string problem = mesh ? findMeshProblem(*mesh) : "nothing was handed over";
+    if (!problem.empty()) return {nullptr, fmt::format("{}: {}", field->name, problem)};
+  }
+  return row.make(numbers, mesh);
 }
 
 }  // namespace tubeplan::planner

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planner/shape.hpp"
+#include "planner/triangle_mesh.hpp"
 
 namespace tubeplan::planner {
 
@@ -18,12 +19,14 @@ enum class ShapeQuantity {
   kSize,       ///< m, above zero
   kDirection,  ///< no unit, any length but zero
   kAngle,      ///< rad, any
+  kMesh,       ///< the name of a file: the reader hands over its triangles [m]; no number
+  kUnit,       ///< the name of that file's unit of length; no number
 };
 
 struct ShapeField {
   std::string_view name;
   ShapeQuantity quantity;
-  int count;             ///< of numbers
+  int count;             ///< of numbers; 0 for a name
   bool required = true;  ///< a field left out is all zeros
 };
 
@@ -37,7 +40,7 @@ struct ShapeRow {
   std::string_view help;  ///< one sentence
   std::vector<ShapeField> fields;
   bool may_be_body;  ///< whether a link can have this shape: only solids can
-  MadeShape (*make)(std::span<const double> numbers);
+  MadeShape (*make)(std::span<const double> numbers, const TriangleMesh* mesh);
 };
 
 [[nodiscard]] const std::vector<ShapeRow>& sceneShapes();
@@ -48,9 +51,13 @@ struct ShapeRow {
 /// How many numbers a row wants.
 [[nodiscard]] int numberCount(const ShapeRow& row);
 
-/// Builds a shape from its numbers, [m] and [rad], field after field as the row lists them. A wrong count, a number
-/// that is not finite, a size that is not above zero, a zero direction or what the row itself finds wrong is told as
-/// the problem.
-[[nodiscard]] MadeShape makeShape(const ShapeRow& row, std::span<const double> numbers);
+/// The field of a row that names a mesh; null where there is none.
+[[nodiscard]] const ShapeField* findMeshField(const ShapeRow& row);
+
+/// Builds a shape from its numbers, [m] and [rad], field after field as the row lists them, and of a row that names one
+/// the mesh [m]. A wrong count, a number that is not finite, a size that is not above zero, a zero direction, a mesh
+/// that cannot be used or what the row itself finds wrong is told as the problem.
+[[nodiscard]] MadeShape makeShape(const ShapeRow& row, std::span<const double> numbers,
+                                  const TriangleMesh* mesh = nullptr);
 
 }  // namespace tubeplan::planner

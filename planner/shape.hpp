@@ -43,6 +43,12 @@ class Shape {
 
   /// The same of a capsule given in frame F.
   [[nodiscard]] virtual Separation separationFrom(const Capsule& body_F) const = 0;
+
+  /// Whether the shape is known to be `distance` [m] or more from the capsule, where that is quicker told than how far.
+  [[nodiscard]] virtual bool isFartherThan(double /*distance*/, const Capsule& /*body_F*/) const { return false; }
+
+  /// Whether a distance takes a search among many parts, so that what is quicker had better be asked first.
+  [[nodiscard]] virtual bool isSearched() const { return false; }
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;

@@ -45,7 +45,8 @@ planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const P
   return work;
 }
 
-nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units) {
+nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
+                         const std::vector<std::string>& warnings) {
   return {{"proved", check.status == planner::PlanCheckStatus::kProved},
           {"findings", check.findings},
           {"tubes", check.tubes},
@@ -56,10 +57,13 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units) {
           {"worst_acceleration_share", check.worst_acceleration_share},
           {"least_margin_proved", lengthOf(check.least_margin, units)},
           {"tightest", check.tightest},
+          {"warnings", warnings},
           {"units", unitsJson(units)}};
 }
 
-void print(const planner::PlanCheck& check, const Units& units) {
+void print(const planner::PlanCheck& check, const Cell& cell) {
+  const Units& units = cell.units;
+  for (const auto& warning : cell.warnings) fmt::print("warning: {}\n", warning);
   const double length = units.factor(dimension::kLength);
   fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
   fmt::print("tip off a hole's centre by at most {:.1e} {}, off its axis on an approach by {:.5f} {}\n",
@@ -84,8 +88,8 @@ int run(const VerifyOptions& options) {
   const auto strangers = findIdentityProblems(files, work.sheet);
   check.findings.insert(check.findings.begin(), strangers.begin(), strangers.end());
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;
-  writeJson(options.json, checkJson(check, cell.units));
-  if (printsText(options.json)) print(check, cell.units);
+  writeJson(options.json, checkJson(check, cell.units, cell.warnings));
+  if (printsText(options.json)) print(check, cell);
   return check.findings.empty() ? kDone : kNegativeAnswer;
 }
 

@@ -129,7 +129,10 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
     cell.tool = readSteppedTool(*tool, cell.units, cell.sheet->hole_diameter);
   }
   if (const YamlNode* park = root.find("park")) readPark(*park, cell);
-  cell.scene = readScene(root, cell.arm, cell.units);
+  SceneSource scene = readScene(root, cell.arm, cell.units, folder);
+  cell.scene = std::move(scene.scene);
+  cell.meshes = std::move(scene.meshes);
+  cell.warnings = sceneWarnings(cell.meshes, cell.arm, cell.X_WB);
   const auto told_by_scene = findToolAxis(cell.scene);
   if (!source.names_tool_axis) cell.arm.tool_axis_L = told_by_scene.value_or(cell.arm.tool_axis_L);
   cell.tool_axis_told = source.names_tool_axis || told_by_scene.has_value();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/readers/arm_reader.hpp"
+#include "app/readers/scene_reader.hpp"
 #include "app/readers/strict_yaml.hpp"
 #include "app/readers/units.hpp"
 #include "deflection/arm.hpp"
@@ -34,6 +35,8 @@ struct Cell {
   std::optional<tubesheets::SteppedTool> tool;
   std::optional<Eigen::VectorXd> park;  ///< joint readings to rest in [rad, m]
   planner::Scene scene;               ///< links only where the file has neither scene nor shapes
+  std::vector<SceneMesh> meshes;      ///< that the scene names
+  std::vector<std::string> warnings;  ///< of the scene, a sentence each
   std::vector<std::string> identify;  ///< dotted names, or `geometry`
 
   YamlFile source;      ///< as read, for writing it again with changes

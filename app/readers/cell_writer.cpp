@@ -204,7 +204,9 @@ std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
 }
 
 std::string cellTextAt(const Cell& cell, const fs::path& out) {
-  return moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
+  std::string text = moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
+  for (const SceneMesh& mesh : cell.meshes) text = moved(text, cell, mesh.key, out);
+  return text;
 }
 
 std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {

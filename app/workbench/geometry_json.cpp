@@ -1,5 +1,7 @@
 #include "app/workbench/geometry_json.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
@@ -12,6 +14,8 @@ namespace tubeplan::app {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kMostDrawnTriangles = 20000;
 
 constexpr tubesheets::TubeState kStates[] = {tubesheets::TubeState::kOpen,      tubesheets::TubeState::kPlugged,
                                              tubesheets::TubeState::kSleeved,   tubesheets::TubeState::kStabilised,
@@ -58,6 +62,15 @@ const YamlNode* findKeys(const YamlNode& node, std::string_view keys) {
   return found && dot != std::string_view::npos ? findKeys(*found, keys.substr(dot + 1)) : found;
 }
 
+/// A field of a shape as the file has it.
+json fieldJson(const YamlNode* value, const planner::ShapeField& field) {
+  if (field.count == 0) return value ? json(value->text()) : json(nullptr);
+  json numbers = json::array();
+  for (int k = 0; k < field.count; ++k)
+    numbers.push_back(!value ? 0 : field.count == 1 ? value->number() : value->items.at(k).number());
+  return field.count == 1 ? numbers.front() : numbers;
+}
+
 /// The shape of an entry of the file, by the planner's table: {kind, fields}; the numbers stand there in the cell's
 /// units already.
 json shapeJson(const YamlNode& node) {
@@ -65,13 +78,7 @@ json shapeJson(const YamlNode& node) {
     const YamlNode* fields = findKeys(node, row.key);
     if (!fields) continue;
     json shape = {{"kind", row.key}};
-    for (const auto& field : row.fields) {
-      const YamlNode* value = fields->find(field.name);
-      json numbers = json::array();
-      for (int k = 0; k < field.count; ++k)
-        numbers.push_back(!value ? 0 : field.count == 1 ? value->number() : value->items.at(k).number());
-      shape[std::string(field.name)] = field.count == 1 ? numbers.front() : numbers;
-    }
+    for (const auto& field : row.fields) shape[std::string(field.name)] = fieldJson(fields->find(field.name), field);
     return shape;
   }
   return json::object();
@@ -84,6 +91,31 @@ json namedShape(const YamlNode& node, const std::string& otherwise) {
   shape["allow"] = json::array();
   if (const YamlNode* allow = node.find("allow")) shape["allow"] = allow->texts();
   return shape;
+}
+
+/// A mesh is drawn as the box around it; what it is besides stands under "mesh", with the corners of its triangles, one
+/// after another in the world, where these are few enough to draw.
+void addMesh(const SceneMesh& mesh, const Units& units, json& shape) {
+  const auto& box = mesh.shape->tree().bounds();
+  json description = shape;
+  for (const char* key : {"name", "allow", "kind"}) description.erase(key);
+  description["file"] = std::filesystem::path(mesh.path).filename().string();
+  description["solid"] = mesh.shape->survey().isClosed();
+  const auto triangles = mesh.shape->tree().triangles();
+  description["triangles"] = triangles.size();
+  if (triangles.size() <= kMostDrawnTriangles) {
+    json& positions = description["positions"] = json::array();
+    for (const planner::Corners& corners : triangles)
+      for (const Eigen::Vector3d& corner : corners)
+        for (const double coordinate : corner) positions.push_back(lengthOf(coordinate, units));
+  }
+  shape = {{"kind", "box"},
+           {"name", shape["name"]},
+           {"allow", shape["allow"]},
+           {"center", vectorJson(box.center(), units, dimension::kLength)},
+           {"size", vectorJson(box.sizes(), units, dimension::kLength)},
+           {"rpy", {0, 0, 0}},
+           {"mesh", description}};
 }
 
 /// The stepped tool, thinnest step first.
@@ -120,7 +152,12 @@ json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
 json sceneDrawing(const Cell& cell) {
   json shapes = json::array(), arm = json::array();
   if (const YamlNode* scene = cell.source.root.find("scene"))
-    for (const YamlNode& node : scene->items) shapes.push_back(namedShape(node, ""));
+    for (const YamlNode& node : scene->items) {
+      shapes.push_back(namedShape(node, ""));
+      const auto mesh = std::find_if(cell.meshes.begin(), cell.meshes.end(),
+                                     [&](const SceneMesh& m) { return m.obstacle == shapes.back()["name"]; });
+      if (mesh != cell.meshes.end()) addMesh(*mesh, cell.units, shapes.back());
+    }
   const YamlNode* link_shapes = cell.source.root.find("link_shapes");
   for (std::size_t row = 0; row < cell.arm.rows.size(); ++row) {
     const auto& link = cell.arm.rows[row];
@@ -135,6 +172,7 @@ json sceneDrawing(const Cell& cell) {
   return {{"units", unitsJson(cell.units)},
           {"clearance", lengthOf(cell.scene.clearance, cell.units)},
           {"shapes", shapes},
+          {"warnings", cell.warnings},
           {"arm", arm},
           {"tip", vectorJson(cell.arm.p_LT, cell.units, dimension::kLength)},
           {"tool_axis", {cell.arm.tool_axis_L.x(), cell.arm.tool_axis_L.y(), cell.arm.tool_axis_L.z()}}};

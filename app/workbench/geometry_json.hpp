@@ -11,8 +11,9 @@ namespace tubeplan::app {
 /// column of the table, in the order of the sheet. u, v: the place in a picture drawn from the viewing side.
 [[nodiscard]] nlohmann::json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet);
 
-/// {units, clearance, shapes: [{name, kind, allow, and the fields of its kind as a cell file has them}], arm: [{row,
-/// name, moves, bodies: [{name, kind, fields, in the row's frame}]}], tip: [3] in the last row's frame}.
+/// {units, clearance, shapes: [{name, kind, allow, and the fields of its kind as a cell file has them}], warnings, arm:
+/// [{row, name, moves, bodies: [{name, kind, fields, in the row's frame}]}], tip: [3] in the last row's frame}. A mesh
+/// is the box around it, with mesh: {file, solid, triangles, positions where they are few}.
 [[nodiscard]] nlohmann::json sceneDrawing(const Cell& cell);
 
 }  // namespace tubeplan::app

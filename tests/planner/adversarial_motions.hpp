@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "tests/planner/meshes.hpp"
 #include "tests/planner/toy_arm.hpp"
 
 namespace tubeplan::planner::testing {
@@ -13,12 +14,18 @@ struct MotionTally {
 };
 
 /// Scenes in turn: a hair among thin plates; clutter with a clearance to keep; a bowl and a plane that the stretched
-/// arm all but touches; an arm of boxes among boxes, a plate and a cylinder.
-inline constexpr int kAdversarialScenes = 4;
+/// arm all but touches; an arm of boxes among boxes, a plate and a cylinder; a hair among plates without any thickness
+/// and a post, all of triangles.
+inline constexpr int kAdversarialScenes = 5;
 
 inline ToyArm adversarialArm(int scene) {
-  static constexpr std::array kRadius{1e-6, 0.02, 0.02, 0.03}, kClearance{0.0, 0.01, 0.0, 0.0};
+  static constexpr std::array kRadius{1e-6, 0.02, 0.02, 0.03, 1e-6}, kClearance{0.0, 0.01, 0.0, 0.0, 0.0};
   return {{0.6, 0.5, 0.4}, kRadius.at(static_cast<std::size_t>(scene)), kClearance.at(static_cast<std::size_t>(scene))};
+}
+
+/// A mesh in a pose of its own: place and yaw.
+inline ShapePointer placedMesh(const TriangleMesh& mesh, double x, double y, double yaw) {
+  return makeShape(*findSceneShape("mesh"), std::vector<double>{x, y, 0, 0, 0, yaw}, &mesh).shape;
 }
 
 inline Scene adversarialScene(int scene, const ToyArm& arm, std::mt19937_64& generator) {
@@ -38,6 +45,13 @@ inline Scene adversarialScene(int scene, const ToyArm& arm, std::mt19937_64& gen
   if (scene == 2)
     return arm.scene({{"bowl", shape("inside_of.sphere", {0, 0, 0, 1.5 + arm.radius + gap}), {}},
                       {"wall", shape("keep_side", {0, 1.1 + arm.radius - gap, 0, 0, -1, 0}), {}}});
+  if (scene == 4) {
+    const TriangleMesh sheet{{{-0.2, 0, -0.2}, {0.2, 0, -0.2}, {0.2, 0, 0.2}, {-0.2, 0, 0.2}}, {{0, 1, 2}, {0, 2, 3}}};
+    const auto plateOf = [&] { return placedMesh(sheet, somewhere(), somewhere(), uniform(generator, 0, 3)); };
+    return arm.scene({{"plate", plateOf(), {}},
+                      {"other plate", plateOf(), {}},
+                      {"post", placedMesh(cylinderMesh(0.05, 1, 16), somewhere(), somewhere(), 0), {}}});
+  }
   Scene boxes = arm.scene({{"box", shape("box", {somewhere(), somewhere(), 0, 0.2, 0.3, 0.1, 0, 0.4, 0.3}), {}},
                            {"plate", plate(), {}},
                            {"post", post(0.05), {}}});

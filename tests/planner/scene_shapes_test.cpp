@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "meshes.hpp"
 #include "toy_arm.hpp"
 
 namespace tubeplan::planner {
@@ -24,7 +25,8 @@ TEST(SceneShapes, EveryRowIsCompleteAndBuildsAShapeWithFiniteDistances) {
     SCOPED_TRACE(row.key);
     EXPECT_TRUE(keys.insert(row.key).second);
     EXPECT_FALSE(row.help.empty());
-    const MadeShape made = makeShape(row, plainNumbers(row));
+    const TriangleMesh mesh = testing::boxMesh({0.1, 0.2, 0.3});
+    const MadeShape made = makeShape(row, plainNumbers(row), findMeshField(row) ? &mesh : nullptr);
     ASSERT_TRUE(made.shape) << made.problem;
     EXPECT_TRUE(std::isfinite(made.shape->pointDistance({3, 2, 1})));
     const auto body = testing::shape("capsule", {0, 0, 0, 0.1, 0, 0, 0.01});
@@ -73,6 +75,22 @@ TEST(SceneShapes, NumbersThatMakeNoSenseAreTold) {
   EXPECT_NE(problem("box", {0, 0, 0, 1, 0, 1, 0, 0, 0}).find("size"), std::string::npos);
   EXPECT_NE(problem("cylinder", {1, 2, 3, 1, 2, 3, 1}).find("same point"), std::string::npos);
   EXPECT_EQ(problem("capsule", {1, 2, 3, 1, 2, 3, 1}), "");
+  EXPECT_NE(problem("mesh", {0, 0, 0, 0, 0, 0}).find("handed over"), std::string::npos);
+  const TriangleMesh empty;
+  EXPECT_NE(makeShape(*findSceneShape("mesh"), std::vector<double>(6), &empty).problem.find("without triangles"),
+            std::string::npos);
+}
+
+TEST(SceneShapes, AMeshStandsAndTurnsAsABoxDoes) {
+  const TriangleMesh mesh = testing::boxMesh({0.1, 0.2, 1});
+  const std::vector<double> pose{0.3, -0.2, 0.5, 0.4, -0.7, 1.1};
+  const auto made = makeShape(*findSceneShape("mesh"), pose, &mesh);
+  const auto box = testing::shape("box", {0.3, -0.2, 0.5, 0.2, 0.4, 2, 0.4, -0.7, 1.1});
+  std::mt19937_64 generator(9);
+  for (int k = 0; k < 200; ++k) {
+    const Eigen::Vector3d p = testing::uniformVector(generator, -2, 2);
+    EXPECT_NEAR(made.shape->pointDistance(p), box->pointDistance(p), 1e-12);
+  }
 }
 
 TEST(SceneShapes, BoxTurnsAboutFixedAxes) {
