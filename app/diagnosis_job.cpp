@@ -25,14 +25,25 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, Dia
   outcome.next = calibration::proposeSplittingReadings(diagnosis, input.readings, outcome.candidates, splitting);
 }
 
-}  // namespace
-
-DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const StepHook& step) {
-  const auto& [cell, file, readings] = input;
+calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const DiagnosisRequest& request) {
   calibration::DiagnosisOptions options;
   options.baseline.free = {cell.identify, !cell.base_known};
   options.seed = request.seed;
   options.most_effects = request.effects;
+  return options;
+}
+
+}  // namespace
+
+calibration::Diagnosis diagnoseReadings(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+                                        const DiagnosisRequest& request) {
+  const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
+  return calibration::diagnose(start, readings, diagnosisOptions(cell, request));
+}
+
+DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const StepHook& step) {
+  const auto& [cell, file, readings] = input;
+  const auto options = diagnosisOptions(cell, request);
   const auto start = calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);
   DiagnosisOutcome outcome;
   beginStep(step, "diagnosis");

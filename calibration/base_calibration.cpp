@@ -115,10 +115,10 @@ struct BaseFit {
 
 /// Weights are taken at the aligned pose: encoder noise through the Jacobian changes little after it.
 BaseFit fitBase(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& aligned,
-                double model_sigma) {
+                double model_sigma, LeastSquaresMethod method) {
   const auto whiteners = whitenersAt(arm, aligned, touches, model_sigma);
   BaseFit fit;
-  fit.solution = minimizeLeastSquares(baseProblem(arm, touches, aligned, whiteners));
+  fit.solution = minimizeLeastSquares(baseProblem(arm, touches, aligned, whiteners), {.method = method});
   fit.X_WB = moved(aligned, fit.solution.x);
   const double freedom = 3. * static_cast<double>(touches.size()) - 6;
   if (std::isfinite(fit.solution.chi2))
@@ -168,7 +168,8 @@ std::vector<std::string> findMistakenHoles(const deflection::Arm& arm, const std
     for (const auto& neighbour : touches[k].neighbours) {
       std::vector<Touch> supposed = touches;
       supposed[k].p_WH = neighbour.p_WH;
-      const BaseFit fit = fitBase(arm, supposed, alignBase(arm, supposed, X_WB, 3), options.model_sigma);
+      const BaseFit fit =
+          fitBase(arm, supposed, alignBase(arm, supposed, X_WB, 3), options.model_sigma, options.method);
       if (fit.p_value > 0.01 && fit.solution.chi2 < chi2 / 4)
         found.emplace_back(fit.solution.chi2,
                            "touch " + touches[k].id + " named " + touches[k].hole + " fits hole " + neighbour.name);
@@ -190,7 +191,7 @@ BaseCalibration refused(std::string reason) {
 bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, const BaseCalibrationOptions& options,
                 BaseCalibration& result) {
   if (result.p_value >= options.mistaken_hole_p_value) return false;
-  const BaseFit tolerant = fitBase(arm, touches, result.X_WB, options.model_sigma);
+  const BaseFit tolerant = fitBase(arm, touches, result.X_WB, options.model_sigma, options.method);
   if (tolerant.p_value >= options.mistaken_hole_p_value) return false;
   result.suspects = findMistakenHoles(arm, touches, result.X_WB, tolerant.solution.chi2, options);
   if (result.suspects.empty()) {
@@ -215,7 +216,7 @@ Eigen::Matrix<double, 6, 6> widenedCovariance(const BaseCalibration& calibration
 BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches,
                               const Isometry3d& X_WB_start, const BaseCalibrationOptions& options) {
   if (const std::string problem = findTouchProblem(touches, options); !problem.empty()) return refused(problem);
-  const BaseFit fit = fitBase(arm, touches, alignBase(arm, touches, X_WB_start, options.alignments), 0);
+  const BaseFit fit = fitBase(arm, touches, alignBase(arm, touches, X_WB_start, options.alignments), 0, options.method);
   BaseCalibration result;
   result.X_WB = fit.X_WB;
   result.chi2 = fit.solution.chi2;
