@@ -156,6 +156,9 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
 
 int run(const CampaignOptions& options) {
   if (!areRanksLaunched()) return runAlone(options);
+  if (!isBuiltForRanks())
+    throw InputError("campaign", "several processes started together", "one: this program is built without MPI",
+                     "run it once, with --jobs, or build it where CMake finds MPI");
   Ranks ranks;
   return runRanked(options, ranks);
 }

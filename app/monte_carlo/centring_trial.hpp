@@ -75,6 +75,9 @@ class CentringTrials {
   /// The run of that index under each setting. For any number of threads at once.
   [[nodiscard]] std::vector<Trial> run(std::uint64_t index) const;
 
+  /// Its place in the sheet.
+  [[nodiscard]] int tubeOfHole(std::size_t hole) const { return holes_[hole].tube; }
+
   /// Names of the holes that a setting touches in every run; empty where they differ.
   [[nodiscard]] std::vector<std::string> touchedHoles(std::size_t setting) const;
 

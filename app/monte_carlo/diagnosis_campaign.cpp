@@ -7,6 +7,7 @@
 #include "app/monte_carlo/campaign.hpp"
 #include "app/monte_carlo/confidence.hpp"
 #include "app/monte_carlo/diagnosis_trial.hpp"
+#include "app/report/campaign_report.hpp"
 #include "app/suggestion.hpp"
 #include "app/version.hpp"
 #include "deflection/effects/effect.hpp"
@@ -269,8 +270,11 @@ Campaign makeDiagnosisCampaign(const CampaignRequest& request) {
     return diagnosisJson(*task, request, made.tally(), progress);
   };
   campaign.text = diagnosisCampaignText;
-  campaign.files = [](const json& figures) {
-    return std::vector<CampaignFile>{{"outcomes.csv", outcomesCsv(figures)}};
+  campaign.files = [task](const json& figures) {
+    json page = figures;
+    page["title"] = "Diagnoses of " + task->cell.name + " over random truths";
+    return std::vector<CampaignFile>{{"outcomes.csv", outcomesCsv(figures)},
+                                     {"report.html", renderCampaignReport(page)}};
   };
   campaign.experiment = std::move(experiment);
   return campaign;

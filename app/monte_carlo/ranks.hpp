@@ -19,10 +19,9 @@ namespace tubeplan::app {
 /// How many of them are on this machine, 1 where that is not told.
 [[nodiscard]] int ranksOnThisMachine();
 
-/// One for the life of the process.
+/// One for the life of the process, in a program built for it.
 class Ranks {
  public:
-  /// Throws InputError where this build knows no MPI.
   Ranks();
   ~Ranks();
   Ranks(const Ranks&) = delete;

@@ -38,7 +38,7 @@ class TallyKeeper {
   std::filesystem::path folder_;
   bool must_resume_;
   PlanQuestion question_;
-  Clock::time_point saved_ = Clock::now();
+  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // the first chunk is kept at once
   Clock::duration pause_ = std::chrono::seconds(1);
 };
 
