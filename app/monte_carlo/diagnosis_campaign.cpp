@@ -97,8 +97,11 @@ DiagnosisTask diagnosisTask(const CampaignRequest& request) {
     throw InputError("--effects", std::to_string(request.effects), "1 or 2");
   DiagnosisTask task;
   task.cell = readCell(request.cell);
-  task.options = {
-      {.design = request.design, .readings = request.readings}, request.nothing, request.effects, request.seed};
+  task.options.readings.design = request.design;
+  task.options.readings.readings = request.readings;
+  task.options.nothing = request.nothing;
+  task.options.effects = request.effects;
+  task.options.seed = request.seed;
   task.kinds = hideableKinds(task.cell, task.options);
   if (request.hide == "any") return task;
   std::vector<std::string> names;
@@ -156,9 +159,9 @@ std::uint64_t madeOf(const OutcomeCounts& counts) {
 }
 
 json countsJson(const OutcomeCounts& counts) {
-  json json;
-  for (std::size_t k = 0; k < kOutcomes; ++k) json[kDiagnosisOutcomes[k]] = counts[k];
-  return json;
+  json named;
+  for (std::size_t k = 0; k < kOutcomes; ++k) named[kDiagnosisOutcomes[k]] = counts[k];
+  return named;
 }
 
 json foundJson(const OutcomeCounts& counts) {
