@@ -25,7 +25,7 @@ namespace {
 struct CampaignOptions {
   CampaignRequest request;
   std::string kind = "centre", out, json;
-  std::uint64_t runs = 0;
+  std::int64_t runs = 0;
   int jobs = 0;
   bool resume = false;
 };
@@ -42,7 +42,8 @@ const CampaignKind& kindOf(const std::string& name) {
 /// What the first rank keeps and writes; every other has none of it.
 class CampaignDesk {
  public:
-  CampaignDesk(const CampaignOptions& options, const Campaign& campaign) : options_(options), campaign_(campaign) {
+  CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
+      : options_(options), campaign_(campaign), runs_(static_cast<std::uint64_t>(options.runs)) {
     checkJsonTarget(options.json);
     if (options.resume && options.out.empty())
       throw InputError("--resume", "no folder to go on in", "--out DIR", "name the folder of the stopped campaign");
@@ -50,20 +51,20 @@ class CampaignDesk {
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
       keeper_.emplace(folder_->path(), options.resume);
-      if (const auto kept = keeper_->begin(campaign.question, options.runs)) {
+      if (const auto kept = keeper_->begin(campaign.question, runs_)) {
         if (!campaign.experiment->add(kept->total))
           throw InputError(keeper_->path().string(), "a tally of another shape", "one of this question",
                            "remove it to begin anew");
         done = kept->done;
       }
     }
-    schedule_.emplace(options.runs, chunkFor(options.runs, campaign.largest_chunk), done);
+    schedule_.emplace(runs_, chunkFor(runs_, campaign.largest_chunk), done);
   }
 
   int run(int workers, Ranks* ranks) {
     noteStopSignals();
     const auto begun = schedule_->done().size();
-    auto progress = std::make_unique<Progress>("runs", static_cast<std::size_t>(options_.runs - begun));
+    auto progress = std::make_unique<Progress>("runs", static_cast<std::size_t>(runs_ - begun));
     RepeatHooks hooks;
     hooks.progress = [&](std::uint64_t done) { progress->update(static_cast<std::size_t>(done - begun)); };
     hooks.stop = stopRequested;
@@ -83,12 +84,12 @@ class CampaignDesk {
   int explainStop() {
     keep(true);
     fmt::print(stderr, "stopped; {} of {} runs are kept in {}: the same command goes on from there\n",
-               schedule_->done().size(), options_.runs, keeper_->path().string());
+               schedule_->done().size(), runs_, keeper_->path().string());
     return kStoppedExitCode;
   }
 
   void report() {
-    const auto figures = campaign_.figures({options_.runs, schedule_->done().size()});
+    const auto figures = campaign_.figures({runs_, schedule_->done().size()});
     if (folder_) {
       keep(true);
       folder_->write("campaign.json", figures.dump(2) + "\n");
@@ -103,13 +104,14 @@ class CampaignDesk {
 
   const CampaignOptions& options_;
   const Campaign& campaign_;
+  std::uint64_t runs_;
   std::optional<OutputFolder> folder_;
   std::optional<TallyKeeper> keeper_;
   std::optional<RunSchedule> schedule_;
 };
 
 void checkOptions(const CampaignOptions& options) {
-  constexpr std::uint64_t kMostRuns = 1'000'000'000;
+  constexpr std::int64_t kMostRuns = 1'000'000'000;
   if (options.runs < 1 || options.runs > kMostRuns)
     throw InputError("--runs", std::to_string(options.runs), fmt::format("1 to {} runs", kMostRuns));
   if (options.jobs < 0 || options.jobs > 1024)

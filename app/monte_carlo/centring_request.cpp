@@ -30,14 +30,14 @@ void requireWithin(const std::string& option, double value, double most, const s
 double lengthFrom(const std::string& option, std::optional<double> value, double otherwise, const Units& units) {
   if (!value) return otherwise;
   const double unit = units.factor(dimension::kLength);
-  requireWithin(option, *value, kMostLength / unit, "a length in " + std::string(units.length().name));
+  requireWithin(option, *value, kMostLength / unit, fmt::format("a length ({})", units.length().name));
   return *value * unit;
 }
 
 double angleFrom(const std::string& option, std::optional<double> value, double otherwise, const Units& units) {
   if (!value) return otherwise;
   const double unit = units.factor(dimension::kAngle);
-  requireWithin(option, *value, kMostAngle / unit, "an angle in " + std::string(units.angle().name));
+  requireWithin(option, *value, kMostAngle / unit, fmt::format("an angle ({})", units.angle().name));
   return *value * unit;
 }
 

@@ -173,6 +173,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   expectRefused(mockup("--tubes spread:41 --seed 8 --runs 2000 --resume --out stopped"), "another list of tubes");
   expectRefused(question + "1 --resume --out stopped", "more runs");
   EXPECT_EQ(contentOf(folder / "stopped/tally.json"), kept);
+  std::filesystem::create_directories(folder / "other");
   (void)write("other/tally.json", kept);
   const Outcome anew = run(mockup("--tubes spread:40 --seed 9 --runs 5 --out other"));
   EXPECT_EQ(anew.exit_code, 0);
