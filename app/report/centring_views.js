@@ -110,7 +110,7 @@ function settingsSection(report) {
               {from: 0, to: 1.05 * most, title: `mean centring error, ${unit}`, write: short})),
        [...Array(count)].map(
            (_, k) =>
-               el('div', {class: 'card'}, el('h3', {}, `Chance of ${k + 1} steps or more, compensated`),
+               el('div', {class: 'card'}, el('h3', {}, `Chance of ${k + 1} or more steps, compensated`),
                   estimateRows(
                       `Chance of ${k + 1} steps or more`, chances(k + 1),
                       {from: 0, to: 1, title: 'chance for one hole', write: probability})))),
@@ -250,6 +250,6 @@ function worstHolesSection(report) {
   });
   return [
     el('p', {class: 'lead'}, 'The holes with the largest mean error, compensated, of those visited ten times or more.'),
-    cards
+    ...cards
   ];
 }
