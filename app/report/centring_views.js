@@ -1,12 +1,12 @@
 // ---- centring_views.js: how well tools centre over random truths: curves, chances, the sheet.
 
-const WAYS = [['compensated', 'with compensation'], ['none', 'without']];
+const WAYS = [["compensated", "with compensation"], ["none", "without"]];
 
 function settingName(report, setting) {
-  const parts = [`${plural(setting.touches, 'touch', 'touches')}`, `${textOf(setting.choice)}`];
+  const parts = [`${plural(setting.touches, "touch", "touches")}`, `${textOf(setting.choice)}`];
   const sigmas = new Set(list(report.settings).map((other) => other.touch_sigma));
   if (sigmas.size > 1) parts.push(`noise ${short(setting.touch_sigma)} ${lengthUnit(report)}`);
-  return parts.join(', ');
+  return parts.join(", ");
 }
 
 /// A choice of setting above a figure; nothing where there is only one.
@@ -14,36 +14,36 @@ function settingSelect(report, state, refresh) {
   const settings = list(report.settings);
   if (settings.length < 2) return null;
   return el(
-      'select', {
-        'aria-label': 'Setting',
+      "select", {
+        "aria-label": "Setting",
         change: (event) => {
           state.setting = Number(event.target.value);
           refresh();
         }
       },
-      settings.map((setting, i) => el('option', {value: i}, settingName(report, setting))));
+      settings.map((setting, i) => el("option", {value: i}, settingName(report, setting))));
 }
 
 function curvesSection(report) {
   const settings = list(report.settings);
-  const state = {way: 'compensated'};
-  const picture = figure('Share of visits with a larger centring error', (width) => drawCurves(report, state, width));
+  const state = {way: "compensated"};
+  const picture = figure("Share of visits with a larger centring error", (width) => drawCurves(report, state, width));
   const legend =
       settings.slice(0, SERIES.length)
-          .map((setting, i) => el('li', {}, markIcon({...seriesOf(i), name: ''}), settingName(report, setting)));
+          .map((setting, i) => el("li", {}, markIcon({...seriesOf(i), name: ""}), settingName(report, setting)));
   return [
-    el('p', {class: 'lead'},
-       'How many of the visits are further off than an error, from one in one down to one in a thousand. The dashed ' +
-           'lines are what the steps of the tool let through.'),
-    settings.length > SERIES.length ? el('p', {class: 'note'}, `The first ${SERIES.length} settings are drawn.`) : null,
-    el('div', {class: 'card'},
+    el("p", {class: "lead"},
+       "How many of the visits are further off than an error, from one in one down to one in a thousand. The dashed " +
+           "lines are what the steps of the tool let through."),
+    settings.length > SERIES.length ? el("p", {class: "note"}, `The first ${SERIES.length} settings are drawn.`) : null,
+    el("div", {class: "card"},
        choice(
-           'Compensation', WAYS, state.way,
+           "Compensation", WAYS, state.way,
            (way) => {
              state.way = way;
              picture.redraw();
            }),
-       picture.element, el('ul', {class: 'legend'}, legend))
+       picture.element, el("ul", {class: "legend"}, legend))
   ];
 }
 
@@ -60,20 +60,20 @@ function drawCurves(report, state, width) {
         ticks: roundTicks(0, most, width > 500 ? 7 : 4),
         title: `centring error, ${lengthUnit(report)}`
       },
-      {from: floor, to: 1, ticks: [0.001, 0.01, 0.1, 1], scale: Math.log10, title: 'share of visits beyond'});
+      {from: floor, to: 1, ticks: [0.001, 0.01, 0.1, 1], scale: Math.log10, title: "share of visits beyond"});
   tolerances.forEach((tolerance, i) => {
     const [x, top] = at(tolerance, 1), [, bottom] = at(tolerance, floor);
     append(drawing, [
-      svg('line', {x1: x, x2: x, y1: top, y2: bottom, class: 'required'}),
-      label(x + 4, top + 12, `step ${i + 1}`, {class: 'required-text'})
+      svg("line", {x1: x, x2: x, y1: top, y2: bottom, class: "required"}),
+      label(x + 4, top + 12, `step ${i + 1}`, {class: "required-text"})
     ]);
   });
   curves.forEach((curve, i) => {
     const series = seriesOf(i);
     const beyond = [[0, 1], ...curve.map(([error, share]) => [error, 1 - share])].filter(([, share]) => share >= floor);
-    const path = beyond.map(([error, share], k) => `${k ? 'L' : 'M'}${at(error, share).join(' ')}`).join('');
+    const path = beyond.map(([error, share], k) => `${k ? "L" : "M"}${at(error, share).join(" ")}`).join("");
     append(drawing, [
-      svg('path', {d: path, class: 'curve', style: `stroke: var(--${series.colour})`, 'stroke-dasharray': series.dash})
+      svg("path", {d: path, class: "curve", style: `stroke: var(--${series.colour})`, "stroke-dasharray": series.dash})
     ]);
     for (let k = 1 + i; k < beyond.length; k += Math.max(1, Math.floor(beyond.length / 8)))
       append(drawing, [estimateMark(...at(...beyond[k]), series)]);
@@ -102,18 +102,18 @@ function settingsSection(report) {
     return {name: settingName(report, setting), ...(object(step?.probability) ?? {}), mark: seriesOf(i)};
   });
   return [
-    el('p', {class: 'lead'}, 'The same true arms under every setting. Bars are 95 % bands.'),
-    el('div', {class: 'pair'},
-       el('div', {class: 'card'}, el('h3', {}, `Mean centring error, ${unit}`),
+    el("p", {class: "lead"}, "The same true arms under every setting. Bars are 95 % bands."),
+    el("div", {class: "pair"},
+       el("div", {class: "card"}, el("h3", {}, `Mean centring error, ${unit}`),
           estimateRows(
-              'Mean centring error', rows,
+              "Mean centring error", rows,
               {from: 0, to: 1.05 * most, title: `mean centring error, ${unit}`, write: short})),
        [...Array(count)].map(
            (_, k) =>
-               el('div', {class: 'card'}, el('h3', {}, `Chance of ${k + 1} or more steps, compensated`),
+               el("div", {class: "card"}, el("h3", {}, `Chance of ${k + 1} or more steps, compensated`),
                   estimateRows(
                       `Chance of ${k + 1} steps or more`, chances(k + 1),
-                      {from: 0, to: 1, title: 'chance for one hole', write: probability})))),
+                      {from: 0, to: 1, title: "chance for one hole", write: probability})))),
     settingsTable(report)
   ];
 }
@@ -126,16 +126,16 @@ function settingsTable(report) {
     return [
       `${settingName(report, setting)}, ${words}`, `${whole(setting.scored)} of ${whole(setting.runs)}`,
       short(object(figures.mean)?.value), short(figures.rms),
-      ...['50', '90', '95', '99'].map((q) => short(quantiles[q])), short(figures.max),
+      ...["50", "90", "95", "99"].map((q) => short(quantiles[q])), short(figures.max),
       ...steps.map((step) => probability(object(step.in_all_holes)?.value))
     ];
   }));
   const count = (report.step_tolerances ?? []).length;
   const heads = [
-    'setting', 'runs scored', `mean, ${unit}`, 'rms', '50 %', '90 %', '95 %', '99 %', 'largest',
+    "setting", "runs scored", `mean, ${unit}`, "rms", "50 %", "90 %", "95 %", "99 %", "largest",
     ...[...Array(count)].map((_, k) => `${k + 1} or more in all of a run`)
   ];
-  return el('div', {class: 'card'}, table(heads, rows), refusedList(report));
+  return el("div", {class: "card"}, table(heads, rows), refusedList(report));
 }
 
 function refusedList(report) {
@@ -145,56 +145,56 @@ function refusedList(report) {
               (setting) => list(setting.refused)
                                .map(
                                    (reason) =>
-                                       el('li', {},
-                                          `${settingName(report, setting)}: ${plural(reason.runs, 'run')} not scored, ${
+                                       el("li", {},
+                                          `${settingName(report, setting)}: ${plural(reason.runs, "run")} not scored, ${
                                               textOf(reason.reason)} ` +
                                               `(the first is run ${whole(reason.first_run)})`)));
-  return entries.length ? el('ul', {class: 'reasons'}, entries) : el('p', {class: 'good'}, 'Every run was scored.');
+  return entries.length ? el("ul", {class: "reasons"}, entries) : el("p", {class: "good"}, "Every run was scored.");
 }
 
 /// Chances as cases, told apart by colour and by shape.
 const CHANCES = [
-  {...CASES[0], name: 'below 50 %', least: 0},
-  {...CASES[1], name: '50 to 95 %', least: 0.5},
-  {...CASES[2], name: '95 to 99 %', least: 0.95},
-  {...CASES[3], name: '99 % or more', least: 0.99},
+  {...CASES[0], name: "below 50 %", least: 0},
+  {...CASES[1], name: "50 to 95 %", least: 0.5},
+  {...CASES[2], name: "95 to 99 %", least: 0.95},
+  {...CASES[3], name: "99 % or more", least: 0.99},
 ];
 
 function chanceCase(value) { return CHANCES.findLastIndex((chance) => value >= chance.least); }
 
 function chanceMapSection(report, sheet) {
   const maps = list(report.maps);
-  if (!sheet || maps.length === 0) return [notRecorded('The holes one by one')];
+  if (!sheet || maps.length === 0) return [notRecorded("The holes one by one")];
   const count = (report.step_tolerances ?? []).length;
-  const state = {setting: 0, way: 'compensated', step: count};
-  const legend = el('ul', {class: 'legend'});
-  const picture = figure('Chance of the steps over the sheet', (width) => drawChanceMap(report, sheet, state, width));
+  const state = {setting: 0, way: "compensated", step: count};
+  const legend = el("ul", {class: "legend"});
+  const picture = figure("Chance of the steps over the sheet", (width) => drawChanceMap(report, sheet, state, width));
   const refresh = () => {
     const holes = mapHoles(report, state);
     legend.replaceChildren(
         ...CHANCES
             .map(
                 (mark, i) =>
-                    el('li', {}, markIcon(mark), mark.name,
-                       el('b', {}, whole(holes.filter((hole) => chanceCase(hole.chance) === i).length))))
+                    el("li", {}, markIcon(mark), mark.name,
+                       el("b", {}, whole(holes.filter((hole) => chanceCase(hole.chance) === i).length))))
             .reverse());
     picture.redraw();
   };
   refresh();
   return [
-    el('p', {class: 'lead'},
+    el("p", {class: "lead"},
        `${viewName(sheet)}. The chance that so many steps of the tool enter a hole. Point at a ` +
-           'hole for its figures.'),
-    el('div', {class: 'card'},
-       el('div', {class: 'card-head'},
+           "hole for its figures."),
+    el("div", {class: "card"},
+       el("div", {class: "card-head"},
           choice(
-              'Steps', [...Array(count)].map((_, k) => [k + 1, `${k + 1} or more`]), state.step,
+              "Steps", [...Array(count)].map((_, k) => [k + 1, `${k + 1} or more`]), state.step,
               (step) => {
                 state.step = step;
                 refresh();
               }),
           choice(
-              'Compensation', WAYS, state.way,
+              "Compensation", WAYS, state.way,
               (way) => {
                 state.way = way;
                 refresh();
@@ -224,9 +224,9 @@ function drawChanceMap(report, sheet, state, width) {
   const known = new Map(holes.map((hole) => [`${hole.row} ${hole.column}`, hole]));
   hoverHoles(canvas, sheet, frame, (place) => {
     const hole = known.get(`${place.row} ${place.column}`);
-    if (!hole) return [tubeName(place), 'Not visited'];
+    if (!hole) return [tubeName(place), "Not visited"];
     return [
-      tubeName(hole), `${plural(hole.visits, 'visit')}, mean error ${short(hole.mean)} ${lengthUnit(report)}`,
+      tubeName(hole), `${plural(hole.visits, "visit")}, mean error ${short(hole.mean)} ${lengthUnit(report)}`,
       `Chance: ${probability(hole.chance)} (${probability(hole.low)} to ${probability(hole.high)})`
     ];
   });
@@ -243,13 +243,13 @@ function worstHolesSection(report) {
                   const chance = object(hole.at_least?.[k]) ?? {};
                   return `${probability(chance.value)} (${probability(chance.low)} to ${probability(chance.high)})`;
                 })]);
-    const heads = ['hole', 'visits', `mean error, ${unit}`, ...[...Array(count)].map((_, k) => `${k + 1} or more`)];
+    const heads = ["hole", "visits", `mean error, ${unit}`, ...[...Array(count)].map((_, k) => `${k + 1} or more`)];
     return el(
-        'div', {class: 'card'}, el('h3', {}, settingName(report, setting)),
-        rows.length ? table(heads, rows) : notRecorded('Holes visited ten times or more'));
+        "div", {class: "card"}, el("h3", {}, settingName(report, setting)),
+        rows.length ? table(heads, rows) : notRecorded("Holes visited ten times or more"));
   });
   return [
-    el('p', {class: 'lead'}, 'The holes with the largest mean error, compensated, of those visited ten times or more.'),
+    el("p", {class: "lead"}, "The holes with the largest mean error, compensated, of those visited ten times or more."),
     ...cards
   ];
 }
