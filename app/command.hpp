@@ -34,6 +34,7 @@ struct Command {
 // Declared here, defined in commands/<name>.cpp.
 Run configureAdd(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);
+Run configureCampaign(CLI::App& cli);
 Run configureCompare(CLI::App& cli);
 Run configureDiagnose(CLI::App& cli);
 Run configureIdentify(CLI::App& cli);

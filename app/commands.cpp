@@ -48,6 +48,11 @@ constexpr Command kCommands[] = {
      configureTouches},
     {"sensitivity", "which member to stiffen or lighten, and which number must be known how well",
      "tubeplan sensitivity app/cells/mockup.yaml --tubes spread:60", configureSensitivity},
+    {"campaign", "many calibrations or diagnoses over random truths: with what probability tools centre",
+     "tubeplan campaign app/cells/mockup.yaml --runs 10000 --touches 3,6,12 --out out/campaign\n"
+     "mpirun -n 64 tubeplan campaign app/cells/mockup.yaml --runs 10000000 --tubes all --out out/campaign\n"
+     "tubeplan campaign app/cells/bench.yaml --kind diagnose --runs 200",
+     configureCampaign},
     {"serve", "the workbench: all of this in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},

@@ -28,15 +28,25 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, con
   requireGoingOn(hooks);
 }
 
-}  // namespace
-
-DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks) {
-  const auto& cell = input.cell;
-  const auto& readings = input.readings;
+calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const DiagnosisRequest& request) {
   calibration::DiagnosisOptions options;
   options.baseline.free = freeNumbersOf(cell);
   options.seed = request.seed;
   options.most_effects = request.effects;
+  return options;
+}
+
+}  // namespace
+
+calibration::Diagnosis diagnoseReadings(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+                                        const DiagnosisRequest& request) {
+  return calibration::diagnose(startOf(cell, readings), readings, diagnosisOptions(cell, request));
+}
+
+DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
+  auto options = diagnosisOptions(cell, request);
   options.hooks = hooks;
   const auto start = startOf(cell, readings);
   DiagnosisOutcome outcome;

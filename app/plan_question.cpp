@@ -53,14 +53,6 @@ std::string modelText(const Cell& cell) {
   return text;
 }
 
-/// The version and the program's own bytes: another build may round otherwise.
-std::string programText() {
-  std::ifstream stream("/proc/self/exe", std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return std::string(kVersion) + " " + fingerprintOf(bytes.str());
-}
-
 std::vector<std::string> differencesIn(const PlanQuestion& before, const PlanQuestion& now, const auto& counts) {
   std::vector<std::string> differences;
   for (const auto& [name, value] : now)
@@ -78,14 +70,27 @@ std::string fingerprintOf(std::string_view bytes) {
   return fmt::format("{:016x}", hash);
 }
 
+std::string programText() {
+  std::ifstream stream("/proc/self/exe", std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return std::string(kVersion) + " " + fingerprintOf(bytes.str());
+}
+
+std::string modelFingerprint(const Cell& cell) { return fingerprintOf(modelText(cell)); }
+
+std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers) {
+  std::string text;
+  for (const double number : numbers.reshaped()) text += fmt::format("{:a} ", number);
+  return fingerprintOf(text);
+}
+
 PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tubes) {
-  const Eigen::Matrix4d base = inputs.model.X_WB.matrix();
-  std::string base_text, tubes_text;
-  for (const double number : base.reshaped()) base_text += fmt::format("{:a} ", number);
+  std::string tubes_text;
   for (const int tube : tubes) tubes_text += fmt::format("{} ", tube);
   return {{"program", programText()},
-          {"arm and scene", fingerprintOf(modelText(inputs.cell))},
-          {"base", fingerprintOf(base_text)},
+          {"arm and scene", modelFingerprint(inputs.cell)},
+          {"base", numbersFingerprint(inputs.model.X_WB.matrix())},
           {"load", fmt::format("{} N", inputs.model.load)},
           {"clearance", fmt::format("{:a} m", inputs.model.scene.clearance)},
           {"compensation", inputs.compensation},

@@ -30,6 +30,15 @@ struct QuestionInputs {
 /// seed, tubes, start and end, other conditions and from.
 [[nodiscard]] PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tubes);
 
+/// The program's version and the fingerprint of its own bytes: another build may round otherwise.
+[[nodiscard]] std::string programText();
+
+/// Of a cell's values, but for its name, base, sheet, tool and what is to be identified.
+[[nodiscard]] std::string modelFingerprint(const Cell& cell);
+
+/// Of a matrix's numbers, to the last bit.
+[[nodiscard]] std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers);
+
 /// Names of the parts that differ, "another seed (1, now 2)" each; empty when the questions are the same.
 [[nodiscard]] std::vector<std::string> findDifferences(const PlanQuestion& before, const PlanQuestion& now);
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
+#include "app/monte_carlo/true_touches.hpp"
 #include "app/touch_input.hpp"
 #include "app/touch_rehearsal.hpp"
-#include "deflection/parameters.hpp"
 
 namespace tubeplan::app {
 
@@ -19,85 +19,35 @@ constexpr int kCandidates = 80;
 constexpr int kTouchFits = 20;
 constexpr int kMostDraws = 1000;
 
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
-  double normal(double sigma) { return sigma * normal_(random_); }
-  Vector3d vector(double sigma) {
-    const double x = normal(sigma), y = normal(sigma), z = normal(sigma);
-    return {x, y, z};
-  }
-  std::uint64_t seed() { return random_(); }
-  template <class T>
-  void shuffle(std::vector<T>& items) {
-    for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[random_() % k]);
-  }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_{0, 1};
-};
-
-/// A true arm about the given one: another base, other stiffnesses.
-planner::Workcell drawTruth(planner::Workcell truth, const StepExperimentOptions& options, Draw& draw) {
-  calibration::BaseStep step;
-  step << draw.vector(options.base_shift_sigma), draw.vector(options.base_turn_sigma);
-  truth.X_WB = calibration::moved(truth.X_WB, step);
-  for (const auto& parameter : deflection::parametersOf(truth.arm)) {
-    const bool is_stiffness = parameter.quantity == deflection::Quantity::kTorquePerAngle ||
-                              parameter.quantity == deflection::Quantity::kLengthToTheFourth;
-    if (is_stiffness) deflection::locate(truth.arm, parameter.path) *= std::exp(draw.normal(options.stiffness_sigma));
-  }
-  return truth;
-}
-
-struct TestHole {
-  TouchPlan plan;
-  int tube;
-  Vector3d tip_error;  ///< belongs to the posture: the same when the hole is touched and when it is scored
-};
+using Draw = DrawFrom<std::mt19937_64>;
 
 /// Touches of the first `count` holes by the true arm; empty when one is out of its reach.
-std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std::vector<TestHole>& holes, int count,
+std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std::vector<TrialHole>& holes, int count,
                                       double sigma, Draw& draw) {
-  std::vector<TouchPlan> plans;
-  for (int k = 0; k < count; ++k) {
-    plans.push_back(holes[static_cast<std::size_t>(k)].plan);
-    plans.back().id = "T" + std::to_string(k + 1);
-    // The true arm's own error is met by steering against it: its model's tip then stands that much aside.
-    plans.back().p_WH -= holes[static_cast<std::size_t>(k)].tip_error;
-  }
-  calibration::TouchSimulationOptions options;
-  options.sigma = sigma;
-  options.seed = draw.seed();
-  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
-  if (simulation.status != calibration::TouchSimulationStatus::kDone) return {};
-  for (int k = 0; k < count; ++k)
-    simulation.touches[static_cast<std::size_t>(k)].p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
-  addNeighbours(truth.sheet, simulation.touches);
-  return simulation.touches;
+  auto touches = touchHoles(truth, holes, count, sigma, draw.seed());
+  addNeighbours(truth.sheet, touches);
+  return touches;
 }
 
-std::vector<TestHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
-                                double error_sigma, Draw& draw) {
+std::vector<TrialHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
+                                 double error_sigma, Draw& draw) {
   draw.shuffle(candidates);
-  std::vector<TestHole> holes;
+  std::vector<TrialHole> holes;
   for (int k = 0; k < count; ++k) {
     const auto& plan = candidates[static_cast<std::size_t>(k)];
-    const auto name = parseHoleName(plan.hole);
-    holes.push_back({plan, *cell.sheet.indexOf(name->row, name->column), draw.vector(error_sigma)});
+    holes.push_back({plan, tubeOf(plan, cell.sheet), draw.vector(error_sigma)});
   }
   return holes;
 }
 
 /// Mean error that a base fitted to many touches leaves at them.
-double meanTouchError(const planner::Workcell& model, const planner::Workcell& truth,
+double meanTouchError(const planner::Workcell& model, const TruthMaker& truths,
                       const std::vector<TouchPlan>& candidates, const StepExperimentOptions& options) {
   Draw draw(options.seed ^ 0x5bd1e995u);
   double sum = 0;
   int count = 0;
   for (int fit = 0; fit < kTouchFits; ++fit) {
-    const auto drawn = drawTruth(truth, options, draw);
+    const auto drawn = truths.draw(draw);
     const auto holes = drawHoles(model, candidates, options.touch_fit_points, options.unmodelled_sigma, draw);
     const auto touches = touch(drawn, holes, options.touch_fit_points, touchSigmaOf(model.tool), draw);
     if (touches.empty()) continue;
@@ -106,20 +56,6 @@ double meanTouchError(const planner::Workcell& model, const planner::Workcell& t
     for (const auto& residual : base.residuals) sum += residual.residual_W.norm(), ++count;
   }
   return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// Three well-spread holes first: a line of them would place no base.
-bool areWellSpread(const std::vector<TestHole>& holes, int count) {
-  std::vector<calibration::Touch> touches;
-  for (int k = 0; k < count; ++k) {
-    calibration::Touch touch;
-    touch.hole = holes[static_cast<std::size_t>(k)].plan.hole;
-    touch.p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
-    touches.push_back(touch);
-  }
-  calibration::BaseCalibrationOptions options;
-  options.collinear_ratio = 0.3;
-  return calibration::findTouchProblem(touches, options).empty();
 }
 
 void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& experiment) {
@@ -138,12 +74,11 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
 }
 
 /// One calibration and its ten holes; the reason where the touches were refused.
-std::string runOnce(const planner::Workcell& model, const planner::Workcell& truth,
-                    const std::vector<TouchPlan>& candidates, const StepExperimentOptions& options, std::uint64_t seed,
-                    StepExperiment& experiment) {
+std::string runOnce(const planner::Workcell& model, const TruthMaker& truths, const std::vector<TouchPlan>& candidates,
+                    const StepExperimentOptions& options, std::uint64_t seed, StepExperiment& experiment) {
   Draw draw(seed);
-  const planner::Workcell drawn = drawTruth(truth, options, draw);
-  std::vector<TestHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
+  const planner::Workcell drawn = truths.draw(draw);
+  std::vector<TrialHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   for (int tries = 0; !areWellSpread(holes, options.calibration_holes); ++tries) {
     if (tries == kMostDraws) return "no three holes that lie well off a line were drawn: the sheet is too narrow";
     holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
@@ -172,19 +107,20 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     experiment.reason = "only " + std::to_string(candidates.size()) + " holes spread over the sheet can be reached";
     return experiment;
   }
+  const TruthMaker truths(truth, options);
   Draw seeds(options.seed);
   for (int run = 0; run < options.runs; ++run) {
     if (hooks.stop && hooks.stop()) break;
     if (hooks.progress)
       hooks.progress("runs", static_cast<std::size_t>(run) + 1, static_cast<std::size_t>(options.runs));
-    const std::string reason = runOnce(model, truth, candidates, options, seeds.seed(), experiment);
+    const std::string reason = runOnce(model, truths, candidates, options, seeds.seed(), experiment);
     if (!reason.empty()) experiment.refused.push_back(reason);
   }
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
     experiment.mean_error[mode] /= std::max(1, experiment.scored[mode]);
   }
-  experiment.mean_touch_error = meanTouchError(model, truth, candidates, options);
+  experiment.mean_touch_error = meanTouchError(model, truths, candidates, options);
   const bool complete = experiment.runs + static_cast<int>(experiment.refused.size()) == options.runs;
   experiment.status = complete ? StepExperimentStatus::kDone : StepExperimentStatus::kStopped;
   if (!complete) experiment.reason = "stopped after " + std::to_string(experiment.runs) + " runs, which are kept";

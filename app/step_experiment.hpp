@@ -6,23 +6,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/monte_carlo/true_arm.hpp"
 #include "app/step_score.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::app {
 
-struct StepExperimentOptions {
+struct StepExperimentOptions : TruthSpread {
   int runs = 100;
   std::uint64_t seed = 1;
   int calibration_holes = 3, test_holes = 10;
-  double base_shift_sigma = 0.0127;  ///< m per coordinate (0.5 in) about the truth's base
-  double base_turn_sigma = 0.0087;   ///< rad per axis (0.5 deg)
-  double stiffness_sigma = 0.02;     ///< relative, of every stiffness of the true arm
-  /// m per coordinate: what the true arm does beyond any model, another in each posture. About a truth that is the
-  /// model itself, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as table 5.6
-  /// does after its fit; a truth with other stiffnesses leaves more. The figure reached is measured in every run and
-  /// printed.
-  double unmodelled_sigma = 5.0e-4;
   int touch_fit_points = 14;
 };
 

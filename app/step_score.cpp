@@ -10,6 +10,19 @@ ScoringModels scoringModels(const planner::Workcell& model, const std::optional<
   return models;
 }
 
+std::optional<planner::Centring> centringAt(const PlacedModel& model, const planner::Workcell& truth,
+                                            const Eigen::Vector3d& hole_W, const Eigen::VectorXd& q_start,
+                                            const Eigen::Vector3d& tip_error_W) {
+  const deflection::ToolGoal goal{model.X_WB.inverse() * hole_W,
+                                  model.X_WB.linear().transpose() * planner::kHoleAxis_W};
+  const auto gravity_B = deflection::gravityInBase(model.arm, model.X_WB);
+  const auto found = deflection::refineBranch(model.arm, goal, truth.load, gravity_B, q_start);
+  if (found.status != deflection::BranchStatus::kConverged) return std::nullopt;
+  planner::TubeBranch visit;
+  visit.q = found.q;
+  return planner::scoreVisit(truth, hole_W, visit, tip_error_W);
+}
+
 ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach) {
   ModeScores scores;
   const auto hole = planner::holeCentre(models.truth.sheet.tubes.at(static_cast<std::size_t>(tube.tube)));

@@ -34,6 +34,18 @@ struct TubeToScore {
 /// Centring by mode, in the order of kCompensations; empty where that mode finds no posture in the branch.
 using ModeScores = std::array<std::optional<planner::Centring>, kCompensations.size()>;
 
+/// A model of the arm and where it takes its base to stand.
+struct PlacedModel {
+  const deflection::Arm& arm;
+  const Eigen::Isometry3d& X_WB;
+};
+
+/// Where the true arm goes when a model sends it to the hole's centre, from a posture near it; empty where the model
+/// finds none. What a mode does at the hole, without the way up to it.
+[[nodiscard]] std::optional<planner::Centring> centringAt(const PlacedModel& model, const planner::Workcell& truth,
+                                                          const Eigen::Vector3d& hole_W, const Eigen::VectorXd& q_start,
+                                                          const Eigen::Vector3d& tip_error_W);
+
 /// Without approach only the centring at the hole is scored.
 [[nodiscard]] ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach = true);
 

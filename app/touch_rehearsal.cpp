@@ -1,5 +1,7 @@
 #include "app/touch_rehearsal.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "app/input_error.hpp"
@@ -12,16 +14,27 @@ namespace tubeplan::app {
 std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count) {
   const auto selection = tubesheets::selectTubes(
       cell.sheet, "spread:" + std::to_string(std::min<std::size_t>(count, cell.sheet.tubes.size())));
+  return touchCandidates(cell, selection.tube_indices);
+}
+
+std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, const std::vector<int>& tubes) {
   const planner::ArmClearance clearance(cell);
+  std::vector<planner::TubeReach> reach(tubes.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(),
+                            [&](std::size_t k) { reach[k] = planner::reachTube(clearance, tubes[k]); });
   std::vector<calibration::TouchPlan> candidates;
-  for (int index : selection.tube_indices) {
-    const auto reach = planner::reachTube(clearance, index);
-    if (reach.status != planner::ReachStatus::kReachable) continue;
-    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(index)];
+  for (std::size_t k = 0; k < tubes.size(); ++k) {
+    if (reach[k].status != planner::ReachStatus::kReachable) continue;
+    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(tubes[k])];
     candidates.push_back(
-        {"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), reach.branches.front().q});
+        {"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), reach[k].branches.front().q});
   }
   return candidates;
+}
+
+int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet) {
+  const auto name = parseHoleName(candidate.hole);
+  return *sheet.indexOf(name->row, name->column);
 }
 
 std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
@@ -42,12 +55,19 @@ std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
 }
 
 BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<calibration::Touch>& touches) {
+  return calibrateBoth(cell.arm, deflection::rigidCopy(cell.arm), cell.X_WB, touches);
+}
+
+BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
+                               const Eigen::Isometry3d& X_WB_start, const std::vector<calibration::Touch>& touches,
+                               calibration::LeastSquaresMethod method) {
   BothCalibrations both;
-  both.flexible = calibration::calibrateBase(cell.arm, touches, cell.X_WB);
+  calibration::BaseCalibrationOptions options;
+  options.method = method;
+  both.flexible = calibration::calibrateBase(flexible, touches, X_WB_start, options);
   // A rigid model is off by inches; that is no sign of a mistaken hole.
-  calibration::BaseCalibrationOptions blunt;
-  blunt.model_sigma = 1;
-  both.rigid = calibration::calibrateBase(deflection::rigidCopy(cell.arm), touches, cell.X_WB, blunt);
+  options.model_sigma = 1;
+  both.rigid = calibration::calibrateBase(rigid, touches, X_WB_start, options);
   return both;
 }
 

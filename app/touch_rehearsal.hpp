@@ -14,10 +14,17 @@ namespace tubeplan::app {
 /// Holes spread over the sheet that the arm reaches without collision, each with a posture: candidates for touching.
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count);
 
+/// The same of given tubes.
+[[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell,
+                                                                  const std::vector<int>& tubes);
+
 /// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ...
 [[nodiscard]] std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
                                                               const std::vector<calibration::TouchPlan>& candidates,
                                                               int count);
+
+/// The tube whose hole a candidate names, by its index in the sheet.
+[[nodiscard]] int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet);
 
 /// The base by the flexible model and, for comparison, by the rigid one.
 struct BothCalibrations {
@@ -25,6 +32,12 @@ struct BothCalibrations {
 };
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& cell,
                                              const std::vector<calibration::Touch>& touches);
+
+/// The same with both arms at hand, for many calibrations of one model.
+[[nodiscard]] BothCalibrations calibrateBoth(
+    const deflection::Arm& flexible, const deflection::Arm& rigid, const Eigen::Isometry3d& X_WB_start,
+    const std::vector<calibration::Touch>& touches,
+    calibration::LeastSquaresMethod method = calibration::LeastSquaresMethod::kInteriorPoint);
 
 /// The cell with its base as calibrated. A misfit beyond noise widens the covariance by chi-square per degree of
 /// freedom.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/least_squares.hpp"
+#include "calibration/touched_arm.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
@@ -15,13 +16,11 @@ using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eige
 
 /// Best rigid placing of the arm's touched tips on the holes (Umeyama 1991, no scale); repeated, since the sag of the
 /// tips depends on gravity's direction in the base, which the placing tells.
-Isometry3d alignBase(const deflection::Arm& arm, const std::vector<Touch>& touches, Isometry3d X_WB, int repeats) {
+Isometry3d alignBase(TouchedArm& arm, const std::vector<Touch>& touches, Isometry3d X_WB, int repeats) {
   Eigen::Matrix3Xd tips(3, touches.size()), holes(3, touches.size());
   for (int n = 0; n < repeats; ++n) {
     for (std::size_t k = 0; k < touches.size(); ++k) {
-      const auto shape = deflection::solveFlexibleKinematics(
-          arm, {touches[k].q, touches[k].load, deflection::gravityInBase(arm, X_WB)});
-      tips.col(static_cast<Eigen::Index>(k)) = shape.X_BD.p;
+      tips.col(static_cast<Eigen::Index>(k)) = arm.tipInBase(X_WB, touches[k], {}, false);
       holes.col(static_cast<Eigen::Index>(k)) = touches[k].p_WH;
     }
     const Isometry3d before = X_WB;
@@ -40,28 +39,22 @@ struct WhitenedTouch {
 
 using Whitener = Matrix3d;  // inverse of the lower Cholesky factor of a touch's covariance
 
-WhitenedTouch whitenedTouch(const deflection::Arm& arm, const Isometry3d& X_WB, const Touch& touch,
-                            const Whitener& whitener) {
-  const TipInWorld tip = tipInWorld(arm, X_WB, touch.q, touch.load);
+WhitenedTouch whitenedTouch(TouchedArm& arm, const Isometry3d& X_WB, const Touch& touch, const Whitener& whitener) {
+  const TipInWorld tip = arm.tipInWorld(X_WB, touch.q, touch.load);
   return {tip.ok, whitener * (tip.p_WT - touch.p_WH), whitener * tip.by_base};
 }
 
 /// The misfit alone, NaN where the shape does not settle: what a solver asks at every trial point.
-Vector3d whitenedMisfit(const deflection::Arm& arm, const Isometry3d& X_WB, const Touch& touch,
-                        const Whitener& whitener) {
-  const auto shape = deflection::solveFlexibleKinematics(
-      arm, {touch.q, touch.load, deflection::gravityInBase(arm, X_WB)}, {1e-12, 100});
-  if (shape.status != deflection::KinematicsStatus::kConverged)
-    return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  return whitener * (X_WB * shape.X_BD.p - touch.p_WH);
+Vector3d whitenedMisfit(TouchedArm& arm, const Isometry3d& X_WB, const Touch& touch, const Whitener& whitener) {
+  return whitener * (X_WB * arm.tipInBase(X_WB, touch, {1e-12, 100}, true) - touch.p_WH);
 }
 
-std::vector<Whitener> whitenersAt(const deflection::Arm& arm, const Isometry3d& X_WB, const std::vector<Touch>& touches,
+std::vector<Whitener> whitenersAt(TouchedArm& arm, const Isometry3d& X_WB, const std::vector<Touch>& touches,
                                   double model_sigma) {
   std::vector<Whitener> whiteners;
   for (const auto& touch : touches) {
     const Matrix3d covariance =
-        touchCovariance(arm, tipInWorld(arm, X_WB, touch.q, touch.load), std::hypot(touch.sigma, model_sigma));
+        touchCovariance(arm.arm(), arm.tipInWorld(X_WB, touch.q, touch.load), std::hypot(touch.sigma, model_sigma));
     whiteners.push_back(covariance.llt().matrixL().solve(Matrix3d::Identity()));
   }
   return whiteners;
@@ -77,7 +70,7 @@ Matrix3d leftJacobian(const Vector3d& w) {
   return Matrix3d::Identity() + (1 - std::cos(t)) / (t * t) * K + (t - std::sin(t)) / (t * t * t) * K * K;
 }
 
-LeastSquaresProblem baseProblem(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB,
+LeastSquaresProblem baseProblem(TouchedArm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB,
                                 const std::vector<Whitener>& whiteners) {
   LeastSquaresProblem problem;
   const double infinity = std::numeric_limits<double>::infinity();
@@ -85,7 +78,7 @@ LeastSquaresProblem baseProblem(const deflection::Arm& arm, const std::vector<To
   problem.lower = VectorXd::Constant(6, -infinity);
   problem.upper = VectorXd::Constant(6, infinity);
   problem.scale = VectorXd::Constant(6, 1e-3);
-  problem.scale.tail<3>() /= deflection::reachOf(arm);
+  problem.scale.tail<3>() /= deflection::reachOf(arm.arm());
   problem.evaluate = [&arm, &touches, &whiteners, X_WB](const VectorXd& x, VectorXd& r, MatrixXd* jacobian) {
     r.resize(3 * static_cast<Eigen::Index>(touches.size()));
     if (jacobian) jacobian->resize(r.size(), 6);
@@ -114,11 +107,11 @@ struct BaseFit {
 };
 
 /// Weights are taken at the aligned pose: encoder noise through the Jacobian changes little after it.
-BaseFit fitBase(const deflection::Arm& arm, const std::vector<Touch>& touches, const Isometry3d& aligned,
-                double model_sigma) {
+BaseFit fitBase(TouchedArm& arm, const std::vector<Touch>& touches, const Isometry3d& aligned, double model_sigma,
+                LeastSquaresMethod method) {
   const auto whiteners = whitenersAt(arm, aligned, touches, model_sigma);
   BaseFit fit;
-  fit.solution = minimizeLeastSquares(baseProblem(arm, touches, aligned, whiteners));
+  fit.solution = minimizeLeastSquares(baseProblem(arm, touches, aligned, whiteners), {.method = method});
   fit.X_WB = moved(aligned, fit.solution.x);
   const double freedom = 3. * static_cast<double>(touches.size()) - 6;
   if (std::isfinite(fit.solution.chi2))
@@ -127,8 +120,7 @@ BaseFit fitBase(const deflection::Arm& arm, const std::vector<Touch>& touches, c
   return fit;
 }
 
-Eigen::Matrix<double, 6, 6> baseCovariance(const deflection::Arm& arm, const std::vector<Touch>& touches,
-                                           const Isometry3d& X_WB) {
+Eigen::Matrix<double, 6, 6> baseCovariance(TouchedArm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB) {
   Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
   const auto whiteners = whitenersAt(arm, X_WB, touches, 0);
   for (std::size_t k = 0; k < touches.size(); ++k) {
@@ -138,14 +130,14 @@ Eigen::Matrix<double, 6, 6> baseCovariance(const deflection::Arm& arm, const std
   return information.inverse();
 }
 
-void recordResiduals(const deflection::Arm& arm, const std::vector<Touch>& touches, BaseCalibration& result) {
+void recordResiduals(TouchedArm& arm, const std::vector<Touch>& touches, BaseCalibration& result) {
   std::vector<TipInWorld> tips;
   double sum = 0;
   for (const auto& touch : touches) {
-    tips.push_back(tipInWorld(arm, result.X_WB, touch.q, touch.load));
+    tips.push_back(arm.tipInWorld(result.X_WB, touch.q, touch.load));
     const Vector3d residual = tips.back().p_WT - touch.p_WH;
     result.residuals.push_back(
-        {touch.id, touch.hole, residual, touchCovariance(arm, tips.back(), touch.sigma).diagonal().cwiseSqrt()});
+        {touch.id, touch.hole, residual, touchCovariance(arm.arm(), tips.back(), touch.sigma).diagonal().cwiseSqrt()});
     sum += residual.squaredNorm();
   }
   result.rms = std::sqrt(sum / static_cast<double>(touches.size()));
@@ -154,21 +146,22 @@ void recordResiduals(const deflection::Arm& arm, const std::vector<Touch>& touch
       if (touches[i].hole == touches[j].hole) continue;
       const Vector3d along = (touches[j].p_WH - touches[i].p_WH).normalized();
       const Matrix3d both =
-          touchCovariance(arm, tips[i], touches[i].sigma) + touchCovariance(arm, tips[j], touches[j].sigma);
+          touchCovariance(arm.arm(), tips[i], touches[i].sigma) + touchCovariance(arm.arm(), tips[j], touches[j].sigma);
       result.distances.push_back({touches[i].hole, touches[j].hole, (tips[j].p_WT - tips[i].p_WT).norm(),
                                   (touches[j].p_WH - touches[i].p_WH).norm(), std::sqrt(along.dot(both * along))});
     }
 }
 
 /// Each touch in turn is taken for each of its neighbours; those that make the touches fit are named, best first.
-std::vector<std::string> findMistakenHoles(const deflection::Arm& arm, const std::vector<Touch>& touches,
-                                           const Isometry3d& X_WB, double chi2, const BaseCalibrationOptions& options) {
+std::vector<std::string> findMistakenHoles(TouchedArm& arm, const std::vector<Touch>& touches, const Isometry3d& X_WB,
+                                           double chi2, const BaseCalibrationOptions& options) {
   std::vector<std::pair<double, std::string>> found;
   for (std::size_t k = 0; k < touches.size(); ++k)
     for (const auto& neighbour : touches[k].neighbours) {
       std::vector<Touch> supposed = touches;
       supposed[k].p_WH = neighbour.p_WH;
-      const BaseFit fit = fitBase(arm, supposed, alignBase(arm, supposed, X_WB, 3), options.model_sigma);
+      const BaseFit fit =
+          fitBase(arm, supposed, alignBase(arm, supposed, X_WB, 3), options.model_sigma, options.method);
       if (fit.p_value > 0.01 && fit.solution.chi2 < chi2 / 4)
         found.emplace_back(fit.solution.chi2,
                            "touch " + touches[k].id + " named " + touches[k].hole + " fits hole " + neighbour.name);
@@ -187,10 +180,10 @@ BaseCalibration refused(std::string reason) {
 }
 
 /// Looks at a misfit that noise and the model's usual error cannot explain.
-bool isMistaken(const deflection::Arm& arm, const std::vector<Touch>& touches, const BaseCalibrationOptions& options,
+bool isMistaken(TouchedArm& arm, const std::vector<Touch>& touches, const BaseCalibrationOptions& options,
                 BaseCalibration& result) {
   if (result.p_value >= options.mistaken_hole_p_value) return false;
-  const BaseFit tolerant = fitBase(arm, touches, result.X_WB, options.model_sigma);
+  const BaseFit tolerant = fitBase(arm, touches, result.X_WB, options.model_sigma, options.method);
   if (tolerant.p_value >= options.mistaken_hole_p_value) return false;
   result.suspects = findMistakenHoles(arm, touches, result.X_WB, tolerant.solution.chi2, options);
   if (result.suspects.empty()) {
@@ -212,10 +205,11 @@ Eigen::Matrix<double, 6, 6> widenedCovariance(const BaseCalibration& calibration
   return calibration.covariance * std::max(1., calibration.chi2 / std::max(1, calibration.degrees_of_freedom));
 }
 
-BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches,
+BaseCalibration calibrateBase(const deflection::Arm& given, const std::vector<Touch>& touches,
                               const Isometry3d& X_WB_start, const BaseCalibrationOptions& options) {
   if (const std::string problem = findTouchProblem(touches, options); !problem.empty()) return refused(problem);
-  const BaseFit fit = fitBase(arm, touches, alignBase(arm, touches, X_WB_start, options.alignments), 0);
+  TouchedArm arm(given);
+  const BaseFit fit = fitBase(arm, touches, alignBase(arm, touches, X_WB_start, options.alignments), 0, options.method);
   BaseCalibration result;
   result.X_WB = fit.X_WB;
   result.chi2 = fit.solution.chi2;

@@ -1,5 +1,6 @@
 #include "calibration/base_residual.hpp"
 
+#include "calibration/touched_arm.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
@@ -7,12 +8,6 @@ namespace tubeplan::calibration {
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
-
-Matrix3d crossMatrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 
 Matrix3d encoderCovariance(const deflection::Arm& arm, const TipInWorld& tip) {
   Matrix3d covariance = Matrix3d::Zero();
@@ -35,21 +30,7 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step) {
 
 TipInWorld tipInWorld(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
                       double load) {
-  auto variables = deflection::jointVariables(arm);
-  const int joints = static_cast<int>(variables.size());
-  for (int axis = 0; axis < 3; ++axis) variables.push_back(deflection::Variable::gravityTurn(axis));
-  const auto derivatives =
-      deflection::differentiateTip(arm, {q, load, deflection::gravityInBase(arm, X_WB)}, variables, {1e-12, 100});
-  TipInWorld tip;
-  tip.ok = derivatives.kinematics.status == deflection::KinematicsStatus::kConverged;
-  const Matrix3d R = X_WB.linear();
-  const Vector3d r_W = R * derivatives.kinematics.X_BD.p;
-  tip.p_WT = X_WB.translation() + r_W;
-  tip.by_base.leftCols<3>().setIdentity();
-  // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
-  tip.by_base.rightCols<3>() = -crossMatrix(r_W) - R * derivatives.position_B.rightCols<3>() * R.transpose();
-  tip.by_joints = R * derivatives.position_B.leftCols(joints);
-  return tip;
+  return TouchedArm(arm).tipInWorld(X_WB, q, load);
 }
 
 Matrix3d tipCovariance(const deflection::Arm& arm, const TipInWorld& tip,

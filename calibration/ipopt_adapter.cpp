@@ -4,6 +4,7 @@
 #include <IpTNLP.hpp>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "calibration/scaled_problem.hpp"
 
@@ -162,6 +163,9 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 }  // namespace
 
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  // MUMPS, the linear solver that Debian's Ipopt brings, keeps its instances in an unguarded table of the process.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   using Status = LeastSquaresStatus;
   ScaledProblem scaled(problem);
   Ipopt::SmartPtr<NonlinearProgram> program = new NonlinearProgram(scaled);

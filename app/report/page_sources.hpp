@@ -13,5 +13,6 @@ struct PageSources {
 
 [[nodiscard]] PageSources planPageSources();
 [[nodiscard]] PageSources diagnosisPageSources();
+[[nodiscard]] PageSources campaignPageSources();
 
 }  // namespace tubeplan::app

@@ -9,6 +9,7 @@
 #include "app/calibration_json.hpp"
 #include "app/command_inputs.hpp"
 #include "app/plan_files.hpp"
+#include "app/sheet_json.hpp"
 #include "app/touch_input.hpp"
 #include "app/version.hpp"
 #include "app/workcell.hpp"
@@ -23,26 +24,6 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr int kSideViews = 6;
-
-json sheetData(const PlanOutcome& outcome) {
-  const auto& sheet = outcome.model.sheet;
-  const Units& units = outcome.cell.units;
-  json holes = json::array(), manway;
-  if (sheet.manway) manway = {sheet.manway->direction().x(), sheet.manway->direction().y()};
-  for (const auto& tube : sheet.tubes)
-    holes.push_back({tube.row, tube.column, lengthOf(tube.x, units), lengthOf(tube.y, units),
-                     tubesheets::tubeStateName(tube.state)});
-  return {{"name", outcome.cell.name},
-          {"leg", tubesheets::legName(sheet.leg)},
-          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
-          {"hole_diameter", lengthOf(sheet.hole_diameter, units)},
-          {"pitch", lengthOf(sheet.pitch, units)},
-          {"rows", sheet.rows},
-          {"columns", sheet.columns},
-          {"holes", holes},
-          {"manway", manway},
-          {"fingerprint", sheet.fingerprint()}};
-}
 
 json centringData(const std::optional<planner::Centring>& score, const Units& units) {
   if (!score) return nullptr;
@@ -257,7 +238,7 @@ json reportJson(const PlanRequest& request, const PlanOutcome& outcome) {
           {"version", kVersion},
           {"seed", request.seed},
           {"units", unitsJson(units)},
-          {"sheet", sheetData(outcome)},
+          {"sheet", sheetPageJson(outcome.model.sheet, outcome.cell)},
           {"bowl_radius", bowlRadius(outcome)},
           {"steps", steps},
           {"tubes", tubesData(outcome)},

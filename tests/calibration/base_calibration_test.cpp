@@ -30,6 +30,28 @@ TEST(BaseCalibration, RecoversTheBaseExactlyFromAnyStart) {
   }
 }
 
+TEST(BaseCalibration, IsTheSameByEitherSolver) {
+  const auto cell = touchedCell();
+  BaseCalibrationOptions quick;
+  quick.method = LeastSquaresMethod::kLevenbergMarquardt;
+  quick.model_sigma = 1;  // a rigid arm is off by inches
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto touches = touchesOf(cell, 0.005, seed);
+    for (const auto& arm : {cell.arm, deflection::rigidCopy(cell.arm)}) {
+      BaseCalibrationOptions slow = quick;
+      slow.method = LeastSquaresMethod::kInteriorPoint;
+      const auto one = calibrateBase(arm, touches, cell.X_WB_nominal, quick);
+      const auto other = calibrateBase(arm, touches, cell.X_WB_nominal, slow);
+      ASSERT_EQ(one.status, CalibrationStatus::kDone) << one.reason;
+      ASSERT_EQ(other.status, CalibrationStatus::kDone) << other.reason;
+      const BaseStep off = stepBetween(one.X_WB, other.X_WB);
+      EXPECT_LE(off.head<3>().norm(), 1e-4 * kInch);  // a fiftieth of the noise
+      EXPECT_LE(off.tail<3>().norm(), 1e-4 * kDegree);
+      EXPECT_NEAR(one.chi2, other.chi2, 1e-6 * other.chi2);
+    }
+  }
+}
+
 TEST(BaseCalibration, RecoversAHangingBase) {
   auto cell = touchedCell();
   const Eigen::Isometry3d X_WB = pose(5, 30, 20, 180, 0, 30);

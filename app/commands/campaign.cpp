@@ -1,0 +1,254 @@
+// tubeplan campaign: many calibrations or diagnoses over random truths.
+#include "app/monte_carlo/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/atomic_file.hpp"
+#include "app/command.hpp"
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "app/monte_carlo/centring_trial.hpp"
+#include "app/monte_carlo/repeat_runs.hpp"
+#include "app/monte_carlo/run_workers.hpp"
+#include "app/monte_carlo/tally_keeper.hpp"
+#include "app/progress.hpp"
+#include "app/stop_signal.hpp"
+#include "app/suggestion.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct CampaignOptions {
+  CampaignRequest request;
+  std::string kind = "centre", out, json;
+  std::int64_t runs = 0;
+  int jobs = 0;
+  bool resume = false;
+};
+
+const CampaignKind& kindOf(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& kind : campaignKinds()) {
+    if (kind.name == name) return kind;
+    names.emplace_back(kind.name);
+  }
+  throw InputError("--kind", inQuotes(name), alternatives(names), suggestion(name, names));
+}
+
+/// What the first rank keeps and writes; every other has none of it.
+class CampaignDesk {
+ public:
+  CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
+      : options_(options), campaign_(campaign), runs_(static_cast<std::uint64_t>(options.runs)) {
+    checkJsonTarget(options.json);
+    if (options.resume && options.out.empty())
+      throw InputError("--resume", "no folder to go on in", "--out DIR", "name the folder of the stopped campaign");
+    RunSet done;
+    if (!options.out.empty()) {
+      folder_.emplace(options.out, "--out");
+      keeper_.emplace(folder_->path(), options.resume);
+      if (const auto kept = keeper_->begin(campaign.question, runs_)) {
+        if (!campaign.experiment->add(kept->total))
+          throw InputError(keeper_->path().string(), "a tally of another shape", "one of this question",
+                           "remove it to begin anew");
+        done = kept->done;
+      }
+    }
+    schedule_.emplace(runs_, chunkFor(runs_, campaign.largest_chunk), done);
+  }
+
+  int run(int workers, Ranks* ranks) {
+    noteStopSignals();
+    const auto begun = schedule_->done().size();
+    auto progress = std::make_unique<Progress>("runs", static_cast<std::size_t>(runs_ - begun));
+    RepeatHooks hooks;
+    hooks.progress = [&](std::uint64_t done) { progress->update(static_cast<std::size_t>(done - begun)); };
+    hooks.stop = stopRequested;
+    hooks.keep = [&](bool must) { keep(must); };
+    const RepeatStatus status = repeatRuns(*campaign_.experiment, *schedule_, workers, hooks, ranks);
+    progress.reset();
+    if (status == RepeatStatus::kStopped && keeper_) return explainStop();
+    report();
+    return status == RepeatStatus::kStopped ? kStoppedExitCode : kDone;
+  }
+
+ private:
+  void keep(bool must) {
+    if (keeper_) keeper_->save([&] { return KeptTally{schedule_->done(), campaign_.experiment->total()}; }, must);
+  }
+
+  int explainStop() {
+    keep(true);
+    fmt::print(stderr, "stopped; {} of {} runs are kept in {}: the same command goes on from there\n",
+               schedule_->done().size(), runs_, keeper_->path().string());
+    return kStoppedExitCode;
+  }
+
+  void report() {
+    const auto figures = campaign_.figures({runs_, schedule_->done().size()});
+    if (folder_) {
+      keep(true);
+      folder_->write("campaign.json", figures.dump(2) + "\n");
+      for (const auto& file : campaign_.files(figures)) folder_->write(file.name, file.content);
+      folder_->commit();
+    }
+    writeJson(options_.json, figures);
+    if (!printsText(options_.json)) return;
+    fmt::print("{}", campaign_.text(figures));
+    if (folder_) fmt::print("wrote {}\n", (folder_->path() / "campaign.json").string());
+  }
+
+  const CampaignOptions& options_;
+  const Campaign& campaign_;
+  std::uint64_t runs_;
+  std::optional<OutputFolder> folder_;
+  std::optional<TallyKeeper> keeper_;
+  std::optional<RunSchedule> schedule_;
+};
+
+void checkOptions(const CampaignOptions& options) {
+  constexpr std::int64_t kMostRuns = 1'000'000'000;
+  if (options.runs < 1 || options.runs > kMostRuns)
+    throw InputError("--runs", std::to_string(options.runs), fmt::format("1 to {} runs", kMostRuns));
+  if (options.jobs < 0 || options.jobs > 1024)
+    throw InputError("--jobs", std::to_string(options.jobs), "1 to 1024 workers");
+}
+
+int workersOf(const CampaignOptions& options) {
+  return options.jobs > 0 ? options.jobs : usualWorkers(ranksOnThisMachine());
+}
+
+int runAlone(const CampaignOptions& options) {
+  checkOptions(options);
+  const Campaign campaign = kindOf(options.kind).make(options.request);
+  return CampaignDesk(options, campaign).run(workersOf(options), nullptr);
+}
+
+/// Every rank reads and prepares the same; the first alone says what is wrong, keeps and writes.
+int runRanked(const CampaignOptions& options, Ranks& ranks) {
+  std::optional<InputError> wrong;
+  std::optional<Campaign> campaign;
+  std::optional<CampaignDesk> desk;
+  try {
+    checkOptions(options);
+    campaign = kindOf(options.kind).make(options.request);
+    if (ranks.rank() == 0) desk.emplace(options, *campaign);
+  } catch (const InputError& error) {
+    wrong = error;
+  }
+  std::string question;
+  if (campaign)
+    for (const auto& [name, value] : campaign->question) question += name + ": " + value + "\n";
+  const bool is_same = ranks.fromFirst(question) == question;
+  if (!ranks.holdsEverywhere(is_same && !wrong)) {
+    if (ranks.rank() > 0) return kBadInput;
+    if (wrong) throw *wrong;
+    throw InputError("campaign", "another question on one of the machines, or none",
+                     "the same program and the same files on each", "copy them to every machine");
+  }
+  if (desk) return desk->run(workersOf(options), &ranks);
+  noteStopSignals();  // the first rank says when to end
+  serveRuns(*campaign->experiment, workersOf(options), ranks);
+  return kDone;
+}
+
+int run(const CampaignOptions& options) {
+  if (!areRanksLaunched()) return runAlone(options);
+  if (!isBuiltForRanks())
+    throw InputError("campaign", "several processes started together", "one: this program is built without MPI",
+                     "run it once, with --jobs, or build it where CMake finds MPI");
+  Ranks ranks;
+  return runRanked(options, ranks);
+}
+
+std::string kindHelp() {
+  std::string text = "what each run is:";
+  for (const auto& kind : campaignKinds()) text += fmt::format("\n{}: {}", kind.name, kind.summary);
+  return text;
+}
+
+std::string choiceHelp() {
+  std::string text = "which holes are touched, one or more of these:";
+  for (const auto& row : touchRules()) text += fmt::format("\n{}: {}", row.name, row.summary);
+  return text;
+}
+
+void configureCentring(CLI::App& cli, CampaignRequest& request) {
+  const char* group = "Of kind centre, in the cell's units";
+  cli.add_option("--truth", request.truth, "the cell about which true arms are drawn; else CELL itself")->group(group);
+  cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan")
+      ->capture_default_str()
+      ->group(group);
+  cli.add_option("--holes", request.holes, "how many of them a run visits")->capture_default_str()->group(group);
+  cli.add_option("--touches", request.touches, "how many holes are touched; a list compares: 3,4,6,12")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group(group);
+  cli.add_option("--choice", request.choices, choiceHelp())->delimiter(',')->allow_extra_args(false)->group(group);
+  cli.add_option("--touch-sigma", request.touch_sigmas,
+                 "centring noise of each coordinate of a touch; a list compares. Else half of what the last step lets "
+                 "through")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group(group);
+  cli.add_option("--base-shift", request.base_shift, "sigma of the true base's place, per coordinate (0.5 in)")
+      ->group(group);
+  cli.add_option("--base-turn", request.base_turn, "sigma of the true base's turn, per axis (0.5 deg)")->group(group);
+  cli.add_option("--stiffness", request.stiffness, "relative sigma of the true arm's stiffnesses (0.02)")->group(group);
+  cli.add_option("--unmodelled", request.unmodelled,
+                 "sigma of what the true arm does beyond its model, per coordinate (0.0197 in)")
+      ->group(group);
+  cli.add_option("--encoder-sigma", request.encoder_sigma, "noise of a joint's reading; else the arm file's")
+      ->group(group);
+}
+
+void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
+  const char* group = "Of kind diagnose";
+  cli.add_option("--design", request.design, "the design of the readings, as for simulate")
+      ->capture_default_str()
+      ->group(group);
+  cli.add_option("--readings", request.readings, "how many in a run")->capture_default_str()->group(group);
+  cli.add_option("--nothing", request.nothing, "share of the runs in which nothing is hidden")
+      ->capture_default_str()
+      ->group(group);
+  cli.add_option("--hide", request.hide,
+                 "the effect that is hidden in the others, at a random place; any: a random one")
+      ->capture_default_str()
+      ->group(group);
+  cli.add_option("--effects", request.effects, "the most effects in one explanation")
+      ->capture_default_str()
+      ->group(group);
+}
+
+}  // namespace
+
+Run configureCampaign(CLI::App& cli) {
+  const auto options = std::make_shared<CampaignOptions>();
+  cli.add_option("CELL", options->request.cell, "the cell file")->required();
+  cli.add_option("--runs", options->runs, "how many, up to 1000000000")->required();
+  cli.add_option("--kind", options->kind, kindHelp())->capture_default_str();
+  cli.add_option("--seed", options->request.seed, "of everything random")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  cli.add_option("--jobs", options->jobs,
+                 isBuiltForRanks()
+                     ? "workers on this machine, else one for each core; more machines: mpirun -n N tubeplan "
+                       "campaign ..."
+                     : "workers, else one for each core; this program was built without MPI, so on one "
+                       "machine only");
+  cli.add_option(
+      "--out", options->out,
+      "the folder for the results, and for what is done when stopped: the same command goes on, also to more "
+      "runs");
+  cli.add_flag("--resume", options->resume, "go on in the folder, and refuse where it was asked otherwise");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  configureCentring(cli, options->request);
+  configureDiagnosis(cli, options->request);
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

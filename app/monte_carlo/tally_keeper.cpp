@@ -1,0 +1,110 @@
+#include "app/monte_carlo/tally_keeper.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/input_error.hpp"
+#include "app/readers/text_file.hpp"
+
+namespace tubeplan::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "tubeplan campaign tally 1";
+constexpr int kLeastShareOfWriting = 20;  // pauses are so many times as long as a write
+
+struct TallyFile {
+  PlanQuestion question;
+  KeptTally tally;
+};
+
+[[noreturn]] void refuseDamaged(const fs::path& path, const std::string& found) {
+  throw InputError(path.string(), found, "a file as tubeplan campaign leaves it", "remove it to begin anew");
+}
+
+RunSet runsFrom(const json& ranges, const fs::path& path) {
+  RunSet set;
+  std::uint64_t last = 0;
+  for (const auto& range : ranges) {
+    const RunRange runs{range.at(0), range.at(1)};
+    if (runs.first < last || runs.end <= runs.first) refuseDamaged(path, "runs out of order");
+    set.insert(runs);
+    last = runs.end;
+  }
+  return set;
+}
+
+TallyFile readTallyFile(const fs::path& path) {
+  const std::string text = readTextFile(path.string());
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string payload = text.substr(std::min(end + 1, text.size()));
+  if (payload.ends_with('\n')) payload.pop_back();
+  try {
+    const json head = json::parse(text.substr(0, end));
+    if (head.at("format") != kFormat) refuseDamaged(path, "the format " + head.at("format").dump());
+    if (head.at("checksum") != fingerprintOf(payload)) refuseDamaged(path, "content that does not fit its checksum");
+    const json body = json::parse(payload);
+    return {head.at("question").get<PlanQuestion>(), {runsFrom(body.at("done"), path), body.at("total")}};
+  } catch (const json::exception&) {
+    refuseDamaged(path, "no tally of a campaign");
+  }
+}
+
+std::string tallyText(const PlanQuestion& question, const KeptTally& tally) {
+  json done = json::array();
+  for (const auto& range : tally.done.ranges()) done.push_back({range.first, range.end});
+  const std::string payload = json{{"done", done}, {"total", tally.total}}.dump();
+  const json head = {{"format", kFormat}, {"question", question}, {"checksum", fingerprintOf(payload)}};
+  return head.dump() + "\n" + payload + "\n";
+}
+
+void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
+
+}  // namespace
+
+TallyKeeper::TallyKeeper(fs::path folder, bool must_resume) : folder_(std::move(folder)), must_resume_(must_resume) {
+  removeLeftovers(folder_, kTallyFile);
+}
+
+std::optional<KeptTally> TallyKeeper::begin(const PlanQuestion& question, std::uint64_t runs) {
+  question_ = question;
+  std::error_code error;
+  if (!fs::exists(path(), error)) {
+    if (must_resume_)
+      throw InputError("--resume", "no campaign in " + inQuotes(folder_.string()),
+                       std::string("a folder with ") + kTallyFile, "leave out --resume to begin anew");
+    return std::nullopt;
+  }
+  TallyFile file = readTallyFile(path());
+  auto differences = findDifferences(file.question, question);
+  const auto& ranges = file.tally.done.ranges();
+  if (!ranges.empty() && ranges.back().end > runs)
+    differences.push_back(fmt::format("more runs (up to {}, now {})", ranges.back().end, runs));
+  if (differences.empty()) {
+    say(fmt::format("going on from {}: {} of {} runs are there", path().string(), file.tally.done.size(), runs));
+    return std::move(file.tally);
+  }
+  if (must_resume_)
+    throw InputError("--resume", fmt::format("{} with {}", path().string(), fmt::join(differences, ", ")),
+                     "the same question, with as many runs or more",
+                     "ask it again, or leave out --resume to begin anew");
+  say(fmt::format("begun anew: {} is of {}", path().string(), fmt::join(differences, ", ")));
+  return std::nullopt;
+}
+
+void TallyKeeper::save(const std::function<KeptTally()>& tally, bool must) {
+  const auto start = Clock::now();
+  if (!must && start - saved_ < pause_) return;
+  writeFileAtomically(path(), tallyText(question_, tally()), "--out");
+  saved_ = Clock::now();
+  pause_ = std::max<Clock::duration>(pause_, kLeastShareOfWriting * (saved_ - start));
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,9 @@
+#include "app/report/campaign_report.hpp"
+
+#include "app/report/page.hpp"
+
+namespace tubeplan::app {
+
+std::string renderCampaignReport(const nlohmann::json& report) { return renderPage(campaignPageSources(), report); }
+
+}  // namespace tubeplan::app
