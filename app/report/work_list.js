@@ -28,8 +28,8 @@ function workListSection(report) {
 function workList(report, tubes) {
   const sheet = object(report.sheet) ?? {}, leg = String(sheet.leg ?? "");
   const head = el(
-      "p", {}, `${sheet.name ?? ""} · ${leg} leg, seen from ${sheet.viewed_from} · sheet ${sheet.fingerprint} · `,
-      `${plural(tubes.length, "tube")} · signed ____________________  date ____________`);
+      "p", {}, `${sheet.name ?? ""} \u00b7 ${leg} leg, seen from ${sheet.viewed_from} \u00b7 sheet ${sheet.fingerprint} \u00b7 `,
+      `${plural(tubes.length, "tube")} \u00b7 signed ____________________  date ____________`);
   const rows = tubes.map((tube, i) => ["\u2610", whole(i + 1), `${leg} ${tubeName(tube)}`, stayText(tube), ""]);
   const parts = [head, table(["done", "visit", "tube", "stay, s", "remark"], rows, {text: [0, 2, 4]})];
   const missed = list(report.unreachable);
