@@ -70,7 +70,10 @@ Twist twistOf(const Matrix3d& R) {
 /// Walks the chain outwards, keeping the last turn open and the way from its frame to here.
 class HingeChainBuilder {
  public:
-  explicit HingeChainBuilder(double reach) : reach_(reach) {}
+  HingeChainBuilder(double reach, std::size_t elements) : reach_(reach) {
+    out_.turns_.reserve(elements + 8);
+    out_.elements_.reserve(elements);
+  }
 
   bool addElement(const ChainLink<double>& link, const FlexibleElement& element) {
     // Gaps, zones and compliances of size nothing are as good as none.
@@ -131,7 +134,7 @@ class HingeChainBuilder {
       numbers.gives = numbers.gives || turn.gives;
     }
     out_.has_jacobian_ = unknowns <= kMaxUnknowns && joints <= kMaxJoints;
-    return out_;
+    return std::move(out_);
   }
 
  private:
@@ -242,7 +245,7 @@ class HingeChainBuilder {
 
 std::optional<HingeChain> HingeChain::of(const Chain<double>& chain, const Arm& arm, const std::vector<int>& joint_of,
                                          const std::vector<FlexibleElement>& elements, double reach) {
-  HingeChainBuilder builder(reach);
+  HingeChainBuilder builder(reach, elements.size());
   const std::vector<int> active = activeRows(arm);
   auto element = elements.begin();
   for (std::size_t k = 0; k < chain.links.size(); ++k) {
