@@ -49,9 +49,12 @@ struct Twist {
   double before = 0, cosine = 1, sine = 0, after = 0;
 };
 
+/// Of the angle between the z axes before and after.
+double sineOf(const Matrix3d& R) { return std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)); }
+
 Twist twistOf(const Matrix3d& R) {
   Twist out;
-  const double sine = std::hypot(R(0, 2), R(1, 2));
+  const double sine = sineOf(R);
   if (sine < kSame) {
     out.cosine = R(2, 2) > 0 ? 1 : -1;
     out.after = std::atan2(out.cosine * R(1, 0), R(0, 0));
@@ -141,8 +144,10 @@ class HingeChainBuilder {
   [[nodiscard]] int last() const { return static_cast<int>(out_.turns_.size()) - 1; }
 
   static void complete(Turn& turn) {
-    turn.cos_rest = std::cos(turn.offset);
-    turn.sin_rest = std::sin(turn.offset);
+    if (turn.joint < 0) {
+      turn.cos_rest = std::cos(turn.offset);
+      turn.sin_rest = std::sin(turn.offset);
+    }
     for (int k = 0; k < 3; ++k) turn.shifted[k] = turn.p[k] != 0;
     turn.twist = turn.sin_twist == 0 && turn.cos_twist == 1 ? kStraight : turn.cos_twist == 0 ? kQuarter : kAskew;
     turn.gives = turn.compliance > 0;
@@ -233,9 +238,7 @@ class HingeChainBuilder {
 
   /// A beam may start at the last turn's frame whatever hangs from it.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
-    if (last() < 0) return false;
-    const Twist twist = twistOf(R);
-    return twist.sine == 0 && twist.cosine > 0 && here_.p.cwiseAbs().maxCoeff() <= kSame * reach_;
+    return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSame && here_.p.cwiseAbs().maxCoeff() <= kSame * reach_;
   }
 
   double reach_;
