@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "deflection/hinges/hinge_chain.hpp"
 #include "deflection/hinges/kernels.hpp"
@@ -82,7 +83,6 @@ class GoalProblem {
 
   bool exact() const { return turret_; }
   double reach() const { return reach_; }
-  const PreparedArm& arm() const { return tip_.arm(); }
 
   GoalResidual evaluate(const ToolGoal& goal, const VectorXd& q) {
     tip_.solve({q, load_, gravity_B_}, variables_, options_.kinematics);
@@ -267,24 +267,19 @@ Branch branchOf(const hinges::Reached& reached, std::size_t lane) {
 class InverseSolver::Parts {
  public:
   Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
-      : options(asked),
-        branches(arm),
-        arm_(arm),
-        load_(load),
-        gravity_B_(gravity_B),
-        problem_(arm, branches.isTurret(), load, gravity_B, options) {}
+      : options(asked), branches(arm), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
 
   /// Each start led to its goal.
   std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
     std::vector<Branch> found(goals.size());
     std::vector<std::size_t> open(goals.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
-    const hinges::HingeChain* chain = problem_.arm().hinges();
+    const hinges::HingeChain* chain = prepared_.hinges();
     // Most goals are met straight away; those that are not would keep their neighbours waiting.
-    if (problem_.exact() && chain && chain->hasJacobian())
+    if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
     for (const std::size_t k : open) found[k] = leadAlone(goals[k], starts[k]);
-    for (Branch& branch : found) judge(arm_, problem_.exact(), options, branch);
+    for (Branch& branch : found) judge(arm_, branches.isTurret(), options, branch);
     return found;
   }
 
@@ -302,7 +297,8 @@ class InverseSolver::Parts {
   const Arm& arm_;
   double load_;
   Vector3d gravity_B_;
-  GoalProblem problem_;
+  PreparedArm prepared_;
+  std::optional<GoalProblem> problem_;  ///< made when a kernel leaves something over
 };
 
 std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const hinges::HingeChain& chain,
@@ -350,12 +346,13 @@ hinges::Goals InverseSolver::Parts::goalsFor(const hinges::HingeArm& numbers, bo
 }
 
 Branch InverseSolver::Parts::leadAlone(const ToolGoal& goal, const VectorXd& start) {
-  Branch branch = dampedNewton(problem_, goal, start, options);
+  if (!problem_) problem_.emplace(arm_, branches.isTurret(), load_, gravity_B_, options);
+  Branch branch = dampedNewton(*problem_, goal, start, options);
   if (arm_.effects.empty() || branch.status != BranchStatus::kConverged) return branch;
   // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
   VectorXd wrapped = branch.q;
   wrapIntoLimits(arm_, wrapped);
-  return wrapped == branch.q ? branch : dampedNewton(problem_, goal, wrapped, options);
+  return wrapped == branch.q ? branch : dampedNewton(*problem_, goal, wrapped, options);
 }
 
 InverseSolver::InverseSolver(const Arm& arm, double load, const Vector3d& gravity_B,

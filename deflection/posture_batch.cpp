@@ -58,12 +58,11 @@ PoseOf<double> TipBatch::X_BD(Index k) const {
   return X;
 }
 
-BatchKinematics::BatchKinematics(const Arm& arm) : tip_(arm), variables_(jointVariables(arm)) {}
-
-int BatchKinematics::lanes() const {
-  const hinges::HingeChain* chain = tip_.arm().hinges();
-  return chain && chain->hasJacobian() ? hinges::kernels().back().lanes : 1;
+BatchKinematics::BatchKinematics(const Arm& arm) : arm_(arm), variables_(jointVariables(arm)) {
+  if (!arm_.hasJacobian()) tip_.emplace(arm);
 }
+
+int BatchKinematics::lanes() const { return tip_ ? 1 : hinges::kernels().back().lanes; }
 
 void BatchKinematics::solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options) {
   run(postures, tips, options, false);
@@ -82,7 +81,7 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
   tips.poses.resize(12, n);
   tips.jacobian.resize(derive ? 6 * joints : 0, n);
   if (n == 0) return;
-  if (lanes() > 1)
+  if (!tip_)
     solveSideBySide(postures, tips, options, derive);
   else
     solveOneByOne(postures, tips, options, derive);
@@ -96,7 +95,7 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
 void BatchKinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips,
                                       const FlexibleKinematicsOptions& options, bool derive) {
   const hinges::Kernel& kernel = hinges::kernels().back();
-  const hinges::HingeArm arm = tip_.arm().hinges()->numbers();
+  const hinges::HingeArm arm = arm_.hinges()->numbers();
   const Index n = postures.size();
   sweeps_.resize(static_cast<std::size_t>(n));
   Index k = 0;
@@ -115,11 +114,11 @@ void BatchKinematics::solveOneByOne(const PostureBatch& postures, TipBatch& tips
   static const std::vector<Variable> kNone;
   for (Index k = 0; k < postures.size(); ++k) {
     const Posture posture{postures.q.col(k), postures.load[k], postures.gravity_B.col(k)};
-    tips.status[static_cast<std::size_t>(k)] = tip_.solve(posture, derive ? variables_ : kNone, options);
-    const PoseOf<double>& X = tip_.arm().X_BD();
+    tips.status[static_cast<std::size_t>(k)] = tip_->solve(posture, derive ? variables_ : kNone, options);
+    const PoseOf<double>& X = tip_->arm().X_BD();
     tips.poses.col(k).head<3>() = X.p;
     tips.poses.col(k).tail<9>() = X.R.reshaped();
-    if (derive) tips.jacobian.col(k) = tip_.columns().reshaped();
+    if (derive) tips.jacobian.col(k) = tip_->columns().reshaped();
   }
 }
 

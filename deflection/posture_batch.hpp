@@ -4,6 +4,7 @@
 // shape has the same bits as PreparedArm gives it, whatever its neighbours and whatever the processor.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "deflection/tip_differentiation.hpp"
@@ -55,7 +56,8 @@ class BatchKinematics {
   void solveOneByOne(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
                      bool derive);
 
-  TipDifferentiation tip_;
+  PreparedArm arm_;
+  std::optional<TipDifferentiation> tip_;  ///< where no kernel does the work
   std::vector<Variable> variables_;
   std::vector<double> sweeps_;
 };

@@ -49,9 +49,12 @@ struct Twist {
   double before = 0, cosine = 1, sine = 0, after = 0;
 };
 
+/// Of the angle between the z axes before and after.
+double sineOf(const Matrix3d& R) { return std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)); }
+
 Twist twistOf(const Matrix3d& R) {
   Twist out;
-  const double sine = std::hypot(R(0, 2), R(1, 2));
+  const double sine = sineOf(R);
   if (sine < kSame) {
     out.cosine = R(2, 2) > 0 ? 1 : -1;
     out.after = std::atan2(out.cosine * R(1, 0), R(0, 0));
@@ -70,7 +73,10 @@ Twist twistOf(const Matrix3d& R) {
 /// Walks the chain outwards, keeping the last turn open and the way from its frame to here.
 class HingeChainBuilder {
  public:
-  explicit HingeChainBuilder(double reach) : reach_(reach) {}
+  HingeChainBuilder(double reach, std::size_t elements) : reach_(reach) {
+    out_.turns_.reserve(elements + 8);
+    out_.elements_.reserve(elements);
+  }
 
   bool addElement(const ChainLink<double>& link, const FlexibleElement& element) {
     // Gaps, zones and compliances of size nothing are as good as none.
@@ -131,15 +137,17 @@ class HingeChainBuilder {
       numbers.gives = numbers.gives || turn.gives;
     }
     out_.has_jacobian_ = unknowns <= kMaxUnknowns && joints <= kMaxJoints;
-    return out_;
+    return std::move(out_);
   }
 
  private:
   [[nodiscard]] int last() const { return static_cast<int>(out_.turns_.size()) - 1; }
 
   static void complete(Turn& turn) {
-    turn.cos_rest = std::cos(turn.offset);
-    turn.sin_rest = std::sin(turn.offset);
+    if (turn.joint < 0) {
+      turn.cos_rest = std::cos(turn.offset);
+      turn.sin_rest = std::sin(turn.offset);
+    }
     for (int k = 0; k < 3; ++k) turn.shifted[k] = turn.p[k] != 0;
     turn.twist = turn.sin_twist == 0 && turn.cos_twist == 1 ? kStraight : turn.cos_twist == 0 ? kQuarter : kAskew;
     turn.gives = turn.compliance > 0;
@@ -230,9 +238,7 @@ class HingeChainBuilder {
 
   /// A beam may start at the last turn's frame whatever hangs from it.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
-    if (last() < 0) return false;
-    const Twist twist = twistOf(R);
-    return twist.sine == 0 && twist.cosine > 0 && here_.p.cwiseAbs().maxCoeff() <= kSame * reach_;
+    return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSame && here_.p.cwiseAbs().maxCoeff() <= kSame * reach_;
   }
 
   double reach_;
@@ -242,7 +248,7 @@ class HingeChainBuilder {
 
 std::optional<HingeChain> HingeChain::of(const Chain<double>& chain, const Arm& arm, const std::vector<int>& joint_of,
                                          const std::vector<FlexibleElement>& elements, double reach) {
-  HingeChainBuilder builder(reach);
+  HingeChainBuilder builder(reach, elements.size());
   const std::vector<int> active = activeRows(arm);
   auto element = elements.begin();
   for (std::size_t k = 0; k < chain.links.size(); ++k) {

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Position [m] and pitch, times the reach, with their changes by the joints.
+/// Position [m] and pitch, times the reach, with their changes by the joints as a share of the reach.
 struct GoalResidual {
   Real value[4], slope[4][4];
   Real position_error, pitch, tilt_sine, tilt_cosine;
@@ -28,35 +28,49 @@ inline Vec turned(const Frame& X, const double* v) {
   return constant(v[0]) * X.x + constant(v[1]) * X.y + constant(v[2]) * X.z;
 }
 
-/// Residual at the readings in `in`; returns the lanes whose shape settles.
-inline Bits evaluate(const HingeArm& arm, const Tool& tool, const Goals& goals, const Postures& in, GoalResidual& out) {
+/// The shapes at the readings tried last, and their tools.
+struct Tried {
   TurnState t[kMaxTurns];
-  Frame frames[kMaxTurns];
-  Motion columns[kMaxJoints];
-  const Vec gravity = loadVec(goals.gravity_B), n = loadVec(goals.axis_B);
+  Frame frames[kMaxTurns], tip;
+  Vec axis, hand, tilt;
+};
+
+/// Residual at the readings in `in`, without slopes; returns the lanes whose shape settles.
+inline Bits tryReadings(const HingeArm& arm, const Tool& tool, const Goals& goals, const Postures& in, Tried& tried,
+                        GoalResidual& out) {
+  const Vec n = loadVec(goals.axis_B);
   const Real at_tip = load(goals.load);
-  begin(arm, in, at_tip, t);
-  const Real sweeps = settle(arm, in, gravity, at_tip, t);
-  const Frame tip = placeFrames(arm, t, frames);
-  deriveByJoints(arm, t, frames, tip, gravity, at_tip, columns);
-  const Vec axis = turned(tip, tool.axis), hand = turned(frames[tool.hand], tool.hand_axis);
-  const Vec off = tip.p - loadVec(goals.p_BT), tilt = cross(axis, n);
+  begin(arm, in, at_tip, tried.t);
+  const Real sweeps = settle(arm, in, loadVec(goals.gravity_B), at_tip, tried.t);
+  tried.tip = placeFrames(arm, tried.t, tried.frames);
+  tried.axis = turned(tried.tip, tool.axis);
+  tried.hand = turned(tried.frames[tool.hand], tool.hand_axis);
+  tried.tilt = cross(tried.axis, n);
+  const Vec off = tried.tip.p - loadVec(goals.p_BT);
   out.position_error = squareRoot(dot(off, off));
-  out.pitch = dot(hand, tilt);
-  out.tilt_sine = squareRoot(dot(tilt, tilt));
-  out.tilt_cosine = dot(axis, n);
+  out.pitch = dot(tried.hand, tried.tilt);
+  out.tilt_sine = squareRoot(dot(tried.tilt, tried.tilt));
+  out.tilt_cosine = dot(tried.axis, n);
   out.value[0] = off.x;
   out.value[1] = off.y;
   out.value[2] = off.z;
   out.value[3] = arm.reach * out.pitch;
+  return isAtMost(constant(0), sweeps);
+}
+
+/// How the residual changes with the readings, as a share of the reach.
+inline void addSlopes(const HingeArm& arm, const Goals& goals, const Tried& tried, GoalResidual& out) {
+  Motion columns[kMaxJoints];
+  deriveByJoints(arm, tried.t, tried.frames, tried.tip, loadVec(goals.gravity_B), load(goals.load), columns);
+  const Vec n = loadVec(goals.axis_B);
+  const double share = 1 / arm.reach;
   for (int j = 0; j < 4; ++j) {
     const Vec w = columns[j].w;
-    out.slope[0][j] = columns[j].p.x;
-    out.slope[1][j] = columns[j].p.y;
-    out.slope[2][j] = columns[j].p.z;
-    out.slope[3][j] = arm.reach * (dot(cross(w, hand), tilt) + dot(hand, cross(cross(w, axis), n)));
+    out.slope[0][j] = columns[j].p.x * share;
+    out.slope[1][j] = columns[j].p.y * share;
+    out.slope[2][j] = columns[j].p.z * share;
+    out.slope[3][j] = dot(cross(w, tried.hand), tried.tilt) + dot(tried.hand, cross(cross(w, tried.axis), n));
   }
-  return isAtMost(constant(0), sweeps);
 }
 
 /// The adjugate of a 4 x 4 matrix; returns its determinant.
@@ -147,17 +161,13 @@ inline void meetGoals(const HingeArm& arm, const Tool& tool, const Goals& goals,
   store(out.done, constant(0));
   store(out.steps, constant(0));
   const Postures in{&out.q[0][0], goals.load, &goals.gravity_B[0][0], 8, goals.tolerance, goals.max_sweeps};
-  const double share = 1 / arm.reach;
+  Tried tried;
   const Bits all = isAtMost(constant(0), constant(0));
   Bits active = all, closing = all ^ all;
   Real nearest = constant(1e300), damping = constant(1), steps = constant(-1);
   while (any(active)) {
     GoalResidual r;
-    const Bits settles = evaluate(arm, tool, goals, in, r);
-    for (auto& row : r.slope)
-      for (Real& s : row) s = s * share;
-    Real adjugate[4][4];
-    const Real determinant = adjugateOf(r.slope, adjugate);
+    const Bits settles = tryReadings(arm, tool, goals, in, tried, r);
     const Real size =
         (r.value[0] * r.value[0] + r.value[1] * r.value[1]) + (r.value[2] * r.value[2] + r.value[3] * r.value[3]);
     const Bits nearer = active & settles & ~closing & isLess(size, nearest);
@@ -165,14 +175,19 @@ inline void meetGoals(const HingeArm& arm, const Tool& tool, const Goals& goals,
                      isLess(absolute(r.pitch), constant(goals.pitch_tolerance)) & isLess(constant(0), r.tilt_cosine);
     steps = select(nearer, steps + 1., steps);
     const Bits ends = active & (met | closing);
-    if (any(ends)) {
-      const Real singular = smallestSingularValue(r.slope, adjugate, determinant);
-      record(met, 1, r, singular, steps, out);
-      record(active & closing, 2, r, singular, steps, out);
+    if (any(nearer | ends)) {
+      Real adjugate[4][4];
+      addSlopes(arm, goals, tried, r);
+      const Real determinant = adjugateOf(r.slope, adjugate);
+      stepOf(r, adjugate, determinant, 1 / arm.reach, nearer, step);
+      if (any(ends)) {
+        const Real singular = smallestSingularValue(r.slope, adjugate, determinant);
+        record(met, 1, r, singular, steps, out);
+        record(active & closing, 2, r, singular, steps, out);
+      }
     }
     nearest = select(nearer, size, nearest);
     for (int j = 0; j < 4; ++j) at[j] = select(nearer, load(out.q[j]), at[j]);
-    stepOf(r, adjugate, determinant, share, nearer, step);
     damping = select(nearer, constant(1), 0.5 * damping);
     active = active & ~ends;
     // Given up: at the first posture, without damping, after too many steps or where no step is short enough.
