@@ -5,6 +5,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
 
@@ -37,7 +38,6 @@ VectorXd drawPosture(const deflection::Arm& arm, boost::random::mt19937_64& rand
 class ClearUnderLoads {
  public:
   ClearUnderLoads(const planner::Workcell& cell, const std::vector<double>& loads) : cells_(loads.size(), cell) {
-    clearances_.reserve(loads.size());
     for (std::size_t k = 0; k < loads.size(); ++k) {
       cells_[k].load = loads[k];
       clearances_.emplace_back(cells_[k]);
@@ -56,7 +56,7 @@ class ClearUnderLoads {
 
  private:
   std::vector<planner::Workcell> cells_;  // what the clearances look at
-  std::vector<planner::ArmClearance> clearances_;
+  std::deque<planner::ArmClearance> clearances_;
 };
 
 Measurement readingOf(MeasurementKind kind, const VectorXd& q, double load, double sigma) {

@@ -1,9 +1,12 @@
 #include "planner/arm_clearance.hpp"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "deflection/chain.hpp"
+#include "deflection/prepared_arm.hpp"
 #include "deflection/rigid_branches.hpp"
 #include "deflection/tip_derivatives.hpp"
 #include "planner/deflection_travel.hpp"
@@ -143,21 +146,33 @@ std::vector<Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& 
   return framesAlongChords(cell, shape, bow);
 }
 
+struct ArmClearance::PreparedArms {
+  explicit PreparedArms(const Workcell& cell)
+      : gravity_B(deflection::gravityInBase(cell.arm, cell.X_WB)),
+        of_thread([&arm = cell.arm] { return deflection::PreparedArm(arm); }) {}
+
+  Vector3d gravity_B;
+  oneapi::tbb::enumerable_thread_specific<deflection::PreparedArm> of_thread;
+};
+
+ArmClearance::~ArmClearance() = default;
+
 ArmClearance::ArmClearance(const Workcell& cell)
     : cell_(cell),
-      gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
+      arms_(std::make_unique<PreparedArms>(cell)),
       approach_world_(cell.scene),
       travel_world_(travelScene(cell.scene)),
       travel_(armTravelOf(cell, approach_world_.bodyReach())) {}
 
 Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   double bow = 0;
-  const auto frames = bodyFrames(cell_, q, &bow);
   Clearance clearance;
-  if (frames.empty()) {
+  deflection::PreparedArm& arm = arms_->of_thread.local();
+  if (arm.solve({q, cell_.load, arms_->gravity_B}) != deflection::KinematicsStatus::kConverged) {
     clearance.other = "the deflected shape does not settle";
     return clearance;
   }
+  const auto frames = framesAlongChords(cell_, arm.shape(), &bow);
   clearance = (rule == ContactRule::kTravel ? travel_world_ : approach_world_).closest(frames);
   clearance.distance -= bow + travel_.jump;
   clearance.margin -= bow + travel_.jump;

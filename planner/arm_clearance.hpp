@@ -1,6 +1,8 @@
 // How far the arm, bent by its weight and load, is from what it must not touch.
 #pragma once
 
+#include <memory>
+
 #include "planner/clearance.hpp"
 #include "planner/travel_bound.hpp"
 #include "planner/workcell.hpp"
@@ -24,6 +26,7 @@ struct ArmTravel {
 class ArmClearance {
  public:
   explicit ArmClearance(const Workcell& cell);
+  ~ArmClearance();
 
   /// Least margin at joint readings q, on the deflected shape; the bow of a bent member between its frames is taken
   /// off. A shape that does not settle has a NaN margin, with the reason in `other`.
@@ -42,8 +45,10 @@ class ArmClearance {
   [[nodiscard]] const Workcell& cell() const { return cell_; }
 
  private:
+  struct PreparedArms;
+
   const Workcell& cell_;
-  Eigen::Vector3d gravity_B_;
+  std::unique_ptr<PreparedArms> arms_;  ///< one for each thread that asks
   CollisionWorld approach_world_, travel_world_;
   ArmTravel travel_;
 };
