@@ -290,7 +290,7 @@ TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
   std::ranges::reverse(back.waypoints);
   EXPECT_EQ(forth.waypoints, back.waypoints);
   EXPECT_EQ(forth.waypoints.front(), network.standoff(a));
-  EXPECT_GE(network.timeOf(forth), moveDuration(network.standoff(a), network.standoff(b), speeds) - 1e-9);
+  EXPECT_GE(network.timeOf(forth), moveDuration(network.standoff(a), network.standoff(b), jointSpeedsOf(cell.arm)) - 1e-9);
   // Asked in another order, and the other way round: the same motion.
   (void)other.between(c, a);
   EXPECT_EQ(other.between(b, a).waypoints, network.between(b, a).waypoints);
