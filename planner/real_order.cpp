@@ -32,7 +32,8 @@ std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, co
 /// What the moves of an order were found to take.
 struct Priced {
   bool learnt = false, is_parted = false;
-  double time = 0;  ///< s; a move without a way counts kForbiddenTime
+  Clearance between;  ///< of the first move between parts
+  double time = 0;    ///< s; a move without a way counts kForbiddenTime
 };
 
 /// Plans the moves that an order chose and puts their extra time into the table.
@@ -45,6 +46,7 @@ Priced priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const 
     const MotionPlan& travel = network.between(a, b);
     const double time = network.timeOf(travel);
     keep(hooks, memory);
+    if (travel.apart && !priced.is_parted) priced.between = travel.tightest;
     priced.is_parted |= travel.apart;
     priced.time += std::min(time, kForbiddenTime);
     const double extra = time - moveDuration(network.standoff(a), network.standoff(b), speeds);
@@ -136,6 +138,13 @@ std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice
   return kept;
 }
 
+std::string apartReason(const Clearance& between) {
+  std::string reason = "no path to it: it lies in a part of the free space apart from the tubes that are visited";
+  if (!between.body.empty())
+    reason += "; on the straight way between, " + between.body + " comes too near " + between.other;
+  return reason;
+}
+
 /// The part with the most tubes.
 int largestPart(const std::vector<std::vector<int>>& parts) {
   std::map<int, int> tubes;
@@ -180,8 +189,8 @@ Route routeOf(const VisitChoice& choice, const JointSpeeds& speeds, const VisitC
   return route;
 }
 
-std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap,
-                                         const VisitConditions& conditions) {
+std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap, const VisitConditions& conditions,
+                                         const Clearance& between) {
   std::vector<Eigen::VectorXd> postures;
   for (const auto& tube : choice.reach)
     for (const auto& branch : tube.branches) postures.push_back(branch.approach.front());
@@ -203,9 +212,7 @@ std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roa
       if (const int part = parts[k][static_cast<std::size_t>(branch)]; part == kept || part < 0)
         branches.push_back(branch);
     if (branches.empty()) {
-      left_out.push_back({choice.reach[k].tube,
-                          "no path to it: it lies in a part of the free space apart from the tubes that are visited",
-                          {}});
+      left_out.push_back({choice.reach[k].tube, apartReason(between), between});
       continue;
     }
     in_part.reach.push_back(std::move(choice.reach[k]));
@@ -247,6 +254,7 @@ RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, 
     std::vector<Stop> stops = stopsOf(order, choice, options.conditions);
     (ordering.start.empty() ? ordering.hint : ordering.start) = order.order;
     const Priced priced = priceOrder(stops, network, speeds, penalties, hooks, memory);
+    if (priced.is_parted && !best.is_parted) best.between = priced.between;
     best.is_parted |= priced.is_parted;
     if (priced.time < least || best.stops.empty()) best.stops = std::move(stops);
     least = std::min(least, priced.time);

@@ -22,15 +22,17 @@ struct VisitChoice {
 [[nodiscard]] Route routeOf(const VisitChoice& choice, const JointSpeeds& speeds, const VisitConditions& conditions);
 
 /// Keeps what lies in one part of the free space, as the roadmap has it: that of the start posture, else that with the
-/// most tubes. What is joined to nothing stays, for a search may still find a way. Gives the tubes left out.
+/// most tubes. What is joined to nothing stays, for a search may still find a way. Gives the tubes left out; `between`
+/// is what was met on the way to one of them.
 [[nodiscard]] std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap,
-                                                       const VisitConditions& conditions);
+                                                       const VisitConditions& conditions, const Clearance& between);
 
 struct RealOrder {
   std::vector<Stop> stops;  ///< start and end posture included; empty: none was found
   std::string reason;       ///< why not
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved, of straight moves
-  bool is_parted = false;  ///< given up: a move was met between parts of the free space that nothing joins
+  bool is_parted = false;  ///< given up: a move was met between parts of the free space that nothing joins ...
+  Clearance between;       ///< ... and this is in the way of it
 };
 
 /// Orders on the metric, plans the chosen moves, puts in what they really cost, and orders again until no move

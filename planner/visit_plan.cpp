@@ -199,7 +199,7 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
   RealOrder order = orderWithRealMoves(choice, *network, options, true, hooks, memory, rounds);
   if (order.is_parted && !shouldStop(hooks)) {
     // No order avoids a move that cannot be made: what cannot be joined is left out, and the rest ordered anew.
-    const auto left_out = keepOnePart(choice, roadmap.get(), conditions);
+    const auto left_out = keepOnePart(choice, roadmap.get(), conditions, order.between);
     plan.unreachable.insert(plan.unreachable.end(), left_out.begin(), left_out.end());
     network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, memory);
     order = orderWithRealMoves(choice, *network, options, false, hooks, memory, rounds);

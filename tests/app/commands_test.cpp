@@ -119,8 +119,9 @@ TEST_F(Commands, verifyRefutesAPlanThatWasChanged) {
 TEST_F(Commands, verifyRefutesAnotherSheetOrArm) {
   ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
   for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
-  (void)write("cold.yaml", changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"),
-                                   "normal: [0, 1, 0]", "normal: [0, -1, 0]"));
+  (void)write("cold.yaml", changed(changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"),
+                                           "normal: [0, 1, 0]", "normal: [0, -1, 0]"),
+                                   "[-33.1, 33.1,", "[-33.1, -33.1,"));
   const Outcome sheet = run("verify cold.yaml made");
   EXPECT_EQ(sheet.exit_code, 1);
   expectSays(sheet.out, "another sheet");

@@ -54,7 +54,7 @@ TEST_F(MeshCell, WhatMakesNoSenseIsRefusedWithItsPlace) {
     const std::string cell = writeCell("cell.yaml", row);
     return messageOf([&] { (void)readCell(cell); });
   };
-  expectSays(message("{name: nozzle-dam, mesh: {file: dma.stl}}"), "cell.yaml:20");
+  expectSays(message("{name: nozzle-dam, mesh: {file: dma.stl}}"), "cell.yaml:21");
   expectSays(message("{name: nozzle-dam, mesh: {file: dma.stl}}"), "no file");
   expectSays(message("{name: nozzle-dam, mesh: {position: [1, 2, 3]}}"), "file");
   expectSays(message("{name: nozzle-dam, mesh: {file: dam.stl, unit: cubit}}"), "unknown unit");
@@ -143,7 +143,7 @@ TEST_F(MeshCell, InTheWayItIsNamedAsTheCylinderIs) {
   nlohmann::json plans[2];
   for (int k = 0; k < 2; ++k) {
     const std::string kind = k == 0 ? "mesh" : "cylinder";
-    const auto planned = run("plan " + kind + ".yaml --tubes R20C57,R26C57-58,R15C30,R27C50 --seed 1 --out " + kind);
+    const auto planned = run("plan " + kind + ".yaml --tubes R20C57,R26C57-58,R15C30,R27C50,R3C10,R10C95 --seed 1 --out " + kind);
     ASSERT_EQ(planned.exit_code, 0) << planned.err;
     plans[k] = planOf(kind);
   }

@@ -17,7 +17,8 @@ class PlanIdentity : public ProgramTest {
  protected:
   void SetUp() override {
     for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
-    (void)write("cold.yaml", changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"));
+    (void)write("cold.yaml", changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"),
+                                     "[-33.1, 33.1,", "[-33.1, -33.1,"));
     (void)write("above.yaml", changed(contentOf(folder / "mockup.yaml"), "viewed_from: below", "viewed_from: above"));
     const Outcome outcome = run("plan mockup.yaml --tubes R20C40,R22C44,R39C58 --trajectory --out made");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
