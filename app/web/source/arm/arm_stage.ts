@@ -110,7 +110,8 @@ export class ArmStage {
 
   /** Where the page waits for its picture (no graphics processor), motion is drawn coarser, and sharp once it rests. */
   private adapt(msWaited: number): void {
-    if (msWaited > 12) this.notBefore = performance.now() + 2 * msWaited; // figures go before pictures
+    // Figures go before pictures, but no picture stays behind them for long.
+    if (msWaited > 12) this.notBefore = performance.now() + Math.min(2 * msWaited, 400);
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
     else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(this.fullRatio(), 1.1 * this.ratio);
   }
