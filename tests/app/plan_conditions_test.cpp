@@ -65,7 +65,7 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
 }
 
 TEST_F(PlanConditions, AChangedParkKeepsEverythingButTheWaysToIt) {
-  const std::string question = "plan " + shipped("mockup.yaml") + " --tubes spread:12 --start park";
+  const std::string question = "plan " + shipped("mockup.yaml") + " --tubes spread:5 --start park";
   ASSERT_EQ(run(question + " --out first").exit_code, 0);
   ASSERT_EQ(run(question + " --end park --from first --out second").exit_code, 0);
   ASSERT_EQ(run(question + " --end park --out anew").exit_code, 0);
