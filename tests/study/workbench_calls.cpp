@@ -32,6 +32,7 @@ fs::path copyCells(const fs::path& folder) {
   fs::remove_all(folder);
   fs::create_directories(folder / "opened");
   for (const auto& entry : fs::directory_iterator(fs::path(TUBEPLAN_SOURCE_DIR) / "app/cells")) {
+    if (!entry.is_regular_file()) continue;
     std::ifstream stream(entry.path());
     std::string text(std::istreambuf_iterator<char>(stream), {});
     if (const std::size_t at = text.find(large); at != std::string::npos) text.replace(at, large.size(), small);
