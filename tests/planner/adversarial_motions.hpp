@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "tests/planner/meshes.hpp"
 #include "tests/planner/toy_arm.hpp"
@@ -11,12 +12,29 @@ namespace tubeplan::planner::testing {
 struct MotionTally {
   int free = 0, blocked = 0;
   int refuted = 0;  ///< called free, though a step is nearer than what was proved
+
+  /// Counts a motion; fine steps are asked only of one that is called free.
+  void add(const MotionCheckResult& result, const std::function<double()>& least_sampled) {
+    if (result.status != MotionCheckStatus::kFree) {
+      ++blocked;
+      return;
+    }
+    ++free;
+    refuted += !(least_sampled() >= result.proved_margin - 1e-12);
+  }
+
+  MotionTally& operator+=(const MotionTally& other) {
+    free += other.free;
+    blocked += other.blocked;
+    refuted += other.refuted;
+    return *this;
+  }
 };
 
-/// Scenes in turn: a hair among thin plates; clutter with a clearance to keep; a bowl and a plane that the stretched
-/// arm all but touches; an arm of boxes among boxes, a plate and a cylinder; a hair among plates without any thickness
-/// and a post, all of triangles.
 inline constexpr int kAdversarialScenes = 5;
+inline constexpr std::array<const char*, kAdversarialScenes> kAdversarialNames{
+    "a hair among thin plates", "clutter, with a clearance to keep", "a bowl and a wall all but touched",
+    "an arm of boxes among boxes", "a hair among plates of triangles"};
 
 inline ToyArm adversarialArm(int scene) {
   static constexpr std::array kRadius{1e-6, 0.02, 0.02, 0.03, 1e-6}, kClearance{0.0, 0.01, 0.0, 0.0, 0.0};
@@ -71,13 +89,8 @@ inline MotionTally tallyMotions(int scene, std::uint64_t seed, int motions, int 
     Eigen::VectorXd q0(3), q1(3);
     for (double& angle : q0) angle = uniform(generator, -2, 2);
     for (Eigen::Index j = 0; j < 3; ++j) q1[j] = q0[j] + uniform(generator, -0.7, 0.7);
-    const auto result = checkMotion(q0, q1, clearance_of, arm.travel(world));
-    if (result.status != MotionCheckStatus::kFree) {
-      ++tally.blocked;
-      continue;
-    }
-    ++tally.free;
-    tally.refuted += !(leastSampled(q0, q1, clearance_of, samples) >= result.proved_margin - 1e-12);
+    tally.add(checkMotion(q0, q1, clearance_of, arm.travel(world)),
+              [&] { return leastSampled(q0, q1, clearance_of, samples); });
   }
   return tally;
 }

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Runs every benchmark, then whole commands, and writes what came out: a table and the raw figures.
+
+Ratios are of medians of one run; a peer's time stands beside ours in the same process. Times are of one core unless the
+row says otherwise.
+"""
+import argparse
+import json
+import os
+import pathlib
+import platform
+import re
+import resource
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LIBRARIES = ['kinematics', 'identification', 'diagnosis', 'clearance', 'sheet', 'order']
+POSTURES_PER_ROUND = 64  # of kernel_instructions
+
+
+def machine():
+    model = next((line.split(':')[1].strip() for line in open('/proc/cpuinfo') if line.startswith('model name')), '?')
+    return f'{model}, {os.cpu_count()} cores, {platform.system()} {platform.release()}'
+
+
+def run_library(folder, name, repetitions):
+    """Medians by the benchmark's name: {'name': {'time': seconds of CPU, counters...}}."""
+    with tempfile.NamedTemporaryFile(suffix='.json') as out:
+        subprocess.run([folder / f'{name}_benchmark', f'--benchmark_repetitions={repetitions}',
+                        '--benchmark_enable_random_interleaving=true', '--benchmark_report_aggregates_only=true',
+                        '--benchmark_counters_tabular=true', f'--benchmark_out={out.name}'], check=True)
+        raw = json.load(open(out.name))
+    unit = {'ns': 1e-9, 'us': 1e-6, 'ms': 1e-3, 's': 1}
+    known = {'cpu_time', 'real_time', 'name', 'run_name', 'run_type', 'family_index', 'per_family_instance_index',
+             'repetitions', 'threads', 'aggregate_name', 'aggregate_unit', 'time_unit', 'iterations'}
+    return {row['run_name']: {'time': row['cpu_time'] * unit[row['time_unit']],
+                              **{key: row[key] for key in row.keys() - known}}
+            for row in raw['benchmarks'] if row.get('aggregate_name') == 'median'}
+
+
+def run_command(command, repetitions):
+    """Medians of wall and CPU seconds, and the greatest resident memory."""
+    walls, processors = [], []
+    for _ in range(repetitions):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        start = time.monotonic()
+        subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+        walls.append(time.monotonic() - start)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        processors.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return {'wall': statistics.median(walls), 'processor': statistics.median(processors)}
+
+
+def instructions(folder, jacobian):
+    """Of one posture, by callgrind: what more rounds cost, over the postures in them. None without valgrind."""
+    if not shutil.which('valgrind'):
+        return None
+
+    def counted(rounds):
+        words = ['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', folder / 'kernel_instructions',
+                 '--rounds', str(rounds)] + (['--jacobian'] if jacobian else [])
+        told = subprocess.run(words, capture_output=True, text=True).stderr
+        return int(re.search(r'Collected : (\d+)', told).group(1))
+
+    return (counted(21) - counted(1)) / (20 * POSTURES_PER_ROUND)
+
+
+def commands(program, folder, repetitions, runs):
+    """Whole commands on the shipped cell, each into a folder of its own."""
+    cell = ROOT / 'app/cells/mockup.yaml'
+    with tempfile.TemporaryDirectory() as scratch:
+        out = pathlib.Path(scratch)
+        plan = [program, 'plan', cell, '--tubes']
+        campaign = [program, 'campaign', cell, '--seed', 1, '--out']
+
+        def at(name, words, times=repetitions, before=()):
+            print(f'{name} ...', flush=True)
+            return run_command([*before, *words], times)
+
+        done = {
+            'plan 500': at('plan 500', [*plan, 'spread:500', '--out', out / '500']),
+            'plan all': at('plan all', [*plan, 'all', '--out', out / 'all'], 1),
+            'verify all': at('verify all', [program, 'verify', cell, out / 'all/plan.json'], 1),
+        }
+        # Both at once would share the machine's cores: one after the other, in turn.
+        ways = {'campaign, 1 worker': [*campaign, out / 'a', '--runs', runs, '--jobs', 1],
+                'campaign, 2 workers': [*campaign, out / 'b', '--runs', runs, '--jobs', 2]}
+        if shutil.which('mpirun'):
+            for ranks in (1, 2):
+                ways[f'campaign, {ranks} ranks'] = [
+                    'mpirun', '--allow-run-as-root', '-n', ranks, *campaign, out / f'm{ranks}', '--runs', runs,
+                    '--jobs', 1]
+        for name, words in ways.items():
+            def fresh():
+                shutil.rmtree(words[words.index('--out') + 1], ignore_errors=True)
+            times = []
+            for _ in range(3):
+                fresh()
+                times.append(run_command(words, 1))
+            done[name] = {key: statistics.median(t[key] for t in times) for key in times[0]}
+            print(name, done[name], flush=True)
+    return done
+
+
+def write_text(path, text):
+    part = path.with_suffix(path.suffix + '.part')
+    part.write_text(text)
+    part.replace(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('--build', type=pathlib.Path, default=ROOT / 'build-bench', help='the build folder')
+    parser.add_argument('--repetitions', type=int, default=9)
+    parser.add_argument('--runs', type=int, default=12000, help='of the campaigns')
+    parser.add_argument('--out', type=pathlib.Path, default=ROOT / 'docs')
+    options = parser.parse_args()
+    folder, program = options.build / 'benchmarks', options.build / 'tubeplan'
+
+    figures = {'machine': machine(), 'date': time.strftime('%Y-%m-%d'), 'repetitions': options.repetitions}
+    for name in LIBRARIES:
+        figures[name] = run_library(folder, name, options.repetitions)
+    figures['instructions'] = {'pose': instructions(folder, False), 'pose and Jacobian': instructions(folder, True)}
+    with tempfile.NamedTemporaryFile(suffix='.json') as out:
+        subprocess.run([folder / 'ompl_fcl_plan', '--json', out.name], check=True)
+        figures['plans'] = json.load(open(out.name))
+    figures['commands'] = commands(program, folder, 3, options.runs)
+    figures['campaign_runs'] = options.runs
+    write_text(options.out / 'benchmarks.json', json.dumps(figures, indent=1, sort_keys=True) + '\n')
+    from table import table
+    write_text(options.out / 'benchmarks.md', table(figures))
+    print(f'wrote {options.out / "benchmarks.md"} and benchmarks.json')
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,37 @@
+// Solves so many postures of the Cobra arm and nothing else, for an instruction counter: the difference between two
+// numbers of rounds, over the postures between them, is what one posture costs. `bench.py` does that.
+#include <CLI/CLI.hpp>
+#include <random>
+
+#include "deflection/prepared_arm.hpp"
+#include "deflection/tip_differentiation.hpp"
+#include "tests/deflection/cobra.hpp"
+
+int main(int argc, char** argv) {
+  using namespace tubeplan::deflection;
+  CLI::App cli{"Solves the same 64 postures again and again"};
+  int rounds = 1;
+  bool derive = false;
+  cli.add_option("--rounds", rounds, "how often");
+  cli.add_flag("--jacobian", derive, "with the exact Jacobian by the joints");
+  CLI11_PARSE(cli, argc, argv);
+
+  const Arm arm = cobraArm();
+  const auto variables = jointVariables(arm);
+  PreparedArm prepared(arm);
+  TipDifferentiation tip(arm);
+  std::mt19937_64 random(3);
+  std::vector<Posture> postures;
+  for (int k = 0; k < 64; ++k) postures.push_back({randomJoints(arm, random), 20 * kPound * (k % 3)});
+  double sum = 0;
+  for (int round = 0; round < rounds; ++round)
+    for (const Posture& posture : postures)
+      if (derive) {
+        tip.solve(posture, variables);
+        sum += tip.columns()(0, 0);
+      } else {
+        prepared.solve(posture);
+        sum += prepared.X_BD().p.x();
+      }
+  return sum == 12345;  // so that nothing is left out
+}

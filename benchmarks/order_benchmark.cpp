@@ -1,0 +1,54 @@
+// How long the order of visits takes on one core, its bound included, and how far from the best it is at most: lists of
+// the mock-up's tubes and the whole sheet, straight moves.
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include "app/workcell.hpp"
+#include "planner/real_order.hpp"
+#include "planner/tube_reach.hpp"
+#include "planner/visit_order.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::benchmarks {
+namespace {
+
+using namespace planner;
+
+Route routeTo(const Workcell& cell, const std::string& list) {
+  const ArmClearance clearance(cell);
+  std::vector<TubeReach> reach;
+  for (const int tube : tubesheets::selectTubes(cell.sheet, list).tube_indices) {
+    TubeReach one = reachTube(clearance, tube);
+    if (one.status == ReachStatus::kReachable) reach.push_back(std::move(one));
+  }
+  return routeOf(allBranches(std::move(reach)), jointSpeedsOf(cell.arm), {});
+}
+
+void order(benchmark::State& state, const std::string& list) {
+  const Workcell cell =
+      app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml"), "time the order of visits");
+  const Route route = routeTo(cell, list);
+  VisitOrder found;
+  for (auto _ : state) found = orderVisits(route);
+  if (found.status != VisitOrderStatus::kSolved) state.SkipWithError(found.reason.c_str());
+  state.counters["visits"] = static_cast<double>(found.order.size());
+  state.counters["gap_%"] = 100 * found.gap;
+}
+
+void registerAll() {
+  for (const char* list : {"spread:50", "spread:100", "spread:200", "spread:500", "all"})
+    benchmark::RegisterBenchmark((std::string("order/") + list).c_str(), order, list)->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace tubeplan::benchmarks
+
+int main(int argc, char** argv) {
+  const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
+  tubeplan::benchmarks::registerAll();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
