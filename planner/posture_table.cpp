@@ -10,12 +10,13 @@ PostureTable::PostureTable(const Route& route)
     : route_(&route),
       visits_(static_cast<int>(route.visits.size())),
       joints_(static_cast<int>(route.speeds.max_speed.size())),
+      stride_((joints_ + kStep - 1) / kStep * kStep),
       has_extra_(static_cast<bool>(route.extra_time)) {
   first_.push_back(0);
   const auto addPosture = [&](const Eigen::VectorXd& q) {
-    for (int j = 0; j < joints_; ++j) {
-      by_speed_.push_back(q[j] / route.speeds.max_speed[j]);
-      by_acceleration_.push_back(q[j] / route.speeds.max_acceleration[j]);
+    for (int j = 0; j < stride_; ++j) {
+      by_speed_.push_back(j < joints_ ? q[j] / route.speeds.max_speed[j] : 0);
+      by_acceleration_.push_back(j < joints_ ? q[j] / route.speeds.max_acceleration[j] : 0);
     }
     node_of_.push_back(nodes());
   };

@@ -3,8 +3,8 @@
 // Nodes: the visits, then the start posture, then the end posture, where given. Postures of a node are consecutive.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "planner/route.hpp"
@@ -29,7 +29,7 @@ class PostureTable {
   [[nodiscard]] int nodeOf(int posture) const { return node_of_[posture]; }
   [[nodiscard]] int joints() const { return joints_; }
   /// Joint value over its greatest speed [s]: differences bound the time of a move from below.
-  [[nodiscard]] double scaled(int posture, int joint) const { return by_speed_[posture * joints_ + joint]; }
+  [[nodiscard]] double scaled(int posture, int joint) const { return by_speed_[posture * stride_ + joint]; }
 
   /// Time [s] along the straight line, without extra time.
   [[nodiscard]] double straight(int a, int b) const {
@@ -43,18 +43,23 @@ class PostureTable {
   [[nodiscard]] int nearestPosture(int posture, int node) const;
 
  private:
+  static constexpr int kStep = 4;  // joints compared at a time
+
   [[nodiscard]] double extra(int a, int b) const;
   [[nodiscard]] double greatestDifference(const std::vector<double>& values, int a, int b) const {
-    const double* x = &values[static_cast<std::size_t>(a) * joints_];
-    const double* y = &values[static_cast<std::size_t>(b) * joints_];
-    double greatest = 0;
-    for (int j = 0; j < joints_; ++j) greatest = std::max(greatest, std::abs(x[j] - y[j]));
+    const double* x = &values[static_cast<std::size_t>(a) * static_cast<std::size_t>(stride_)];
+    const double* y = &values[static_cast<std::size_t>(b) * static_cast<std::size_t>(stride_)];
+    using Four = Eigen::Map<const Eigen::Array4d>;
+    double greatest = (Four(x) - Four(y)).abs().maxCoeff();
+    for (int j = kStep; j < stride_; j += kStep)
+      greatest = std::max(greatest, (Four(x + j) - Four(y + j)).abs().maxCoeff());
     return greatest;
   }
 
   const Route* route_;
   int visits_;
   int joints_;
+  int stride_;  // joints, and noughts up to a whole number of steps
   int start_node_ = -1;
   int end_node_ = -1;
   bool has_extra_;
