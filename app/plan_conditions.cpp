@@ -7,12 +7,11 @@
 #include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
 #include "app/plan_question.hpp"
+#include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-constexpr double kLongestStay = 86'400;  // s
 
 std::optional<Eigen::VectorXd> postureOf(const std::string& text, const std::string& option, const Cell& cell) {
   if (text.empty()) return std::nullopt;
@@ -39,7 +38,7 @@ planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Ce
   conditions.end = postureOf(request.end, "--end", cell);
   const auto& sheet = requireSheet(cell, "plan tube visits");
   for (const auto& zone : request.first) conditions.zones.push_back(readTubes(zone, sheet, "--first").tube_indices);
-  if (!(request.dwell >= 0 && request.dwell <= kLongestStay))
+  if (!(request.dwell >= 0 && request.dwell <= tubesheets::kLongestStay))
     throw InputError("--dwell", fmt::format("{}", request.dwell), "seconds from 0 to a day");
   conditions.dwell = request.dwell;
   conditions.dwell_at = std::move(dwell_at);

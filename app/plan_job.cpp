@@ -61,9 +61,10 @@ std::vector<calibration::Touch> touchesFor(const PlanRequest& request, const Pla
 
 /// The model's own view of each visit: where the tip goes, and how sure that is.
 void predict(PlanOutcome& outcome) {
+  planner::TipPrediction tips(outcome.model);
   for (const auto& visit : outcome.plan.visits) {
     const auto hole = planner::holeCentre(outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
-    outcome.predicted.push_back(planner::scoreVisit(outcome.model, hole, visit.branch));
+    outcome.predicted.push_back(planner::scoreVisit(tips, outcome.model, hole, visit.branch));
     const auto tip = calibration::tipInWorld(outcome.model.arm, outcome.model.X_WB, visit.branch.q, outcome.model.load);
     const Eigen::Matrix2d covariance =
         calibration::tipCovariance(outcome.model.arm, tip, outcome.model.base_covariance).topLeftCorner<2, 2>();

@@ -7,8 +7,8 @@
 
 #include "app/atomic_file.hpp"
 #include "app/input_error.hpp"
+#include "app/kept_file.hpp"
 #include "app/plan_memory_json.hpp"
-#include "app/readers/text_file.hpp"
 
 namespace tubeplan::app {
 
@@ -18,42 +18,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "tubeplan plan memory 1";
+constexpr KeptFormat kFormat{"tubeplan plan memory 1", "a file as tubeplan plan leaves it", "remove it and plan anew"};
 constexpr int kLeastShareOfWriting = 20;  // pauses are so many times as long as a write
 
-struct MemoryFile {
-  PlanQuestion question;
-  std::string checksum, payload;
-};
-
-[[noreturn]] void refuseDamaged(const fs::path& path, const std::string& found) {
-  throw InputError(path.string(), found, "a file as tubeplan plan leaves it", "remove it and plan anew");
-}
-
-MemoryFile readMemoryFile(const fs::path& path) {
-  const std::string text = readTextFile(path.string());
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  MemoryFile file;
-  file.payload = text.substr(std::min(end + 1, text.size()));
-  if (file.payload.ends_with('\n')) file.payload.pop_back();
-  try {
-    const json head = json::parse(text.substr(0, end));
-    if (head.at("format") != kFormat) refuseDamaged(path, "the format " + head.at("format").dump());
-    file.question = head.at("question").get<PlanQuestion>();
-    file.checksum = head.at("checksum");
-  } catch (const json::exception&) {
-    refuseDamaged(path, "a first line that is not a plan's");
-  }
-  if (fingerprintOf(file.payload) != file.checksum) refuseDamaged(path, "content that does not fit its checksum");
-  return file;
-}
-
-planner::PlanMemory memoryOf(const MemoryFile& file, const fs::path& path) {
-  try {
-    return memoryFrom(json::parse(file.payload));
-  } catch (const json::exception& error) {
-    refuseDamaged(path, error.what());
-  }
+planner::PlanMemory memoryOf(const KeptFile& file, const fs::path& path) {
+  planner::PlanMemory memory;
+  readPayload(kFormat, path, file, [&](const json& payload) { memory = memoryFrom(payload); });
+  return memory;
 }
 
 bool isThere(const fs::path& path) {
@@ -79,7 +50,7 @@ PlanKeeper::PlanKeeper(fs::path folder, bool must_resume, const std::string& fro
   if (!isThere(path))
     throw InputError("--from", inQuotes(from) + " without " + kMemoryFile, "the folder of a plan that was completed",
                      "plan without --from");
-  const MemoryFile file = readMemoryFile(path);
+  const KeptFile file = readKeptFile(kFormat, path);
   from_fingerprint_ = file.checksum;
   from_question_ = file.question;
   from_memory_ = memoryOf(file, path);
@@ -97,7 +68,7 @@ void PlanKeeper::begin(const PlanQuestion& question) {
 bool PlanKeeper::takeStopped(const PlanQuestion& question) {
   const fs::path path = folder_ / kProgressFile;
   if (!isThere(path)) return false;
-  const MemoryFile file = readMemoryFile(path);
+  const KeptFile file = readKeptFile(kFormat, path);
   const auto differences = findDifferences(file.question, question);
   if (differences.empty()) {
     memory_ = memoryOf(file, path);
@@ -114,7 +85,7 @@ bool PlanKeeper::takeStopped(const PlanQuestion& question) {
 bool PlanKeeper::takeDone(const PlanQuestion& question) {
   const fs::path path = folder_ / kMemoryFile;
   if (!isThere(path)) return false;
-  const MemoryFile file = readMemoryFile(path);
+  const KeptFile file = readKeptFile(kFormat, path);
   if (!findDifferences(file.question, question).empty()) return false;
   memory_ = memoryOf(file, path);
   say(fmt::format("the plan in {} is complete; it is written again", folder_.string()));
@@ -160,10 +131,6 @@ void PlanKeeper::discard() {
 
 std::string PlanKeeper::summary() const { return summaryOf(memory_); }
 
-std::string PlanKeeper::text() const {
-  const std::string payload = memoryJson(memory_).dump();
-  const json head = {{"format", kFormat}, {"question", question_}, {"checksum", fingerprintOf(payload)}};
-  return head.dump() + "\n" + payload + "\n";
-}
+std::string PlanKeeper::text() const { return keptText(kFormat, question_, memoryJson(memory_).dump()); }
 
 }  // namespace tubeplan::app

@@ -25,6 +25,7 @@ std::optional<planner::Centring> centringAt(const PlacedModel& model, const plan
 
 ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach) {
   ModeScores scores;
+  planner::TipPrediction tips(models.truth);
   const auto hole = planner::holeCentre(models.truth.sheet.tubes.at(static_cast<std::size_t>(tube.tube)));
   planner::CompensationOptions options;
   options.with_approach = with_approach;
@@ -33,7 +34,7 @@ ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool
     const auto& cell = options.mode == planner::Compensation::kNone ? models.rigid : models.flexible;
     const auto branch = planner::compensateFrom(cell, hole, tube.q, options);
     if (branch.status == deflection::BranchStatus::kConverged)
-      scores[k] = planner::scoreVisit(models.truth, hole, branch, tube.tip_error_W);
+      scores[k] = planner::scoreVisit(tips, models.truth, hole, branch, tube.tip_error_W);
   }
   return scores;
 }

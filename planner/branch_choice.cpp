@@ -97,10 +97,4 @@ std::vector<int> serpentineOrder(const std::vector<int>& rows, const std::vector
   return order;
 }
 
-double rowByRowTime(const Route& route, const std::vector<int>& rows, const std::vector<int>& columns) {
-  if (rows.size() != route.visits.size() || columns.size() != rows.size())
-    return std::numeric_limits<double>::quiet_NaN();
-  return bestBranches(route, serpentineOrder(rows, columns)).travel_time;
-}
-
 }  // namespace tubeplan::planner

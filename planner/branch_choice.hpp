@@ -35,7 +35,4 @@ double choosePostures(const PostureTable& table, const std::vector<int>& node_or
 /// Row after row, every second row backwards. One row and column number for each visit.
 [[nodiscard]] std::vector<int> serpentineOrder(const std::vector<int>& rows, const std::vector<int>& columns);
 
-/// Travel time [s] of the serpentine with its best branches; NaN when the input is unusable.
-[[nodiscard]] double rowByRowTime(const Route& route, const std::vector<int>& rows, const std::vector<int>& columns);
-
 }  // namespace tubeplan::planner

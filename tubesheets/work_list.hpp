@@ -18,6 +18,8 @@
 
 namespace tubeplan::tubesheets {
 
+inline constexpr double kLongestStay = 86'400;  ///< s, at a tube: a day
+
 enum class SelectionStatus { kNotRun, kSelected, kRefused };
 
 struct Selection {

@@ -17,8 +17,6 @@ const std::vector<std::string>& knownColumns() {
   return known;
 }
 
-constexpr double kLongestStay = 86'400;  // s
-
 WorkList refused(Problem problem) { return {WorkListStatus::kRefused, std::move(problem), {}}; }
 
 std::string fieldOf(const CsvTable& table, const CsvRow& row, std::string_view column) {

@@ -7,7 +7,7 @@
 
 #include "app/atomic_file.hpp"
 #include "app/input_error.hpp"
-#include "app/readers/text_file.hpp"
+#include "app/kept_file.hpp"
 
 namespace tubeplan::app {
 
@@ -17,52 +17,35 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "tubeplan campaign tally 1";
+constexpr KeptFormat kFormat{"tubeplan campaign tally 1", "a file as tubeplan campaign leaves it",
+                             "remove it to begin anew"};
 constexpr int kLeastShareOfWriting = 20;  // pauses are so many times as long as a write
-
-struct TallyFile {
-  PlanQuestion question;
-  KeptTally tally;
-};
-
-[[noreturn]] void refuseDamaged(const fs::path& path, const std::string& found) {
-  throw InputError(path.string(), found, "a file as tubeplan campaign leaves it", "remove it to begin anew");
-}
 
 RunSet runsFrom(const json& ranges, const fs::path& path) {
   RunSet set;
   std::uint64_t last = 0;
   for (const auto& range : ranges) {
     const RunRange runs{range.at(0), range.at(1)};
-    if (runs.first < last || runs.end <= runs.first) refuseDamaged(path, "runs out of order");
+    if (runs.first < last || runs.end <= runs.first) refuseDamaged(kFormat, path, "runs out of order");
     set.insert(runs);
     last = runs.end;
   }
   return set;
 }
 
-TallyFile readTallyFile(const fs::path& path) {
-  const std::string text = readTextFile(path.string());
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string payload = text.substr(std::min(end + 1, text.size()));
-  if (payload.ends_with('\n')) payload.pop_back();
-  try {
-    const json head = json::parse(text.substr(0, end));
-    if (head.at("format") != kFormat) refuseDamaged(path, "the format " + head.at("format").dump());
-    if (head.at("checksum") != fingerprintOf(payload)) refuseDamaged(path, "content that does not fit its checksum");
-    const json body = json::parse(payload);
-    return {head.at("question").get<PlanQuestion>(), {runsFrom(body.at("done"), path), body.at("total")}};
-  } catch (const json::exception&) {
-    refuseDamaged(path, "no tally of a campaign");
-  }
+KeptTally tallyOf(const KeptFile& file, const fs::path& path) {
+  KeptTally tally;
+  readPayload(kFormat, path, file, [&](const json& payload) {
+    tally.done = runsFrom(payload.at("done"), path);
+    payload.at("total").get_to(tally.total);
+  });
+  return tally;
 }
 
 std::string tallyText(const PlanQuestion& question, const KeptTally& tally) {
   json done = json::array();
   for (const auto& range : tally.done.ranges()) done.push_back({range.first, range.end});
-  const std::string payload = json{{"done", done}, {"total", tally.total}}.dump();
-  const json head = {{"format", kFormat}, {"question", question}, {"checksum", fingerprintOf(payload)}};
-  return head.dump() + "\n" + payload + "\n";
+  return keptText(kFormat, question, json{{"done", done}, {"total", tally.total}}.dump());
 }
 
 void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
@@ -82,14 +65,15 @@ std::optional<KeptTally> TallyKeeper::begin(const PlanQuestion& question, std::u
                        std::string("a folder with ") + kTallyFile, "leave out --resume to begin anew");
     return std::nullopt;
   }
-  TallyFile file = readTallyFile(path());
+  const KeptFile file = readKeptFile(kFormat, path());
+  KeptTally tally = tallyOf(file, path());
   auto differences = findDifferences(file.question, question);
-  const auto& ranges = file.tally.done.ranges();
+  const auto& ranges = tally.done.ranges();
   if (!ranges.empty() && ranges.back().end > runs)
     differences.push_back(fmt::format("more runs (up to {}, now {})", ranges.back().end, runs));
   if (differences.empty()) {
-    say(fmt::format("going on from {}: {} of {} runs are there", path().string(), file.tally.done.size(), runs));
-    return std::move(file.tally);
+    say(fmt::format("going on from {}: {} of {} runs are there", path().string(), tally.done.size(), runs));
+    return tally;
   }
   if (must_resume_)
     throw InputError("--resume", fmt::format("{} with {}", path().string(), fmt::join(differences, ", ")),

@@ -1,4 +1,4 @@
-# cmake -DOUTPUT=plan_page.cpp -DFUNCTION=planPageSources -DFOLDER=... -DTEMPLATE=a.html -DSTYLES=b.css -DSCRIPTS=c.js,d.js -P embed.cmake
+# cmake -DOUTPUT=plan_page.cpp -DFUNCTION=planPageSources -DFOLDER=... -DTEMPLATE=a.html -DTITLE=... -DFIGURES=... -DSTYLES=b.css -DSCRIPTS=c.js,d.js -P embed.cmake
 # Writes OUTPUT, which defines FUNCTION of page_sources.hpp: the page's files as raw string literals, in pieces that every compiler accepts (16 KB at most).
 cmake_minimum_required(VERSION 3.25)
 set(piece_size 12000)
@@ -9,6 +9,8 @@ function(literals_of_files result files)
   set(literals "")
   foreach(file IN LISTS files)
     file(READ "${FOLDER}/${file}" text)
+    string(REPLACE "@TITLE@" "${TITLE}" text "${text}")
+    string(REPLACE "@FIGURES@" "${FIGURES}" text "${text}")
     if(text MATCHES "[^\t\r\n -~]")
       message(FATAL_ERROR "${file}: only ASCII here (write \\u.... or an HTML entity), so that a piece never cuts a character")
     endif()

@@ -101,6 +101,12 @@ TEST(RowByRow, GoesThroughEachZoneInItsTurn) {
               timeOf(route, {1, 2, 5, 4, 3, 6, 7, 8, 0}, std::vector<int>(9, 0)), 1e-9);
 }
 
+TEST(RowByRow, IsUnknownWithoutARowColumnAndZoneForEachVisit) {
+  const Route route = latticeRoute(3, 0.1, 1);
+  EXPECT_TRUE(std::isnan(rowByRowTime(route, {0}, {1}, {1})));
+  EXPECT_TRUE(std::isnan(rowByRowTime(route, std::vector<int>(9, 0), std::vector<int>(9, 1), {1})));
+}
+
 TEST(ZonesOf, ListedTubesComeFirstAndEmptyZonesDoNotCount) {
   VisitConditions conditions;
   conditions.zones = {{7, 8}, {99}, {3}};
