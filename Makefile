@@ -1,6 +1,6 @@
 # make demo   installs what is missing, builds, and plans the mock-up's tubes
 # make test   the same, and runs every test
-# make bench  the same, and times least squares beside Ceres, the diagnosis, clearance beside FCL, and plans beside OMPL with FCL
+# make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
 TUBES   ?= spread:60
 TOUCHES ?= auto
 SEED    ?= 1
