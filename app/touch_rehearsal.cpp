@@ -6,6 +6,7 @@
 
 #include "app/input_error.hpp"
 #include "app/touch_input.hpp"
+#include "calibration/touch_reserve.hpp"
 #include "planner/tube_reach.hpp"
 #include "tubesheets/work_list.hpp"
 
@@ -41,14 +42,16 @@ std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
                                                 const std::vector<calibration::TouchPlan>& candidates, int count) {
   std::vector<Eigen::VectorXd> work;
   for (const auto& candidate : candidates) work.push_back(candidate.q_start);
+  auto touchable = calibration::keepTouchable(cell.arm, cell.X_WB, candidates);
+  if (static_cast<int>(touchable.size()) < count) touchable = candidates;
   const auto choice =
-      calibration::chooseTouches(cell.arm, cell.X_WB, candidates, work, {count, touchSigmaOf(cell.tool)});
+      calibration::chooseTouches(cell.arm, cell.X_WB, touchable, work, {count, touchSigmaOf(cell.tool)});
   if (choice.status != calibration::TouchChoiceStatus::kDone)
     throw InputError("--touches auto", choice.reason, "holes to touch",
                      "check base, scene and joint limits of the cell");
   std::vector<calibration::TouchPlan> plans;
   for (int index : choice.chosen) {
-    plans.push_back(candidates[static_cast<std::size_t>(index)]);
+    plans.push_back(touchable[static_cast<std::size_t>(index)]);
     plans.back().id = "T" + std::to_string(plans.size());
   }
   return plans;
