@@ -1,7 +1,6 @@
-// How long the order of visits takes on one core, its bound included, and how far from the best it is at most: lists of
-// the mock-up's tubes and the whole sheet, straight moves.
+// How long the order of visits takes on all cores, its bound included, and how far from the best it is at most: lists
+// of the mock-up's tubes and the whole sheet, straight moves.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include "app/workcell.hpp"
 #include "planner/real_order.hpp"
@@ -37,14 +36,15 @@ void order(benchmark::State& state, const std::string& list) {
 
 void registerAll() {
   for (const char* list : {"spread:50", "spread:100", "spread:200", "spread:500", "all"})
-    benchmark::RegisterBenchmark((std::string("order/") + list).c_str(), order, list)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((std::string("order/") + list).c_str(), order, list)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
 }
 
 }  // namespace
 }  // namespace tubeplan::benchmarks
 
 int main(int argc, char** argv) {
-  const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
   tubeplan::benchmarks::registerAll();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -92,7 +92,7 @@ class Rows:
         yield self.time('scoring a visit to each', 'sheet', 'sheet/scoring', 0.05)
         for name in self.raw.get('order', {}):
             what = name.removeprefix('order/')
-            yield self.time(f'order of {what}, bound included', 'order', name, 10 if what == 'all' else 1)
+            yield self.time(f'order of {what}, bound included, all cores', 'order', name, 10 if what == 'all' else 1)
             yield self.counter(f'the same: gap, at most', 'order', name, 'gap_%', '%', 1)
 
     def clearance(self):

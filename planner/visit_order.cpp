@@ -1,7 +1,11 @@
 #include "planner/visit_order.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -13,7 +17,8 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr int kTryEveryOrderUpTo = 4;
-constexpr double kTrialShare = 0.08;  // of all kicks, for each start tour; the best one gets the rest
+constexpr double kTrialShare = 0.08;   // of all kicks, for each start tour ...
+constexpr double kFinishShare = 0.44;  // ... and for the best of them
 constexpr long kKicksBetweenStops = 1000;
 constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
 
@@ -62,36 +67,71 @@ Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate&
   return next.time < candidate.time ? next : candidate;
 }
 
-Candidate searched(const PostureTable& table, const VisitOrderOptions& options) {
-  const auto neighbours = nearestNeighbours(table, options.neighbours);
-  TourSearch search(table, neighbours);
-  if (!options.start.empty()) return settled(table, search, withBestPostures(table, options.start));
+/// Each start tour searched for a while, side by side; each draws from a seed of its own, so that the threads do not
+/// matter.
+Candidate bestOfTrials(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, long kicks,
+                       const VisitOrderOptions& options) {
   auto tours = startTours(table, neighbours);
   if (!options.hint.empty()) tours.push_back(options.hint);
-  const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
-                                      std::max(options.least_kicks, options.most_kicks));
+  std::vector<Candidate> found(tours.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, tours.size(), [&](std::size_t k) {
+    TourSearch search(table, neighbours);
+    std::mt19937_64 random(options.seed + k);
+    const Candidate start = settled(table, search, withBestPostures(table, tours[k]));
+    found[k] = kicked(table, search, start, std::lround(kTrialShare * static_cast<double>(kicks)), random, options);
+  });
+  return std::move(*std::ranges::min_element(found, {}, &Candidate::time));
+}
+
+Candidate finished(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, Candidate best,
+                   long kicks, const VisitOrderOptions& options) {
+  TourSearch search(table, neighbours);
   std::mt19937_64 random(options.seed);
-  Candidate best;
-  for (const std::vector<int>& tour : tours) {
-    Candidate candidate = settled(table, search, withBestPostures(table, tour));
-    candidate =
-        kicked(table, search, candidate, static_cast<long>(kTrialShare * static_cast<double>(kicks)), random, options);
-    if (candidate.time < best.time) best = std::move(candidate);
-  }
-  const double share = std::max(0.0, 1 - kTrialShare * static_cast<double>(tours.size()));
-  for (int leg = 0; leg < kLegs; ++leg) {
-    best = kicked(table, search, best, static_cast<long>(share * static_cast<double>(kicks) / kLegs), random, options);
-  }
+  for (int leg = 0; leg < kLegs; ++leg) best = kicked(table, search, best, kicks / kLegs, random, options);
   return best;
 }
 
-void addBound(const Route& route, const VisitOrderOptions& options, VisitOrder& result) {
+double boundOf(const Route& route, const VisitOrderOptions& options, double known_time) {
   OneTreeOptions bound = options.bound;
-  bound.known_time = result.travel_time;
+  bound.known_time = known_time < kForbiddenTime ? known_time : std::numeric_limits<double>::infinity();
   bound.stop = options.stop;
-  result.lower_bound = oneTreeBound(route, bound).lower_bound;
-  if (result.lower_bound > 0) result.gap = (result.travel_time - result.lower_bound) / result.lower_bound;
-  if (result.travel_time <= result.lower_bound) result.gap = 0;
+  return oneTreeBound(route, bound).lower_bound;
+}
+
+struct Searched {
+  Candidate best;
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The bound is found while the search goes on: a time near the best is all that it wants to know.
+Searched searched(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
+  const auto neighbours = nearestNeighbours(table, options.neighbours);
+  const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
+                                      std::max(options.least_kicks, options.most_kicks));
+  Searched result;
+  if (options.start.empty()) {
+    result.best = bestOfTrials(table, neighbours, kicks, options);
+  } else {
+    TourSearch search(table, neighbours);
+    result.best = settled(table, search, withBestPostures(table, options.start));
+  }
+  const Candidate trial = result.best;
+  oneapi::tbb::parallel_invoke(
+      [&] {
+        if (!options.start.empty()) return;
+        result.best =
+            finished(table, neighbours, trial, std::lround(kFinishShare * static_cast<double>(kicks)), options);
+      },
+      [&] {
+        if (options.with_bound) result.lower_bound = boundOf(route, options, trial.time);
+      });
+  return result;
+}
+
+Searched everyOrder(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
+  Searched result{bestOfAllOrders(table)};
+  if (options.with_bound) result.lower_bound = boundOf(route, options, result.best.time);
+  return result;
 }
 
 }  // namespace
@@ -107,7 +147,8 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
   const PostureTable table(route);
   assert(options.start.empty() || options.start.size() == route.visits.size());
   assert(options.hint.empty() || options.hint.size() == route.visits.size());
-  const Candidate best = table.visits() <= kTryEveryOrderUpTo ? bestOfAllOrders(table) : searched(table, options);
+  const auto [best, lower_bound] =
+      table.visits() <= kTryEveryOrderUpTo ? everyOrder(route, table, options) : searched(route, table, options);
   result.order = best.order;
   for (const int visit : best.order) result.branches.push_back(best.posture_of_node[visit] - table.first(visit));
   result.travel_time = best.time;
@@ -117,7 +158,9 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
     result.reason = "no order was found that keeps clear of all moves that must not be made";
     result.travel_time = std::numeric_limits<double>::infinity();
   }
-  if (options.with_bound) addBound(route, options, result);
+  result.lower_bound = lower_bound;
+  if (lower_bound > 0) result.gap = (result.travel_time - lower_bound) / lower_bound;
+  if (result.travel_time <= lower_bound) result.gap = 0;
   return result;
 }
 

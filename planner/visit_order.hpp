@@ -24,7 +24,8 @@ struct VisitOrderOptions {
   std::vector<int> start;
   /// One more tour to begin the search from, where it is not empty: an order of all visits found before.
   std::vector<int> hint;
-  std::function<bool()> stop;  ///< asked now and then; once true, what comes back is not the search's best
+  /// Asked now and then, from several threads; once true, what comes back is not the search's best.
+  std::function<bool()> stop;
 };
 
 enum class VisitOrderStatus { kNotRun, kSolved, kForbiddenMove, kBadInput };
@@ -41,7 +42,8 @@ struct VisitOrder {
 };
 
 /// Nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, the exact branch choice in turn with them, and
-/// local double-bridge kicks. Up to four visits: every order is tried. The same input and seed give the same route.
+/// local double-bridge kicks. Up to four visits: every order is tried. The same input and seed give the same route, on
+/// any number of threads; `extra_time` is asked from several at once.
 [[nodiscard]] VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options = {});
 
 }  // namespace tubeplan::planner

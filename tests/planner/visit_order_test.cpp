@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "planner/branch_choice.hpp"
@@ -114,7 +115,7 @@ TEST(OrderVisits, StoppedAtOnceStillGivesAWholeOrderAndABoundThatHolds) {
   const Route route = randomRoute(random, 80, 2, false, false);
   const VisitOrder searched = orderVisits(route, quick(1));
   VisitOrderOptions options;
-  int asked = 0;
+  std::atomic<int> asked = 0;
   options.stop = [&] { return ++asked > 0; };
   const VisitOrder stopped = orderVisits(route, options);
   expectValid(route, stopped);
