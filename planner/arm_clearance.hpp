@@ -22,6 +22,9 @@ struct ArmTravel {
 };
 [[nodiscard]] ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 
+/// Joint values of many postures [rad, m], one column for each.
+using PostureColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
@@ -35,6 +38,10 @@ class ArmClearance {
   /// The same with `spare` [m] taken off the margin: what a plan keeps in hand, so that a proof by other means succeeds
   /// too.
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
+
+  /// The margins of many postures, as many side by side as the processor has lanes: those
+  /// of `at`, bit for bit.
+  [[nodiscard]] std::vector<double> margins(const PostureColumns& q, ContactRule rule) const;
 
   /// Bound on any body point's travel, deflection's change included.
   [[nodiscard]] const TravelBound& travel() const { return travel_.bound; }
