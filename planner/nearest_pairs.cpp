@@ -90,7 +90,6 @@ int costOf(PairKind kind) { return kind == PairKind::kBox || kind == PairKind::k
 
 NearestPairs::NearestPairs(Scene scene) : scene_(std::move(scene)) {
   assert(findSceneProblems(scene_).empty());
-  assert(scene_.bodies.size() <= kernels::kMostBodies);
   for (const Body& body : scene_.bodies) {
     solids_.push_back(dynamic_cast<const Solid*>(body.shape.get()));
     const Capsule& around = solids_.back()->around();
@@ -164,9 +163,9 @@ void NearestPairs::find(const PlacedPostures& placed, std::span<NearestPair> fou
   constexpr std::size_t kLanes = kernels::kMostLanes;
   assert(found.size() >= static_cast<std::size_t>(placed.count));
   const int width = placed.kernel->lanes;
-  std::array<double, 6 * kernels::kMostBodies * kLanes> ends;
   std::array<double, kLanes> distance, nearest;
-  std::vector<double> bounds((pairs_.size() - static_cast<std::size_t>(exact_)) * kLanes);
+  std::vector<double> ends(6 * bodies_.size() * static_cast<std::size_t>(width)),
+      bounds((pairs_.size() - static_cast<std::size_t>(exact_)) * static_cast<std::size_t>(width));
   const kernels::PlainScene scene{bodies_.data(), obstacles_.data(),
                                   pairs_.data(),  static_cast<int>(bodies_.size()),
                                   exact_,         static_cast<int>(pairs_.size())};

@@ -61,12 +61,17 @@ inline Found fromSearched(const Segment& a_W, const PlainBody& body, const Plain
           asked};
 }
 
-inline Found look(const PlainScene& scene, const PlainPair& pair, const Segment* placed_bodies, Real limit) {
+inline Segment axisOf(const FoundPairs& out, int body) {
+  const double* from = out.ends + 6 * body * out.stride;
+  return {loadVec(from, out.stride), loadVec(from + 3 * out.stride, out.stride)};
+}
+
+inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPairs& out, Real limit) {
   const PlainBody& body = scene.bodies[pair.body];
-  const Segment& a = placed_bodies[pair.body];
+  const Segment a = axisOf(out, pair.body);
   if (pair.kind == kBodyAndBody) {
     const PlainBody& other = scene.bodies[pair.other];
-    return capsulesApart(a, body, placed_bodies[pair.other], other.radius, other.half_length, limit);
+    return capsulesApart(a, body, axisOf(out, pair.other), other.radius, other.half_length, limit);
   }
   const PlainObstacle& other = scene.obstacles[pair.other];
   switch (pair.kind) {
@@ -83,17 +88,15 @@ inline Found look(const PlainScene& scene, const PlainPair& pair, const Segment*
 
 /// `frames` as PlacedRows has them, as far apart as the results.
 inline void findNearest(const PlainScene& scene, const double* frames, const FoundPairs& out) {
-  Segment bodies[kMostBodies];
   for (int i = 0; i < scene.body_count; ++i) {
     const PlainBody& body = scene.bodies[i];
     const RowFrame X = loadFrame(frames + 12 * body.row * out.stride, out.stride);
-    bodies[i] = {placed(X, body.from), placed(X, body.to)};
-    storeLanes(out.ends + 6 * i * out.stride, out.stride, bodies[i].from);
-    storeLanes(out.ends + (6 * i + 3) * out.stride, out.stride, bodies[i].to);
+    storeLanes(out.ends + 6 * i * out.stride, out.stride, placed(X, body.from));
+    storeLanes(out.ends + (6 * i + 3) * out.stride, out.stride, placed(X, body.to));
   }
   Real distance = constant(kInfinity), nearest = constant(-1);
   for (int k = 0; k < scene.exact_count; ++k) {
-    const Found found = look(scene, scene.pairs[k], bodies, distance);
+    const Found found = look(scene, scene.pairs[k], out, distance);
     const Bits nearer = found.asked & isLess(found.distance, distance);
     distance = select(nearer, found.distance, distance);
     nearest = select(nearer, constant(k), nearest);
@@ -101,7 +104,7 @@ inline void findNearest(const PlainScene& scene, const double* frames, const Fou
   store(out.distance, distance);
   store(out.nearest, nearest);
   for (int k = scene.exact_count; k < scene.pair_count; ++k) {
-    const Found bound = look(scene, scene.pairs[k], bodies, distance);
+    const Found bound = look(scene, scene.pairs[k], out, distance);
     store(out.bounds + (k - scene.exact_count) * out.stride, select(bound.asked, bound.distance, constant(kInfinity)));
   }
 }

@@ -9,7 +9,6 @@ namespace tubeplan::planner::kernels {
 
 inline constexpr int kMostLanes = 8;
 inline constexpr int kMostRows = 48;  ///< a longer arm is placed without a kernel
-inline constexpr int kMostBodies = 64;
 
 /// p_A = R p_B + p; R's columns one after the other.
 struct PlainPose {
