@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "deflection/chain.hpp"
 #include "deflection/rigid_branches.hpp"
@@ -116,29 +117,41 @@ ArmClearance::ArmClearance(const Workcell& cell)
       travel_world_(travelScene(cell.scene)),
       travel_(armTravelOf(cell, approach_world_.bodyReach())) {}
 
+Clearance ArmClearance::lessBow(Clearance clearance, double bow) const {
+  clearance.distance -= bow + travel_.jump;
+  clearance.margin -= bow + travel_.jump;
+  return clearance;
+}
+
 Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
   const PlacedPostures& placed = arms_->of_thread.local().place(q);
   NearestPair found;
   pairs.find(placed, {&found, 1});
-  Clearance clearance = pairs.named(placed, 0, found);
-  clearance.distance -= placed.bow.front() + travel_.jump;
-  clearance.margin -= placed.bow.front() + travel_.jump;
-  return clearance;
+  return lessBow(pairs.named(placed, 0, found), placed.bow.front());
 }
 
-std::vector<double> ArmClearance::margins(const PostureColumns& q, ContactRule rule) const {
+MarginsSideBySide ArmClearance::together(const PostureColumns& q, ContactRule rule) const {
   const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
   BodyPlacing& placing = arms_->of_thread.local();
-  std::vector<double> margins;
+  MarginsSideBySide result;
   std::array<NearestPair, kernels::kMostLanes> found;
   for (Eigen::Index first = 0; first < q.cols(); first += placing.lanes()) {
     const PlacedPostures& placed = placing.place(q, first);
     pairs.find(placed, found);
-    for (std::size_t l = 0; l < static_cast<std::size_t>(placed.count); ++l)
-      margins.push_back(found[l].distance - cell_.scene.clearance - (placed.bow[l] + travel_.jump));
+    std::optional<std::size_t> tightest;
+    for (std::size_t l = 0; l < static_cast<std::size_t>(placed.count); ++l) {
+      result.margins.push_back(found[l].distance - cell_.scene.clearance - (placed.bow[l] + travel_.jump));
+      const double least = result.margins[result.tightest];
+      if (result.margins.size() > 1 && (std::isnan(least) || result.margins.back() >= least)) continue;
+      result.tightest = result.margins.size() - 1;
+      tightest = l;
+    }
+    if (tightest)
+      result.clearance =
+          lessBow(pairs.named(placed, static_cast<int>(*tightest), found[*tightest]), placed.bow[*tightest]);
   }
-  return margins;
+  return result;
 }
 
 Clearance ArmClearance::withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const {

@@ -61,7 +61,7 @@ TEST(BodyPlacing, HasTheSameBitsAloneAndInAnyCompany) {
       const deflection::Side q = randomPostures(cell, count, random);
       const PlacedPostures& placed = placing.place(q, 0);
       for (int lane = 0; lane < placed.count; ++lane) {
-        const PlacedPostures& one = alone.place(q.col(lane));
+        const PlacedPostures& one = alone.place(VectorXd(q.col(lane)));
         EXPECT_EQ(placed.bow[static_cast<std::size_t>(lane)], one.bow[0]);
         for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row)
           EXPECT_EQ(placed.X_WL(row, lane).matrix(), one.X_WL(row, 0).matrix()) << count << " row " << row;
@@ -88,10 +88,19 @@ TEST(ArmClearance, ABatchHasTheMarginsOfItsPostures) {
     const ArmClearance clearance(cell);
     const deflection::Side q = randomPostures(cell, 203, random);
     for (const ContactRule rule : {ContactRule::kTravel, ContactRule::kApproach}) {
-      const std::vector<double> margins = clearance.margins(q, rule);
-      ASSERT_EQ(margins.size(), 203u);
-      for (Index k = 0; k < q.cols(); ++k)
-        EXPECT_EQ(margins[static_cast<std::size_t>(k)], clearance.at(q.col(k), rule).margin) << k;
+      const MarginsSideBySide found = clearance.together(q, rule);
+      ASSERT_EQ(found.margins.size(), 203u);
+      Index tightest = 0;
+      for (Index k = 0; k < q.cols(); ++k) {
+        const double margin = clearance.at(VectorXd(q.col(k)), rule).margin;
+        EXPECT_EQ(found.margins[static_cast<std::size_t>(k)], margin) << k;
+        if (margin < found.margins[static_cast<std::size_t>(tightest)]) tightest = k;
+      }
+      EXPECT_EQ(found.tightest, static_cast<std::size_t>(tightest));
+      const Clearance named = clearance.at(VectorXd(q.col(tightest)), rule);
+      EXPECT_EQ(describe(found.clearance), describe(named));
+      EXPECT_EQ(found.clearance.margin, named.margin);
+      EXPECT_EQ(found.clearance.point_W, named.point_W);
     }
   }
 }
