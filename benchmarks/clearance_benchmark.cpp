@@ -7,9 +7,13 @@
 #include <chrono>
 
 #include "app/workcell.hpp"
+#include "deflection/prepared_arm.hpp"
 #include "planner/arm_clearance.hpp"
+#include "planner/frames_along_chords.hpp"
 #include "planner/motion_check.hpp"
+#include "planner/nearest_pairs.hpp"
 #include "planner/separation.hpp"
+#include "planner/side_by_side.hpp"
 #include "planner/tube_reach.hpp"
 #include "tubesheets/work_list.hpp"
 
@@ -41,6 +45,13 @@ struct Bench {
           if ((from.q - to.q).cwiseAbs().maxCoeff() < 0.3)
             moves.push_back({from.approach.front(), to.approach.front()});
     }
+  }
+
+  /// A multiple of all lanes.
+  [[nodiscard]] PostureColumns standoffs() const {
+    PostureColumns q(moves.front().from.size(), 64);
+    for (Eigen::Index k = 0; k < q.cols(); ++k) q.col(k) = moves[static_cast<std::size_t>(k) % moves.size()].from;
+    return q;
   }
 };
 
@@ -88,6 +99,33 @@ void distances(benchmark::State& state, const MarginOf& margin_of) {
   for (auto _ : state) benchmark::DoNotOptimize(margin_of(frames[k++ % frames.size()]));
 }
 
+/// The same postures, so many side by side, each for itself.
+void distancesSideBySide(benchmark::State& state, const NearestPairs& pairs) {
+  const PostureColumns q = bench().standoffs();
+  BodyPlacing placing(bench().cell);
+  std::vector<PlacedPostures> blocks;
+  for (Eigen::Index first = 0; first + placing.lanes() <= q.cols(); first += placing.lanes())
+    blocks.push_back(placing.place(q, first));
+  std::vector<NearestPair> found(static_cast<std::size_t>(placing.lanes()));
+  std::size_t k = 0;
+  while (state.KeepRunningBatch(placing.lanes())) {
+    pairs.find(blocks[k++ % blocks.size()], found);
+    benchmark::DoNotOptimize(found.data());
+  }
+}
+
+/// Shape and distances.
+template <class ClearanceAt>
+void postures(benchmark::State& state, const ClearanceAt& clearance_at) {
+  std::size_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(clearance_at(bench().moves[k++ % bench().moves.size()].from));
+}
+
+void posturesSideBySide(benchmark::State& state) {
+  const PostureColumns q = bench().standoffs();
+  while (state.KeepRunningBatch(q.cols())) benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
+}
+
 /// The median over the moves stands beside the mean.
 void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
   const auto& moves = bench().moves;
@@ -119,6 +157,10 @@ void registerAll() {
   const auto us = benchmark::kMicrosecond;
   benchmark::RegisterBenchmark("posture/shape", shape)->Unit(us);
   benchmark::RegisterBenchmark("posture/distances", [=](benchmark::State& s) { distances(s, own); })->Unit(us);
+  static const NearestPairs pairs(bench().cell.scene);
+  benchmark::RegisterBenchmark("posture/distances/side by side", [](benchmark::State& s) {
+    distancesSideBySide(s, pairs);
+  })->Unit(us);
   benchmark::RegisterBenchmark("posture/distances/fcl", [=](benchmark::State& s) { distances(s, library); })->Unit(us);
   const auto at = [](const VectorXd& q) { return bench().clearance.at(q, ContactRule::kApproach); };
   const auto atByLibrary = [library](const VectorXd& q) {
@@ -129,7 +171,25 @@ void registerAll() {
     clearance.distance = clearance.margin + bench().cell.scene.clearance;
     return clearance;
   };
-  benchmark::RegisterBenchmark("neighbour move", [=](benchmark::State& s) { proveMoves(s, at); })->Unit(us);
+  const auto byScalar = [](const VectorXd& q) {
+    static deflection::PreparedArm arm(bench().cell.arm);
+    static const Eigen::Vector3d gravity_B = deflection::gravityInBase(bench().cell.arm, bench().cell.X_WB);
+    arm.solve({q, bench().cell.load, gravity_B});
+    double bow = 0;
+    Clearance clearance = world.closest(framesAlongChords(bench().cell, arm.shape(), &bow));
+    clearance.margin -= bow;
+    return clearance;
+  };
+  benchmark::RegisterBenchmark("posture", [=](benchmark::State& s) { postures(s, at); })->Unit(us);
+  benchmark::RegisterBenchmark("posture/side by side", posturesSideBySide)->Unit(us);
+  benchmark::RegisterBenchmark("posture/scalar", [=](benchmark::State& s) { postures(s, byScalar); })->Unit(us);
+  benchmark::RegisterBenchmark("posture/fcl", [=](benchmark::State& s) { postures(s, atByLibrary); })->Unit(us);
+  static const PostureClearance together = sideBySide(bench().clearance, ContactRule::kApproach, 0);
+  benchmark::RegisterBenchmark("neighbour move", [=](benchmark::State& s) { proveMoves(s, together); })->Unit(us);
+  benchmark::RegisterBenchmark("neighbour move/one by one", [=](benchmark::State& s) { proveMoves(s, at); })->Unit(us);
+  benchmark::RegisterBenchmark("neighbour move/scalar", [=](benchmark::State& s) {
+    proveMoves(s, byScalar);
+  })->Unit(us);
   benchmark::RegisterBenchmark("neighbour move/fcl", [=](benchmark::State& s) {
     proveMoves(s, atByLibrary);
   })->Unit(us);

@@ -3,19 +3,21 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "deflection/chain.hpp"
-#include "deflection/prepared_arm.hpp"
 #include "deflection/rigid_branches.hpp"
 #include "deflection/tip_derivatives.hpp"
 #include "planner/deflection_travel.hpp"
+#include "planner/frames_along_chords.hpp"
+#include "planner/nearest_pairs.hpp"
 
 namespace tubeplan::planner {
 
 namespace {
 
-using deflection::FlexibleKinematics;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
 constexpr double kLeastDeflectionFactor = 1.1;
@@ -37,54 +39,6 @@ Scene travelScene(Scene scene) {
                            [&](const Obstacle& o) { return o.name == name; });
       });
   return scene;
-}
-
-Vector3d memberOf(const deflection::Arm& arm, int row) {
-  return row + 1 < static_cast<int>(arm.rows.size()) ? deflection::offsetInPreviousAxes<double>(arm.rows[row + 1])
-                                                     : arm.p_LT;
-}
-
-/// Greatest distance of a bent element from its chord, of the cubic with its end displacement d and end rotation w.
-double bowOf(const Vector3d& member, const Vector3d& d, const Vector3d& w) {
-  double bow = 0;
-  const Vector3d slope = w.cross(member);
-  for (double s : {0.25, 1. / 3, 0.5, 2. / 3, 0.75})
-    bow = std::max(bow, ((3 * s * s - 2 * s * s * s - s) * d + (s * s * s - s * s) * slope).norm());
-  return 1.1 * bow;
-}
-
-double bowOfRow(const deflection::Arm& arm, const FlexibleKinematics& shape, int row) {
-  double bow = 0, turn = 0;
-  int segments = 0;
-  for (const auto& component : shape.components) {
-    if (component.row != row || deflection::elementKinds()[component.kind].place != deflection::ElementPlace::kMember)
-      continue;
-    ++segments;
-    turn += component.rotation.norm();
-    bow = bowOf(memberOf(arm, row), component.displacement, component.rotation);
-  }
-  return segments > 1 ? 1.1 * memberOf(arm, row).norm() * turn / 8 : bow;
-}
-
-/// Far end of a row's member as deflected, in the base frame.
-Vector3d farEnd(const FlexibleKinematics& shape, int row) {
-  return row + 1 < static_cast<int>(shape.rows.size()) ? shape.rows[row + 1].X_BL.p : shape.X_BD.p;
-}
-
-std::vector<Isometry3d> framesAlongChords(const Workcell& cell, const FlexibleKinematics& shape, double* bow) {
-  std::vector<Isometry3d> frames;
-  if (bow) *bow = 0;
-  for (int row = 0; row < static_cast<int>(shape.rows.size()); ++row) {
-    Isometry3d X_BL = deflection::toIsometry(shape.rows[row].X_BL);
-    if (cell.arm.rows[row].beam && cell.arm.rows[row].joint.type != deflection::JointType::kPrismatic) {
-      const Vector3d chord = farEnd(shape, row) - X_BL.translation();
-      const Vector3d member = X_BL.linear() * memberOf(cell.arm, row);
-      X_BL.linear() = Eigen::Quaterniond::FromTwoVectors(member, chord).toRotationMatrix() * X_BL.linear();
-      if (bow) *bow = std::max(*bow, bowOfRow(cell.arm, shape, row));
-    }
-    frames.push_back(cell.X_WB * X_BL);
-  }
-  return frames;
 }
 
 std::vector<LinkReach> linksOf(const Workcell& cell, const std::vector<double>& body_reach) {
@@ -148,11 +102,10 @@ std::vector<Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& 
 
 struct ArmClearance::PreparedArms {
   explicit PreparedArms(const Workcell& cell)
-      : gravity_B(deflection::gravityInBase(cell.arm, cell.X_WB)),
-        of_thread([&arm = cell.arm] { return deflection::PreparedArm(arm); }) {}
+      : approach(cell.scene), travel(travelScene(cell.scene)), of_thread([&cell] { return BodyPlacing(cell); }) {}
 
-  Vector3d gravity_B;
-  oneapi::tbb::enumerable_thread_specific<deflection::PreparedArm> of_thread;
+  NearestPairs approach, travel;
+  oneapi::tbb::enumerable_thread_specific<BodyPlacing> of_thread;
 };
 
 ArmClearance::~ArmClearance() = default;
@@ -164,19 +117,41 @@ ArmClearance::ArmClearance(const Workcell& cell)
       travel_world_(travelScene(cell.scene)),
       travel_(armTravelOf(cell, approach_world_.bodyReach())) {}
 
-Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
-  double bow = 0;
-  Clearance clearance;
-  deflection::PreparedArm& arm = arms_->of_thread.local();
-  if (arm.solve({q, cell_.load, arms_->gravity_B}) != deflection::KinematicsStatus::kConverged) {
-    clearance.other = "the deflected shape does not settle";
-    return clearance;
-  }
-  const auto frames = framesAlongChords(cell_, arm.shape(), &bow);
-  clearance = (rule == ContactRule::kTravel ? travel_world_ : approach_world_).closest(frames);
+Clearance ArmClearance::lessBow(Clearance clearance, double bow) const {
   clearance.distance -= bow + travel_.jump;
   clearance.margin -= bow + travel_.jump;
   return clearance;
+}
+
+Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
+  const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
+  const PlacedPostures& placed = arms_->of_thread.local().place(q);
+  NearestPair found;
+  pairs.find(placed, {&found, 1});
+  return lessBow(pairs.named(placed, 0, found), placed.bow.front());
+}
+
+MarginsSideBySide ArmClearance::together(const PostureColumns& q, ContactRule rule) const {
+  const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
+  BodyPlacing& placing = arms_->of_thread.local();
+  MarginsSideBySide result;
+  std::array<NearestPair, kernels::kMostLanes> found;
+  for (Eigen::Index first = 0; first < q.cols(); first += placing.lanes()) {
+    const PlacedPostures& placed = placing.place(q, first);
+    pairs.find(placed, found);
+    std::optional<std::size_t> tightest;
+    for (std::size_t l = 0; l < static_cast<std::size_t>(placed.count); ++l) {
+      result.margins.push_back(found[l].distance - cell_.scene.clearance - (placed.bow[l] + travel_.jump));
+      const double least = result.margins[result.tightest];
+      if (result.margins.size() > 1 && (std::isnan(least) || result.margins.back() >= least)) continue;
+      result.tightest = result.margins.size() - 1;
+      tightest = l;
+    }
+    if (tightest)
+      result.clearance =
+          lessBow(pairs.named(placed, static_cast<int>(*tightest), found[*tightest]), placed.bow[*tightest]);
+  }
+  return result;
 }
 
 Clearance ArmClearance::withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const {

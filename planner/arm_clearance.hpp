@@ -22,6 +22,16 @@ struct ArmTravel {
 };
 [[nodiscard]] ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 
+/// Joint values of many postures [rad, m], one column for each.
+using PostureColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The margins of many postures, and all that is known of the tightest one (one whose margin is NaN, if there is one).
+struct MarginsSideBySide {
+  std::vector<double> margins;  ///< m
+  std::size_t tightest = 0;
+  Clearance clearance;
+};
+
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
@@ -36,6 +46,10 @@ class ArmClearance {
   /// too.
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
 
+  /// The same of many postures, at least one, as many side by side as the processor has lanes: bit for bit what each
+  /// has alone.
+  [[nodiscard]] MarginsSideBySide together(const PostureColumns& q, ContactRule rule) const;
+
   /// Bound on any body point's travel, deflection's change included.
   [[nodiscard]] const TravelBound& travel() const { return travel_.bound; }
 
@@ -46,6 +60,8 @@ class ArmClearance {
 
  private:
   struct PreparedArms;
+
+  [[nodiscard]] Clearance lessBow(Clearance clearance, double bow) const;
 
   const Workcell& cell_;
   std::unique_ptr<PreparedArms> arms_;  ///< one for each thread that asks

@@ -21,38 +21,6 @@ Capsule placed(const Eigen::Isometry3d& X, const Capsule& capsule) {
   return {X * capsule.from, X * capsule.to, capsule.radius};
 }
 
-/// Two things that may not touch, and what one look at the capsule's middle tells of them.
-struct Pair {
-  Capsule capsule;  ///< in the other's frame
-  const Shape* other;
-  const std::string *body_name, *other_name;
-  double bound;  ///< m, lower bound of the distance
-};
-
-Pair pairOf(const Capsule& capsule, const Body& body, const Shape& other, const std::string& other_name) {
-  const double half_length = (capsule.to - capsule.from).norm() / 2;
-  const double middle = other.pointDistance((capsule.from + capsule.to) / 2);
-  return {capsule, &other, &bodyLabel(body), &other_name, middle - half_length - capsule.radius};
-}
-
-std::vector<Pair> pairsOf(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL) {
-  std::vector<Pair> pairs;
-  const std::vector<int> group = rigidGroups(scene);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    const Capsule in_world = placed(X_WL[static_cast<std::size_t>(body.frame_index)], capsuleAround(body));
-    for (const auto& obstacle : scene.obstacles)
-      if (!mayTouch(obstacle, body)) pairs.push_back(pairOf(in_world, body, *obstacle.shape, obstacle.name));
-    for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
-      const Body& other = scene.bodies[j];
-      if (std::abs(group[i] - group[j]) <= 1 || mayTouch(body, other)) continue;
-      const Eigen::Isometry3d X_OW = X_WL[static_cast<std::size_t>(other.frame_index)].inverse();
-      pairs.push_back(pairOf(placed(X_OW, in_world), body, *other.shape, bodyLabel(other)));
-    }
-  }
-  return pairs;
-}
-
 }  // namespace
 
 double lipschitzDistance(const Capsule& capsule, const Shape& shape, const LipschitzOptions& options) {
@@ -82,19 +50,53 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   return std::min(proved, least);
 }
 
-double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
-                       std::string* names) {
-  std::vector<Pair> pairs = pairsOf(scene, X_WL);
-  std::ranges::stable_sort(pairs, {}, &Pair::bound);
-  LipschitzOptions options{accuracy, share, scene.clearance};
-  for (const Pair& pair : pairs) {
-    if (pair.bound >= options.enough) break;
-    const double distance = lipschitzDistance(pair.capsule, *pair.other, options);
+LipschitzMargins::LipschitzMargins(const Scene& scene) : scene_(scene) {
+  const std::vector<int> group = rigidGroups(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
+      if (!mayTouch(scene.obstacles[k], scene.bodies[i])) pairs_.push_back({i, k, false});
+    for (std::size_t j = i + 1; j < scene.bodies.size(); ++j)
+      if (std::abs(group[i] - group[j]) > 1 && !mayTouch(scene.bodies[i], scene.bodies[j]))
+        pairs_.push_back({i, j, true});
+  }
+}
+
+LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const {
+  const auto frameOf = [&](const Body& body) -> const Eigen::Isometry3d& {
+    return X_WL[static_cast<std::size_t>(body.frame_index)];
+  };
+  const Body& body = scene_.bodies[pair.body];
+  Capsule capsule = placed(frameOf(body), capsuleAround(body));
+  if (pair.with_body) capsule = placed(frameOf(scene_.bodies[pair.other]).inverse(), capsule);
+  const Shape& other = pair.with_body ? *scene_.bodies[pair.other].shape : *scene_.obstacles[pair.other].shape;
+  const double half_length = (capsule.to - capsule.from).norm() / 2;
+  const double middle = other.pointDistance((capsule.from + capsule.to) / 2);
+  return {&pair, capsule, &other, middle - half_length - capsule.radius};
+}
+
+double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
+                            std::string* names) {
+  looks_.clear();
+  for (const Pair& pair : pairs_) looks_.push_back(lookAt(pair, X_WL));
+  std::ranges::stable_sort(looks_, {}, &Look::bound);
+  LipschitzOptions options{accuracy, share, scene_.clearance};
+  const Pair* nearest = nullptr;
+  for (const Look& look : looks_) {
+    if (look.bound >= options.enough) break;
+    const double distance = lipschitzDistance(look.capsule, *look.other, options);
     if (distance >= options.enough) continue;
     options.enough = distance;
-    if (names) *names = *pair.body_name + ", " + *pair.other_name;
+    nearest = look.pair;
   }
-  return options.enough - scene.clearance;
+  if (names && nearest)
+    *names = bodyLabel(scene_.bodies[nearest->body]) + ", " +
+             (nearest->with_body ? bodyLabel(scene_.bodies[nearest->other]) : scene_.obstacles[nearest->other].name);
+  return options.enough - scene_.clearance;
+}
+
+double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
+                       std::string* names) {
+  return LipschitzMargins(scene).at(X_WL, accuracy, share, names);
 }
 
 }  // namespace tubeplan::planner

@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "planner/scene.hpp"
 
@@ -25,9 +26,38 @@ struct LipschitzOptions {
 [[nodiscard]] double lipschitzDistance(const Capsule& capsule, const Shape& shape,
                                        const LipschitzOptions& options = {});
 
-/// Lower bound of the least margin (distance less the scene's clearance) of all pairs that may not touch, the rows'
-/// bodies being at X_WL [m]; `accuracy` and `share` (of the margin) as above. `names` gets the tightest pair, "tool,
-/// divider".
+/// The margins of one scene's postures; which pairs may not touch is found once. Each thread needs its own.
+class LipschitzMargins {
+ public:
+  /// `scene` must outlive this, and stay as it is.
+  explicit LipschitzMargins(const Scene& scene);
+
+  /// Lower bound of the least margin (distance less the scene's clearance) of all pairs that may not touch, the rows'
+  /// bodies being at X_WL [m]; `accuracy` and `share` (of the margin) as above. `names` gets the tightest pair, "tool,
+  /// divider"; it may be null.
+  double at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share, std::string* names);
+
+ private:
+  struct Pair {
+    std::size_t body, other;
+    bool with_body;
+  };
+  /// What one look at the capsule's middle tells of a pair.
+  struct Look {
+    const Pair* pair;
+    Capsule capsule;  ///< in the other's frame
+    const Shape* other;
+    double bound;  ///< m, lower bound of the distance
+  };
+
+  [[nodiscard]] Look lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const;
+
+  const Scene& scene_;
+  std::vector<Pair> pairs_;
+  std::vector<Look> looks_;
+};
+
+/// The same of one posture.
 [[nodiscard]] double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy,
                                      double share, std::string* names);
 

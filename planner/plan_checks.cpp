@@ -7,15 +7,14 @@
 #include <cmath>
 #include <set>
 
-#include "planner/arm_clearance.hpp"
-#include "planner/deflection_travel.hpp"
-#include "planner/lipschitz_distance.hpp"
+#include "deflection/prepared_arm.hpp"
+#include "planner/path_clearance_check.hpp"
 
 namespace tubeplan::planner {
 
 namespace {
 
-using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
+using Eigen::Vector3d, Eigen::VectorXd;
 constexpr std::size_t kMostFindings = 100;
 constexpr double kLimitShare = 1 + 1e-9;
 constexpr double kTimeTolerance = 1e-6;  // s
@@ -28,14 +27,7 @@ class Checker {
         options_(options),
         hooks_(hooks),
         gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
-        travel_scene_(withoutContact(cell.scene)),
-        lever_(leversOf()),
-        deflection_(deflectionTravelOf(cell, std::vector<double>(cell.arm.rows.size(), thickestBody(cell.scene)))) {
-    if (deflection_.is_proved)
-      lever_ = deflection_.stretch * lever_ + deflection_.per_joint;
-    else
-      lever_ *= deflectionFactor(cell);
-  }
+        arm_(cell.arm) {}
 
   PlanCheck run() {
     if (plan_.tubes.empty()) find("the plan visits no tube: there is nothing to prove");
@@ -46,7 +38,8 @@ class Checker {
       checkSpeeds();
       checkApproaches();
       checkAxes();
-      checkClearance();
+      checkPathClearance(
+          cell_, plan_, options_, hooks_, [this](std::string what) { find(std::move(what)); }, result_);
     }
     result_.status = result_.findings.empty() ? PlanCheckStatus::kProved : PlanCheckStatus::kRefuted;
     result_.tubes = static_cast<int>(plan_.tubes.size());
@@ -60,11 +53,10 @@ class Checker {
   }
 
   /// Not a number where the shape does not settle.
-  Vector3d tipAt(const VectorXd& q) const {
-    const auto shape = solveFlexibleKinematics(cell_.arm, {q, cell_.load, gravity_B_}, {1e-13, 100});
-    if (shape.status != deflection::KinematicsStatus::kConverged)
+  Vector3d tipAt(const VectorXd& q) {
+    if (arm_.solve({q, cell_.load, gravity_B_}, {1e-13, 100}) != deflection::KinematicsStatus::kConverged)
       return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    return cell_.X_WB * shape.X_BD.p;
+    return cell_.X_WB * arm_.X_BD().p;
   }
 
   bool shapesFit() {
@@ -221,110 +213,9 @@ class Checker {
   }
 
   /// Infinite where the shape does not settle.
-  double offAxis(const VectorXd& q, const StatedTube& tube) const {
+  double offAxis(const VectorXd& q, const StatedTube& tube) {
     const double off = (tipAt(q) - tube.hole_W).head<2>().norm();
     return std::isnan(off) ? std::numeric_limits<double>::infinity() : off;
-  }
-
-  double marginAt(const VectorXd& q, SegmentKind kind, std::string* names) const {
-    double bow = 0;
-    const auto frames = bodyFrames(cell_, q, &bow);
-    if (frames.empty()) return -std::numeric_limits<double>::infinity();
-    const Scene& scene = kind == SegmentKind::kTravel ? travel_scene_ : cell_.scene;
-    return lipschitzMargin(scene, frames, options_.distance_accuracy, options_.distance_share, names) - bow -
-           deflection_.jump;
-  }
-
-  /// Between holes the tool has no leave to touch anything that stands in the world.
-  static Scene withoutContact(Scene scene) {
-    if (scene.links.empty()) return scene;
-    std::set<std::string> tool{scene.links.back().name}, obstacles;
-    for (const auto& body : scene.bodies)
-      if (body.link == scene.links.back().name && !body.name.empty()) tool.insert(body.name);
-    for (auto& obstacle : scene.obstacles) {
-      obstacles.insert(obstacle.name);
-      std::erase_if(obstacle.allow, [&](const std::string& name) { return tool.contains(name); });
-    }
-    for (auto& body : scene.bodies)
-      if (body.link == scene.links.back().name)
-        std::erase_if(body.allow, [&](const std::string& name) { return obstacles.contains(name); });
-    return scene;
-  }
-
-  /// No point of the arm moves further than this in a straight joint move, deflection's change included.
-  double travel(const VectorXd& a, const VectorXd& b) const { return lever_.dot((b - a).cwiseAbs()); }
-
-  /// Greatest distance of a body point from its frame.
-  static double thickestBody(const Scene& scene) {
-    double thick = 0;
-    for (const auto& body : scene.bodies) {
-      const auto& capsule = static_cast<const Solid&>(*body.shape).around();
-      thick = std::max(thick, std::max(capsule.from.norm(), capsule.to.norm()) + capsule.radius);
-    }
-    return thick;
-  }
-
-  /// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide
-  /// moves all by 1.
-  VectorXd leversOf() const {
-    const double thick = thickestBody(cell_.scene);
-    const auto active = deflection::activeRows(cell_.arm);
-    VectorXd lever(static_cast<Eigen::Index>(active.size()));
-    for (int j = 0; j < lever.size(); ++j) {
-      const int row = active[static_cast<std::size_t>(j)];
-      deflection::Arm beyond;
-      beyond.rows.assign(cell_.arm.rows.begin() + row + 1, cell_.arm.rows.end());
-      beyond.p_LT.setZero();
-      const bool slides = cell_.arm.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
-      lever[j] = slides ? 1 : deflection::reachOf(beyond) + thick;
-    }
-    return lever;
-  }
-
-  void meet(double margin, const std::string& names) {
-    if (!(margin < least_met_)) return;
-    least_met_ = margin;
-    result_.tightest = names;
-  }
-
-  /// False once the stretch is refuted.
-  bool proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
-    const double far = travel(a.q, qb), proved = std::min({margin_a, margin_b, (margin_a + margin_b - far) / 2});
-    const bool too_coarse = proved < least_met_ - options_.report_accuracy && far >= options_.least_travel;
-    if (proved >= 0 && !too_coarse) {
-      result_.least_margin = std::min(result_.least_margin, proved);
-      return true;
-    }
-    PathRow middle = a;
-    middle.q = (a.q + qb) / 2;
-    std::string names;
-    const double margin = marginAt(middle.q, a.kind, &names);
-    meet(margin, names);
-    if (margin < 0 || far < options_.least_travel) {
-      find(fmt::format("path between rows {} and {}: too near: {}", row, row + 1, names));
-      return false;
-    }
-    return proveBetween(a, middle.q, margin_a, margin, row) && proveBetween(middle, qb, margin, margin_b, row);
-  }
-
-  void checkClearance() {
-    double before = 0;
-    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
-      if (hooks_.progress && k % 64 == 0) hooks_.progress("verify", k, plan_.path.size());
-      if (hooks_.stop && hooks_.stop()) return find("stopped before the clearance was proved");
-      std::string names;
-      const PathRow& row = plan_.path[k];
-      const double here = marginAt(row.q, row.kind, &names);
-      meet(here, names);
-      if (here < 0) find(fmt::format("path row {}: too near: {}", k + 1, names));
-      if (k > 0 && here >= 0 && before >= 0) {
-        PathRow from = plan_.path[k - 1];
-        from.kind = row.kind;
-        const double start = from.kind == plan_.path[k - 1].kind ? before : marginAt(from.q, row.kind, nullptr);
-        proveBetween(from, row.q, start, here, k);
-      }
-      before = here;
-    }
   }
 
   const Workcell& cell_;
@@ -332,11 +223,8 @@ class Checker {
   const PlanCheckOptions& options_;
   const PlanHooks& hooks_;
   Vector3d gravity_B_;
-  Scene travel_scene_;
-  VectorXd lever_;
-  DeflectionTravel deflection_;
+  deflection::PreparedArm arm_;
   PlanCheck result_;
-  double least_met_ = std::numeric_limits<double>::infinity();  ///< m, margin of a posture
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <mutex>
 
+#include "planner/side_by_side.hpp"
+
 namespace tubeplan::planner {
 
 namespace {
@@ -15,7 +17,7 @@ SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& opti
   MotionCheckOptions check = options.motion.check;
   check.accuracy = options.report_accuracy;
   const ContactRule rule = segment.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach;
-  const auto margin = [&](const Eigen::VectorXd& q) { return clearance.at(q, rule); };
+  const PostureClearance margin = sideBySide(clearance, rule, 0);
   SegmentProof proof{kInfinity, {}};
   const std::vector<Eigen::VectorXd> corners = cornersOf(segment, speeds);
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {

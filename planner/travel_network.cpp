@@ -4,6 +4,7 @@
 
 #include "planner/compensation.hpp"
 #include "planner/flowing_timing.hpp"
+#include "planner/side_by_side.hpp"
 
 namespace tubeplan::planner {
 
@@ -35,9 +36,7 @@ MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOpti
     problem.lower[k] = arm.rows[active[k]].joint.lower;
     problem.upper[k] = arm.rows[active[k]].joint.upper;
   }
-  problem.clearance_of = [&clearance, spare = options.reach.spare](const Eigen::VectorXd& q) {
-    return clearance.withSpare(q, ContactRule::kTravel, spare);
-  };
+  problem.clearance_of = sideBySide(clearance, ContactRule::kTravel, options.reach.spare);
   problem.travel = clearance.travel();
   problem.speeds = jointSpeedsOf(arm);
   problem.cost = [speeds = *problem.speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {

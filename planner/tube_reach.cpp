@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "planner/side_by_side.hpp"
+
 namespace tubeplan::planner {
 
 namespace {
@@ -25,9 +27,7 @@ BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, con
   const Clearance at_standoff = clearance.withSpare(branch.approach.front(), ContactRule::kTravel, options.spare);
   if (!(at_standoff.margin >= 0))
     return {Hurdle::kStandoff, "collision below the hole: " + inTheWay(at_standoff), at_standoff};
-  const auto margin = [&](const Eigen::VectorXd& q) {
-    return clearance.withSpare(q, ContactRule::kApproach, options.spare);
-  };
+  const PostureClearance margin = sideBySide(clearance, ContactRule::kApproach, options.spare);
   for (std::size_t k = 0; k + 1 < branch.approach.size(); ++k) {
     const auto check =
         checkMotion(branch.approach[k], branch.approach[k + 1], margin, clearance.travel(), options.check);

@@ -55,6 +55,7 @@ struct Shapes {
   double* sweeps;    ///< that it took; negative where the shape does not settle
   double* gives;     ///< 4 for each turn: moment about its axis [N m]; its angle [rad]; of a beam lambda, kappa
   long stride;
+  double* turns = nullptr;  ///< 12 for each turn: its frame in the base, as the pose
 };
 
 /// Solves as many postures as the kernel has lanes.

@@ -119,12 +119,14 @@ class HingeChainBuilder {
   }
 
   void markAxis() { out_.last_axis_ = {last(), here_.R.col(2)}; }
+  void markRow(int row) { out_.rows_.push_back({row, last(), here_}); }
 
   std::optional<HingeChain> finish(int joints) {
     if (last() < 0) return std::nullopt;
     const Twist tip = twistOf(here_.R);
     if (tip.sine == 0 && tip.cosine > 0) turnFrame(tip.after);
     if (last() >= kMaxTurns) return std::nullopt;
+    if (!rows_are_fixed_) out_.rows_.clear();
     HingeArm& numbers = out_.numbers_;
     const bool turned = !here_.R.isIdentity(4 * kSame);
     numbers = {nullptr, last() + 1, joints, reach_, {}, {}, turned, false};
@@ -171,6 +173,8 @@ class HingeChainBuilder {
     moment = (back * moment).eval();
     here_ = {back * here_.R, back * here_.p};
     if (out_.last_axis_.turn == last()) out_.last_axis_.direction = back * out_.last_axis_.direction;
+    for (RowOnTurn& row : out_.rows_)
+      if (row.turn == last()) row.X_TL = PoseOf<double>{back, Vector3d::Zero()} * row.X_TL;
   }
 
   /// Whether a turn about the z axis of `axes` here is one with the last turn.
@@ -186,6 +190,8 @@ class HingeChainBuilder {
   Turn& turnTo(const Matrix3d& axes, bool with_joint = false) {
     const Matrix3d R = here_.R * axes;
     if (isOneWithLast(R, with_joint)) {
+      // What the last turn gains turns nothing that was fixed to it before.
+      for (const RowOnTurn& row : out_.rows_) rows_are_fixed_ = rows_are_fixed_ && row.turn != last();
       here_.R = R;
       turnFrame(twistOf(R).after);
       for (double& m : out_.turns_.back().moment) m = 0;
@@ -244,6 +250,7 @@ class HingeChainBuilder {
   double reach_;
   HingeChain out_;
   PoseOf<double> here_;  ///< in the last turn's frame, or the base's
+  bool rows_are_fixed_ = true;
 };
 
 std::optional<HingeChain> HingeChain::of(const Chain<double>& chain, const Arm& arm, const std::vector<int>& joint_of,
@@ -259,7 +266,9 @@ std::optional<HingeChain> HingeChain::of(const Chain<double>& chain, const Arm& 
     }
     const double offset = arm.rows[static_cast<std::size_t>(link.row)].joint.offset;
     builder.addLink(link, joint_of[k], offset);
-    if (link.type == ChainLinkType::kFrame && !active.empty() && link.row == active.back()) builder.markAxis();
+    if (link.type != ChainLinkType::kFrame) continue;
+    builder.markRow(link.row);
+    if (!active.empty() && link.row == active.back()) builder.markAxis();
   }
   return builder.finish(static_cast<int>(active.size()));
 }

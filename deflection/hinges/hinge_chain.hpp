@@ -25,6 +25,12 @@ struct TurnDirection {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
+/// A row's frame, fixed to a turn (-1: to the base).
+struct RowOnTurn {
+  int row = -1, turn = -1;
+  PoseOf<double> X_TL;
+};
+
 class HingeChain {
  public:
   /// `joint_of` says which reading turns a link of the chain, -1 for none; `elements` are the chain's, in order.
@@ -38,6 +44,8 @@ class HingeChain {
   [[nodiscard]] bool hasJacobian() const { return has_jacobian_; }
   /// The z axis of the last jointed row's frame.
   [[nodiscard]] const TurnDirection& lastAxis() const { return last_axis_; }
+  /// Every row's frame, in order; empty where one of them lies between two things that turn as one.
+  [[nodiscard]] const std::vector<RowOnTurn>& rows() const { return rows_; }
 
   /// The elements' deflections, from what a kernel says of each turn (Shapes::gives, `stride` apart).
   void tell(const double* gives, long stride, std::vector<FlexibleElement>& elements) const;
@@ -48,6 +56,7 @@ class HingeChain {
   HingeArm numbers_{};
   std::vector<HingeElement> elements_;
   TurnDirection last_axis_;
+  std::vector<RowOnTurn> rows_;
   bool has_jacobian_ = false;
 };
 

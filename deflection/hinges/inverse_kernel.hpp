@@ -12,15 +12,6 @@ struct GoalResidual {
   Real position_error, pitch, tilt_sine, tilt_cosine;
 };
 
-inline Real squareRoot(Real x) {
-#if TUBEPLAN_LANES == 1
-  return __builtin_sqrt(x);
-#else
-  for (int l = 0; l < TUBEPLAN_LANES; ++l) x[l] = __builtin_sqrt(x[l]);
-  return x;
-#endif
-}
-
 inline Vec constantVec(const double* v) { return {constant(v[0]), constant(v[1]), constant(v[2])}; }
 inline Vec loadVec(const double (*from)[8]) { return {load(from[0]), load(from[1]), load(from[2])}; }
 

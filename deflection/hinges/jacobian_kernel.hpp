@@ -181,11 +181,13 @@ inline void solveShapes(const HingeArm& arm, const Postures& in, const Shapes& o
   const Real at_tip = load(in.load);
   begin(arm, in, at_tip, t);
   const Real sweeps = settle(arm, in, gravity, at_tip, t);
-  const Frame tip = placeFrames(arm, t, out.jacobian ? frames : nullptr);
+  const Frame tip = placeFrames(arm, t, out.jacobian || out.turns ? frames : nullptr);
   const Bits finite = isLess(absolute(tip.p.x) + absolute(tip.p.y) + absolute(tip.p.z), constant(1e300));
   store(out.sweeps, select(finite, sweeps, constant(-1)));
-  storePose(tip, out);
+  storeFrame(out.pose, out.stride, tip);
   if (out.gives) storeGiven(arm, t, out);
+  if (out.turns)
+    for (int i = 0; i < arm.count; ++i) storeFrame(out.turns + 12 * i * out.stride, out.stride, frames[i]);
   if (!out.jacobian) return;
   Motion columns[kMaxJoints];
   deriveByJoints(arm, t, frames, tip, gravity, at_tip, columns);

@@ -6,6 +6,10 @@
 // the number of lanes and whatever its neighbours.
 #pragma once
 
+#if TUBEPLAN_LANES >= 4
+#include <immintrin.h>
+#endif
+
 namespace {
 
 #if TUBEPLAN_LANES == 1
@@ -62,6 +66,26 @@ inline void store(double* to, Real x) { __builtin_memcpy(to, &x, sizeof x); }
 #endif
 
 inline Real constant(double x) { return Real{} + x; }
+inline Real least(Real a, Real b) { return select(isLess(b, a), b, a); }
+inline Real greatest(Real a, Real b) { return select(isLess(a, b), b, a); }
+
+/// Correctly rounded, as IEEE wants it of every processor.
+inline Real squareRoot(Real x) {
+#if TUBEPLAN_LANES == 8
+  return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);  // the plain one brings a warning of its own
+#elif TUBEPLAN_LANES == 4
+  return (Real)_mm256_sqrt_pd((__m256d)x);
+#else
+  for (int l = 0; l < TUBEPLAN_LANES; ++l) x = withLane(x, l, __builtin_sqrt(lane(x, l)));
+  return x;
+#endif
+}
+
+/// The size of one number with the sign of another.
+inline Real withSign(Real size, Real sign) {
+  constexpr long long kSign = static_cast<long long>(1ULL << 63);
+  return realOf((bitsOf(size) & ~kSign) | (bitsOf(sign) & kSign));
+}
 
 struct SineCosine {
   Real sine, cosine;

@@ -257,11 +257,11 @@ inline void storeVec(double* to, long stride, Vec v) {
   store(to + 2 * stride, v.z);
 }
 
-inline void storePose(const Frame& X, const Shapes& out) {
-  storeVec(out.pose, out.stride, X.p);
-  storeVec(out.pose + 3 * out.stride, out.stride, X.x);
-  storeVec(out.pose + 6 * out.stride, out.stride, X.y);
-  storeVec(out.pose + 9 * out.stride, out.stride, X.z);
+inline void storeFrame(double* to, long stride, const Frame& X) {
+  storeVec(to, stride, X.p);
+  storeVec(to + 3 * stride, stride, X.x);
+  storeVec(to + 6 * stride, stride, X.y);
+  storeVec(to + 9 * stride, stride, X.z);
 }
 
 inline void storeGiven(const HingeArm& arm, const TurnState* t, const Shapes& out) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "planner/side_by_side.hpp"
 #include "toy_arm.hpp"
 
 namespace tubeplan::planner {
@@ -131,6 +134,51 @@ TEST(CheckMotion, AgreesWithFineStepsOnRandomMotions) {
   }
   EXPECT_GT(free, 15);
   EXPECT_GT(blocked, 15);
+}
+
+/// Asked for all at once, `asked` counting how often.
+PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
+  return SideBySideClearance{alone, [alone, &asked](const PostureColumns& q) {
+                               ++asked;
+                               MarginsSideBySide found;
+                               for (Eigen::Index k = 0; k < q.cols(); ++k) {
+                                 Clearance here = alone(q.col(k));
+                                 found.margins.push_back(here.margin);
+                                 if (k > 0 && here.margin >= found.margins[found.tightest]) continue;
+                                 found.tightest = static_cast<std::size_t>(k);
+                                 found.clearance = std::move(here);
+                               }
+                               return found;
+                             }};
+}
+
+TEST(CheckMotion, PosturesAskedTogetherChangeNoAnswer) {
+  const CollisionWorld world(kArm.scene({{"post", shape("cylinder", {1.0, 0.7, -1, 1.0, 0.7, 1, 0.1}), {}},
+                                         {"wall", shape("keep_side", {-1.2, 0, 0, 1, 0, 0}), {}}}));
+  const PostureClearance alone = kArm.clearanceOf(world);
+  std::mt19937_64 random(7);
+  int asked = 0, free = 0, blocked = 0;
+  const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+  for (int trial = 0; trial < 400; ++trial) {
+    const auto any = [&] { return posture(uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)); };
+    const VectorXd q0 = any(), q1 = trial % 3 ? VectorXd(q0 + 0.2 * any()) : any();
+    const MotionCheckOptions options{.least_travel = trial % 5 ? 1e-4 : 1e-2,
+                                     .accuracy = trial % 2 ? 1e-3 : std::numeric_limits<double>::infinity(),
+                                     .max_checks = trial % 7 ? 100000 : 9};
+    const auto one = checkMotion(q0, q1, alone, kArm.travel(world), options);
+    const auto all = checkMotion(q0, q1, allAtOnce(alone, asked), kArm.travel(world), options);
+    EXPECT_EQ(all.status, one.status) << trial;
+    EXPECT_EQ(all.reason, one.reason) << trial;
+    EXPECT_EQ(all.checks, one.checks) << trial;
+    EXPECT_EQ(all.where, one.where) << trial;
+    EXPECT_TRUE(same(all.proved_margin, one.proved_margin)) << trial;
+    EXPECT_TRUE(same(all.tightest.margin, one.tightest.margin)) << trial;
+    EXPECT_EQ(describe(all.tightest), describe(one.tightest)) << trial;
+    (one.status == MotionCheckStatus::kFree ? free : blocked) += 1;
+  }
+  EXPECT_GT(asked, 400);
+  EXPECT_GT(free, 50);
+  EXPECT_GT(blocked, 50);
 }
 
 }  // namespace
