@@ -1,5 +1,7 @@
 #include "app/step_score.hpp"
 
+#include "deflection/inverse_solver.hpp"
+
 namespace tubeplan::app {
 
 ScoringModels scoringModels(const planner::Workcell& model, const std::optional<BothCalibrations>& bases,
@@ -10,17 +12,25 @@ ScoringModels scoringModels(const planner::Workcell& model, const std::optional<
   return models;
 }
 
-std::optional<planner::Centring> centringAt(const PlacedModel& model, const planner::Workcell& truth,
-                                            const Eigen::Vector3d& hole_W, const Eigen::VectorXd& q_start,
-                                            const Eigen::Vector3d& tip_error_W) {
-  const deflection::ToolGoal goal{model.X_WB.inverse() * hole_W,
-                                  model.X_WB.linear().transpose() * planner::kHoleAxis_W};
+std::vector<std::optional<planner::Centring>> centringsAt(const PlacedModel& model, const planner::Workcell& truth,
+                                                          planner::TipPrediction& true_tips,
+                                                          const std::vector<HoleToScore>& holes) {
+  std::vector<deflection::ToolGoal> goals;
+  std::vector<Eigen::VectorXd> starts;
+  for (const auto& hole : holes) {
+    goals.push_back({model.X_WB.inverse() * hole.p_WH, model.X_WB.linear().transpose() * planner::kHoleAxis_W});
+    starts.push_back(hole.q_start);
+  }
   const auto gravity_B = deflection::gravityInBase(model.arm, model.X_WB);
-  const auto found = deflection::refineBranch(model.arm, goal, truth.load, gravity_B, q_start);
-  if (found.status != deflection::BranchStatus::kConverged) return std::nullopt;
+  const auto found = deflection::InverseSolver(model.arm, truth.load, gravity_B).refine(goals, starts);
+  std::vector<std::optional<planner::Centring>> scores(holes.size());
   planner::TubeBranch visit;
-  visit.q = found.q;
-  return planner::scoreVisit(truth, hole_W, visit, tip_error_W);
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    if (found[k].status != deflection::BranchStatus::kConverged) continue;
+    visit.q = found[k].q;
+    scores[k] = planner::scoreVisit(true_tips, truth, holes[k].p_WH, visit, holes[k].tip_error_W);
+  }
+  return scores;
 }
 
 ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach) {

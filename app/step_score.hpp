@@ -7,6 +7,7 @@
 
 #include "app/touch_rehearsal.hpp"
 #include "planner/scoring.hpp"
+#include "planner/tip_prediction.hpp"
 
 namespace tubeplan::app {
 
@@ -40,11 +41,19 @@ struct PlacedModel {
   const Eigen::Isometry3d& X_WB;
 };
 
-/// Where the true arm goes when a model sends it to the hole's centre, from a posture near it; empty where the model
-/// finds none. What a mode does at the hole, without the way up to it.
-[[nodiscard]] std::optional<planner::Centring> centringAt(const PlacedModel& model, const planner::Workcell& truth,
-                                                          const Eigen::Vector3d& hole_W, const Eigen::VectorXd& q_start,
-                                                          const Eigen::Vector3d& tip_error_W);
+/// A hole, a posture near it, and what the true arm does there beyond its own model.
+struct HoleToScore {
+  Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();
+  Eigen::VectorXd q_start;
+  Eigen::Vector3d tip_error_W = Eigen::Vector3d::Zero();  ///< m
+};
+
+/// Where the true arm, whose tips these are, goes when a model sends it to each hole's centre; empty where the model
+/// finds no posture. What a mode does at the holes, without the way up to them.
+[[nodiscard]] std::vector<std::optional<planner::Centring>> centringsAt(const PlacedModel& model,
+                                                                        const planner::Workcell& truth,
+                                                                        planner::TipPrediction& true_tips,
+                                                                        const std::vector<HoleToScore>& holes);
 
 /// Without approach only the centring at the hole is scored.
 [[nodiscard]] ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach = true);

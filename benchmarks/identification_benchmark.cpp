@@ -13,21 +13,24 @@ namespace {
 
 using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibration::LeastSquaresStatus;
 
+using MakeCampaign = Campaign (*)();
+using Minimize = std::function<LeastSquaresResult(const LeastSquaresProblem&)>;
+
 /// One row of the table: calls for values alone and for the Jacobian, chi2 at the end, and the largest error of a
 /// parameter. What is left of that at the bottom is the readings' noise. The label says why the method stopped.
-void identify(benchmark::State& state, const std::function<LeastSquaresResult(const LeastSquaresProblem&)>& minimize) {
-  const Campaign campaign = thesisCampaign();
+void minimize(benchmark::State& state, MakeCampaign make, const Minimize& minimize) {
+  const Campaign campaign = make();
   LeastSquaresResult found;
   for (auto _ : state) found = minimize(campaign.problem);
   state.counters["values"] = found.evaluations;
   state.counters["Jacobians"] = found.jacobian_evaluations;
   state.counters["chi2"] = found.chi2;
-  state.counters["error_%"] = 100 * std::expm1((found.x - campaign.truth).lpNorm<Eigen::Infinity>());
+  state.counters["error_%"] = 100 * campaign.error(found.x);
   state.SetLabel((found.status == LeastSquaresStatus::kConverged ? "" : "NOT CONVERGED: ") + found.reason);
 }
 
-void evaluate(benchmark::State& state, bool jacobian) {
-  const Campaign campaign = thesisCampaign();
+void evaluate(benchmark::State& state, MakeCampaign make, bool jacobian) {
+  const Campaign campaign = make();
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
   for (auto _ : state) {
@@ -36,19 +39,53 @@ void evaluate(benchmark::State& state, bool jacobian) {
   }
 }
 
-void registerAll() {
-  benchmark::RegisterBenchmark("one evaluation/values", evaluate, false)->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("one evaluation/Jacobian", evaluate, true)->Unit(benchmark::kMillisecond);
+/// All of the program's identification: what the readings tell, weights, the fit, intervals.
+void identify(benchmark::State& state, calibration::LeastSquaresMethod method) {
+  const auto session = touchSession();
+  calibration::IdentificationOptions options;
+  options.free = {session->names, false};
+  options.folds = 0;
+  options.solver.method = method;
+  calibration::Identification found;
+  for (auto _ : state) found = calibration::identify(session->start, session->readings, options);
+  state.counters["values"] = found.evaluations;
+  state.counters["Jacobians"] = found.jacobian_evaluations;
+  state.counters["chi2"] = found.chi2;
+  double error = 0;
+  for (std::size_t k = 0; k < session->truth.size(); ++k)
+    error = std::max(error, std::abs(found.numbers.at(k).value / session->truth[k] - 1));
+  state.counters["error_%"] = 100 * error;
+  state.SetLabel(found.status == calibration::IdentificationStatus::kDone
+                     ? std::to_string(found.fitted_numbers.size()) + " told"
+                     : "NOT DONE: " + found.reason);
+}
+
+void registerCampaign(const std::string& name, MakeCampaign make) {
+  const auto add = [](const std::string& row, auto&&... call) {
+    benchmark::RegisterBenchmark(row.c_str(), call...)->Unit(benchmark::kMillisecond);
+  };
+  add(name + "/one evaluation/values", evaluate, make, false);
+  add(name + "/one evaluation/Jacobian", evaluate, make, true);
   for (const auto& kind : calibration::leastSquaresMethods()) {
-    const auto minimize = [method = kind.method](const LeastSquaresProblem& problem) {
+    const auto by = [method = kind.method](const LeastSquaresProblem& problem) {
       calibration::LeastSquaresOptions options;
       options.method = method;
       return calibration::minimizeLeastSquares(problem, options);
     };
-    benchmark::RegisterBenchmark(("identify/" + std::string(kind.name)).c_str(), identify, minimize)
-        ->Unit(benchmark::kMillisecond);
+    add(name + "/" + std::string(kind.name), minimize, make, Minimize(by));
   }
-  benchmark::RegisterBenchmark("identify/ceres", identify, minimizeByCeres)->Unit(benchmark::kMillisecond);
+  add(name + "/ceres", minimize, make, Minimize(minimizeByCeres));
+}
+
+void registerAll() {
+  registerCampaign("6 of 93 places", thesisCampaign);
+  registerCampaign("11 of 45 touch points", touchCampaign);
+  for (const auto& kind : calibration::leastSquaresMethods())
+    if (kind.method == calibration::LeastSquaresMethod::kLevenbergMarquardt ||
+        kind.method == calibration::LeastSquaresMethod::kInteriorPoint)
+      benchmark::RegisterBenchmark(("11 of 45 touch points/identify/" + std::string(kind.name)).c_str(), identify,
+                                   kind.method)
+          ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "calibration/fit.hpp"
+#include "deflection/inverse_kinematics.hpp"
+#include "deflection/posture_batch.hpp"
 #include "deflection/rigid_branches.hpp"
-#include "deflection/tip_derivatives.hpp"
 
 namespace tubeplan::benchmarks {
 
@@ -99,47 +101,40 @@ class Misfit {
       paths_.push_back(deflection::findParameter(truth, name).value().path);
       variables_.push_back(deflection::Variable::number(paths_.back()));
     }
+    postures_.resize(4, std::ssize(readings_));
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      postures_.q.col(static_cast<Eigen::Index>(k)) = readings_[k].posture.q;
+      postures_.load[static_cast<Eigen::Index>(k)] = readings_[k].posture.load;
+    }
   }
 
   bool operator()(const VectorXd& x, VectorXd& r, MatrixXd* jacobian) const {
-    const Arm arm = armAt(x);
+    Arm arm = truth_;
+    VectorXd values(kCount);  // what a derivative by the logarithm is multiplied with
+    for (Eigen::Index u = 0; u < kCount; ++u)
+      values[u] = deflection::locate(arm, paths_[static_cast<std::size_t>(u)]) *= std::exp(x[u]);
+    deflection::BatchKinematics kinematics(arm);
+    deflection::TipBatch tips;
+    kinematics.solveWithDerivatives(postures_, jacobian ? variables_ : std::vector<deflection::Variable>{}, tips,
+                                    kKinematics);
     r.resize(3 * static_cast<Eigen::Index>(readings_.size()));
     if (jacobian) jacobian->resize(r.size(), kCount);
     for (std::size_t k = 0; k < readings_.size(); ++k) {
-      const Eigen::Index row = 3 * static_cast<Eigen::Index>(k);
-      const auto tip = tipOf(arm, readings_[k].posture, jacobian != nullptr);
-      if (tip.kinematics.status != deflection::KinematicsStatus::kConverged) return false;
-      r.segment<3>(row) = (tip.kinematics.X_BD.p - readings_[k].p_BT) / kSigma;
-      if (jacobian) jacobian->middleRows<3>(row) = tip.position_B * valuesIn(arm).asDiagonal() / kSigma;
+      if (tips.status[k] != deflection::KinematicsStatus::kConverged) return false;
+      const auto posture = static_cast<Eigen::Index>(k), row = 3 * posture;
+      r.segment<3>(row) = (tips.poses.col(posture).head<3>() - readings_[k].p_BT) / kSigma;
+      for (Eigen::Index u = 0; jacobian && u < kCount; ++u)
+        jacobian->block<3, 1>(row, u) = tips.jacobian.col(posture).segment<3>(6 * u) * (values[u] / kSigma);
     }
     return true;
   }
 
  private:
-  deflection::TipDerivatives tipOf(const Arm& arm, const deflection::Posture& posture, bool derive) const {
-    if (derive) return deflection::differentiateTip(arm, posture, variables_, kKinematics);
-    return {deflection::solveFlexibleKinematics(arm, posture, kKinematics), {}, {}};
-  }
-
-  Arm armAt(const VectorXd& x) const {
-    Arm arm = truth_;
-    for (std::size_t k = 0; k < paths_.size(); ++k)
-      deflection::locate(arm, paths_[k]) *= std::exp(x[static_cast<Eigen::Index>(k)]);
-    return arm;
-  }
-
-  /// The unknowns themselves: what a derivative by the logarithm is multiplied with.
-  VectorXd valuesIn(Arm arm) const {
-    VectorXd values(kCount);
-    for (std::size_t k = 0; k < paths_.size(); ++k)
-      values[static_cast<Eigen::Index>(k)] = deflection::locate(arm, paths_[k]);
-    return values;
-  }
-
   Arm truth_;
   std::vector<Reading> readings_;
   std::vector<deflection::ParameterPath> paths_;
   std::vector<deflection::Variable> variables_;
+  deflection::PostureBatch postures_;
 };
 
 }  // namespace
@@ -153,7 +148,127 @@ Campaign thesisCampaign() {
   problem.upper = -problem.lower;
   problem.scale = VectorXd::Ones(kCount);
   problem.evaluate = Misfit(cobraArm());
-  campaign.truth = VectorXd::Zero(kCount);
+  campaign.error = [](const VectorXd& x) { return std::expm1(x.lpNorm<Eigen::Infinity>()); };
+  return campaign;
+}
+
+namespace {
+
+/// A stiffness that the thesis's eleven have, in its units.
+struct TrueStiffness {
+  const char* name;
+  double value, unit;
+};
+constexpr TrueStiffness kTrueStiffnesses[] = {
+    {"mezzanine-beam.joint_stiffness.z", 272000, kTorquePerAngle},
+    {"mezzanine-beam.beam.Iz", 0.426, kInchToTheFourth},
+    {"mezzanine-platform.joint_stiffness.x", 6543, kTorquePerAngle},
+    {"base-link.beam.Iy", 0.3, kInchToTheFourth},
+    {"base-link.joint_stiffness.y", 60000, kTorquePerAngle},
+    {"latch-link.beam.Iz", 0.394, kInchToTheFourth},
+    {"latch-link.joint_stiffness.z", 80000, kTorquePerAngle},
+    {"forearm.beam.Iz", 0.2, kInchToTheFourth},
+    {"forearm.joint_stiffness.z", 40000, kTorquePerAngle},
+    {"tool.beam.Iz", 0.2, kInchToTheFourth},
+    {"tool.joint_stiffness.z", 5588, kTorquePerAngle},
+};
+constexpr int kTouchPoints = 45;
+constexpr double kTouchSigma = 0.0005 * kInch;
+
+Arm touchingArm() {
+  Arm arm = cobraArm();
+  arm.tool_axis_L = Vector3d::UnitY();
+  for (const std::size_t row : {2, 4, 5}) arm.rows[row].beam = beamOf(deflection::kRigid);
+  arm.rows[2].beam->I.y() = arm.rows[2].joint_stiffness.y() = arm.rows[3].joint_stiffness.z() = 1;
+  arm.rows[4].beam->I.z() = arm.rows[5].beam->I.z() = 1;
+  for (const auto& [name, value, unit] : kTrueStiffnesses)
+    deflection::locate(arm, deflection::findParameter(arm, name).value().path) = value * unit;
+  return arm;
+}
+
+/// The touches of one point: the tool driven back to it under each load, at the same tilt. Empty where it cannot.
+std::vector<calibration::Measurement> touchPoint(const Arm& arm, const VectorXd& q, int point,
+                                                 boost::random::mt19937_64& random) {
+  boost::random::normal_distribution<double> noise(0, kTouchSigma);
+  const Vector3d gravity_B = -Vector3d::UnitZ();
+  const auto bare = deflection::solveFlexibleKinematics(arm, {q, 0, gravity_B}, kKinematics);
+  std::vector<calibration::Measurement> touches;
+  for (const double load : {0., kLoads[0], kLoads[1], kLoads[2]}) {
+    Vector3d p_BT = bare.X_BD.p;
+    for (double& coordinate : p_BT) coordinate += noise(random);
+    const auto found =
+        deflection::refineBranch(arm, {p_BT, bare.X_BD.R * arm.tool_axis_L}, load * kPound, gravity_B, q);
+    if (found.status != deflection::BranchStatus::kConverged || (found.q - q).norm() > 0.5) return {};
+    calibration::Measurement touch;
+    touch.kind = calibration::MeasurementKind::kTouch;
+    touch.point = "P" + std::to_string(point);
+    touch.id = touch.point + "-" + std::to_string(touches.size() + 1);
+    touch.q = found.q;
+    touch.load = load * kPound;
+    touch.sigma = kTouchSigma;
+    touch.p_W = bare.X_BD.p;
+    touches.push_back(touch);
+  }
+  return touches;
+}
+
+std::shared_ptr<const TouchSession> makeTouchSession() {
+  auto session = std::make_shared<TouchSession>();
+  Arm arm = touchingArm();
+  boost::random::mt19937_64 random(1995);
+  int points = 0;
+  for (const auto& q : deflection::latticeStarts(arm, 4 * kTouchPoints)) {
+    if (points == kTouchPoints) break;
+    const auto touches = touchPoint(arm, q, points + 1, random);
+    points += !touches.empty();
+    session->readings.insert(session->readings.end(), touches.begin(), touches.end());
+  }
+  for (std::size_t k = 0; k < std::size(kTrueStiffnesses); ++k) {
+    const auto& [name, value, unit] = kTrueStiffnesses[k];
+    session->names.emplace_back(name);
+    session->truth.push_back(value * unit);
+    deflection::locate(arm, deflection::findParameter(arm, name).value().path) *=
+        k % 2 == 0 ? kStartFactor : 1 / kStartFactor;
+  }
+  session->start = {arm, {{"", Eigen::Isometry3d::Identity(), true}}};
+  return session;
+}
+
+}  // namespace
+
+std::shared_ptr<const TouchSession> touchSession() {
+  static const auto kSession = makeTouchSession();
+  return kSession;
+}
+
+Campaign touchCampaign() {
+  struct Parts {
+    std::shared_ptr<const TouchSession> session;
+    calibration::PlacedArm start;
+    std::vector<calibration::Unknown> unknowns;
+    calibration::ReadingWeights weights;
+    calibration::LeastSquaresProblem problem;
+  };
+  const auto parts = std::make_shared<Parts>();
+  parts->session = touchSession();
+  parts->start = parts->session->start;
+  parts->unknowns = calibration::chooseUnknowns(parts->start, {parts->session->names, false}).list;
+  parts->weights = calibration::weighReadings(parts->start, parts->session->readings).value();
+  parts->problem = calibration::fitProblem(parts->start, parts->unknowns, parts->session->readings, parts->weights,
+                                           VectorXd::Zero(std::ssize(parts->unknowns)));
+  Campaign campaign;
+  campaign.problem = parts->problem;
+  campaign.problem.evaluate = [parts](const VectorXd& x, VectorXd& r, MatrixXd* jacobian) {
+    return parts->problem.evaluate(x, r, jacobian);
+  };
+  campaign.error = [parts](const VectorXd& x) {
+    double worst = 0;
+    for (std::size_t k = 0; k < parts->unknowns.size(); ++k) {
+      const double value = calibration::valueAt(parts->unknowns[k], x[static_cast<Eigen::Index>(k)]);
+      worst = std::max(worst, std::abs(value / parts->session->truth[k] - 1));
+    }
+    return worst;
+  };
   return campaign;
 }
 

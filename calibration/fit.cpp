@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <memory>
 
+#include "calibration/campaign_residual.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -53,12 +55,9 @@ LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown
     problem.upper[k] = unknown.upper;
     problem.scale[k] = unknown.typical;
   }
-  problem.evaluate = [&](const VectorXd& at, VectorXd& r, MatrixXd* jacobian) {
-    WhitenedResidual residual = whitenedResidual(start, unknowns, readings, weights, at, jacobian != nullptr);
-    if (!residual.ok) return false;
-    r = std::move(residual.r);
-    if (jacobian) *jacobian = std::move(residual.jacobian);
-    return true;
+  const auto residual = std::make_shared<CampaignResidual>(start, unknowns, readings, weights);
+  problem.evaluate = [residual](const VectorXd& at, VectorXd& r, MatrixXd* jacobian) {
+    return residual->evaluate(at, r, jacobian);
   };
   return problem;
 }

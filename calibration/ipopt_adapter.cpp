@@ -15,6 +15,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Ipopt::Index, Ipopt::Number;
 constexpr double kUnbounded = 2e19;  // what Ipopt takes for infinity
+constexpr double kRounding = 1e-13;  // of chi2
+constexpr double kNearBound = 1e-2;  // in units of a variable's scale
 
 /// Half the squared residual as Ipopt asks for it. Trial points are asked for values alone; the Jacobian of a point
 /// that was accepted serves its gradient and its Hessian.
@@ -72,13 +74,13 @@ class NonlinearProgram : public Ipopt::TNLP {
     return true;
   }
 
-  /// Ipopt's own test is absolute in the gradient; with a large misfit rounding keeps it from ever being met. An
-  /// objective that stays the same to rounding twice is as far down as it goes.
+  /// Ipopt's own test is absolute in the gradient; with a large misfit rounding keeps it from ever being met. Where the
+  /// best step foretells no fall beyond rounding, or twice there has been none, this is as far down as it goes.
   bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number value, Number, Number, Number, Number, Number, Number,
                              Number, Index, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    resting_ = std::abs(value - last_value_) <= 1e-13 * std::abs(value) ? resting_ + 1 : 0;
+    resting_ = std::abs(value - last_value_) <= kRounding * std::abs(value) ? resting_ + 1 : 0;
     last_value_ = value;
-    return resting_ < 2;
+    return resting_ < 2 && !isAtBottom(value);
   }
 
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index,
@@ -89,6 +91,19 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
  private:
+  /// Away from all bounds, whose barriers have a part in every step, a Gauss-Newton step foretells the fall.
+  [[nodiscard]] bool isAtBottom(Number value) const {
+    const double now = 2 * value;
+    if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRounding * now)) return false;
+    const VectorXd room =
+        (linearized_x_ - problem_.lower()).cwiseMin(problem_.upper() - linearized_x_).cwiseMin(1 / kNearBound);
+    if (!(room.minCoeff() >= kNearBound)) return false;
+    const VectorXd gradient = J_.transpose() * r_;
+    const Eigen::LLT<MatrixXd> normal(J_.transpose() * J_);
+    if (normal.info() != Eigen::Success) return false;
+    return normal.matrixL().solve(gradient).squaredNorm() <= kRounding * now;
+  }
+
   double chi2At(const Number* at) {
     const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
     if (linearized_ && isAt(x, linearized_x_)) return r_.squaredNorm();
@@ -117,18 +132,21 @@ class NonlinearProgram : public Ipopt::TNLP {
   int resting_ = 0;
 };
 
-Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver(const LeastSquaresStop& stop) {
+/// Null where Ipopt could not start.
+Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = IpoptApplicationFactory();
   auto settings = solver->Options();
   settings->SetIntegerValue("print_level", 0);
   settings->SetStringValue("sb", "yes");
-  settings->SetNumericValue("tol", stop.tolerance);
-  settings->SetIntegerValue("max_iter", stop.max_iterations);
   // Whitened residuals need no second scaling, and a least-squares start should not be pushed off its bounds.
   settings->SetStringValue("nlp_scaling_method", "none");
   settings->SetNumericValue("bound_relax_factor", 0);
-  settings->SetNumericValue("acceptable_tol", stop.tolerance * 1e3);
   settings->SetStringValue("mu_strategy", "adaptive");
+  // Every solution of the few equations costs MUMPS far more than arithmetic: one for each step, not three, and refined
+  // only where it is not accurate.
+  settings->SetStringValue("mu_oracle", "loqo");
+  settings->SetIntegerValue("min_refinement_steps", 0);
+  if (solver->Initialize("") != Ipopt::Solve_Succeeded) return nullptr;
   return solver;
 }
 
@@ -163,15 +181,19 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 }  // namespace
 
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
-  // MUMPS, the linear solver that Debian's Ipopt brings, keeps its instances in an unguarded table of the process.
+  // MUMPS, the linear solver that Debian's Ipopt brings, keeps its instances in an unguarded table of the process. One
+  // Ipopt serves all then: making it ready takes longer than many a problem.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
+  static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();
   using Status = LeastSquaresStatus;
   ScaledProblem scaled(problem);
   Ipopt::SmartPtr<NonlinearProgram> program = new NonlinearProgram(scaled);
-  auto solver = makeSolver(stop);
-  if (solver->Initialize("") != Ipopt::Solve_Succeeded)
+  if (!Ipopt::IsValid(solver))
     return scaled.resultAt(scaled.start(), program->chi2, Status::kFailed, "Ipopt could not start");
+  solver->Options()->SetNumericValue("tol", stop.tolerance);
+  solver->Options()->SetNumericValue("acceptable_tol", stop.tolerance * 1e3);
+  solver->Options()->SetIntegerValue("max_iter", stop.max_iterations);
   const auto [status, reason] = meaningOf(solver->OptimizeTNLP(program));
   if (!std::isfinite(program->chi2)) return scaled.failureAtStart();
   const int iterations = Ipopt::IsValid(solver->Statistics()) ? solver->Statistics()->IterationCount() : 0;

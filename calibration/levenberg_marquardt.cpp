@@ -61,8 +61,8 @@ VectorXd dampedStep(const ScaledProblem& problem, const MatrixXd& normal, const 
 LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
   using Status = LeastSquaresStatus;
   ScaledProblem scaled(problem);
-  VectorXd x = scaled.start(), r;
-  MatrixXd jacobian;
+  VectorXd x = scaled.start(), r, next_r;
+  MatrixXd jacobian, next_jacobian;
   if (!scaled.linearizeAt(x, r, jacobian)) return scaled.failureAtStart();
   double chi2 = r.squaredNorm(), damping = kFirstDamping, growth = 2;
   for (int iterations = 0;; ++iterations) {
@@ -74,6 +74,7 @@ LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& probl
     if (iterations == stop.max_iterations)
       return scaled.resultAt(x, chi2, Status::kIterationLimit, "stopped at the iteration limit", iterations);
     double fall = 0, expected = 0;
+    bool is_linear = false;
     while (true) {
       const VectorXd next = scaled.withinBounds(x + dampedStep(scaled, normal, gradient, x, free, damping));
       const VectorXd step = next - x;
@@ -81,7 +82,10 @@ LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& probl
       if (std::abs(expected) <= stop.tolerance * std::max(chi2, kNoMisfit))
         return scaled.resultAt(x, chi2, Status::kConverged, "no step would lower chi2 by more than the tolerance",
                                iterations);
-      const double tried = expected > 0 ? scaled.chi2At(next) : chi2;
+      // Most steps are taken, so the Jacobian comes with the value; after one that was not, the value alone.
+      const bool is_first = growth == 2;
+      is_linear = expected > 0 && is_first && scaled.linearizeAt(next, next_r, next_jacobian);
+      const double tried = is_linear ? next_r.squaredNorm() : expected > 0 ? scaled.chi2At(next) : chi2;
       fall = chi2 - tried;
       if (fall > 0) {
         x = next;
@@ -95,8 +99,12 @@ LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& probl
     }
     damping *= std::max(1. / 9, 1 - std::pow(2 * fall / expected - 1, 3));
     growth = 2;
-    if (!scaled.linearizeAt(x, r, jacobian))
+    if (is_linear) {
+      r.swap(next_r);
+      jacobian.swap(next_jacobian);
+    } else if (!scaled.linearizeAt(x, r, jacobian)) {
       return scaled.resultAt(x, chi2, Status::kFailed, "the model could not be differentiated", iterations);
+    }
     chi2 = r.squaredNorm();
   }
 }

@@ -25,7 +25,7 @@ double ScaledProblem::chi2At(const VectorXd& x) {
 bool ScaledProblem::linearizeAt(const VectorXd& x, VectorXd& r, MatrixXd& jacobian) {
   ++jacobian_evaluations_;
   if (!problem_.evaluate(unscaled(x), r, &jacobian)) return false;
-  jacobian = jacobian * problem_.scale.asDiagonal();
+  jacobian.array().rowwise() *= problem_.scale.transpose().array();
   return r.allFinite() && jacobian.allFinite();
 }
 

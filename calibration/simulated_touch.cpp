@@ -2,6 +2,8 @@
 
 #include <random>
 
+#include "deflection/inverse_solver.hpp"
+
 namespace tubeplan::calibration {
 
 namespace {
@@ -27,19 +29,26 @@ TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isome
                                 const std::vector<TouchPlan>& plans, const TouchSimulationOptions& options) {
   TouchSimulation result;
   std::mt19937_64 random(options.seed);
-  const Eigen::Vector3d gravity_B = deflection::gravityInBase(truth, X_WB);
+  std::vector<deflection::ToolGoal> goals;
+  std::vector<Eigen::VectorXd> starts, reading_noise;
   for (const auto& plan : plans) {
     const Eigen::Vector3d tip_W =
         plan.p_WH + gaussian(random, options.sigma) + gaussian(random, options.model_error_sigma);
-    const deflection::ToolGoal goal{X_WB.inverse() * tip_W, X_WB.linear().transpose() * options.axis_W};
-    const auto branch = deflection::refineBranch(truth, goal, options.load, gravity_B, plan.q_start);
-    if (branch.status != deflection::BranchStatus::kConverged) {
+    goals.push_back({X_WB.inverse() * tip_W, X_WB.linear().transpose() * options.axis_W});
+    starts.push_back(plan.q_start);
+    reading_noise.push_back(encoderNoise(truth, random));
+  }
+  deflection::InverseSolver solver(truth, options.load, deflection::gravityInBase(truth, X_WB));
+  const auto branches = solver.refine(goals, starts);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    const auto& plan = plans[k];
+    if (branches[k].status != deflection::BranchStatus::kConverged) {
       result.status = TouchSimulationStatus::kOutOfReach;
-      result.reason = "hole " + plan.hole + " cannot be touched by the true arm: " + branch.reason;
+      result.reason = "hole " + plan.hole + " cannot be touched by the true arm: " + branches[k].reason;
       return result;
     }
     result.touches.push_back(
-        {plan.id, plan.hole, plan.p_WH, branch.q + encoderNoise(truth, random), options.load, options.sigma, {}});
+        {plan.id, plan.hole, plan.p_WH, branches[k].q + reading_noise[k], options.load, options.sigma, {}});
   }
   result.status = TouchSimulationStatus::kDone;
   return result;

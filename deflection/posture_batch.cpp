@@ -27,19 +27,20 @@ void copyOut(const double* from, Index first, Index count, Index width, Side& to
     for (Index l = 0; l < count; ++l) to(row, first + l) = from[row * width + l];
 }
 
-/// The last postures of a batch, fewer than lanes.
+/// The last postures of a batch, fewer than lanes. Derivatives stay lane by lane, in `out`.
 void solveRest(const hinges::Kernel& kernel, const hinges::HingeArm& arm, const PostureBatch& postures, Index first,
-               const FlexibleKinematicsOptions& options, bool derive, TipBatch& tips, double* sweeps) {
+               const FlexibleKinematicsOptions& options, TipBatch& tips, double* sweeps, hinges::Shapes out) {
   double q[hinges::kMaxJoints * kMostLanes], load[kMostLanes], gravity[3 * kMostLanes], pose[12 * kMostLanes],
-      jacobian[6 * hinges::kMaxJoints * kMostLanes], took[kMostLanes];
+      took[kMostLanes];
   const Index count = postures.size() - first, width = kernel.lanes;
   copyIn(postures.q, first, count, width, q);
   copyIn(postures.gravity_B, first, count, width, gravity);
   for (Index l = 0; l < width; ++l) load[l] = postures.load[first + std::min(l, count - 1)];
-  kernel.solve(arm, {q, load, gravity, width, options.tolerance * arm.reach, options.max_iterations},
-               {pose, derive ? jacobian : nullptr, took, nullptr, width});
+  out.pose = pose;
+  out.sweeps = took;
+  out.stride = width;
+  kernel.solve(arm, {q, load, gravity, width, options.tolerance * arm.reach, options.max_iterations}, out);
   copyOut(pose, first, count, width, tips.poses);
-  if (derive) copyOut(jacobian, first, count, width, tips.jacobian);
   std::copy_n(took, count, sweeps + first);
 }
 
@@ -58,33 +59,47 @@ PoseOf<double> TipBatch::X_BD(Index k) const {
   return X;
 }
 
-BatchKinematics::BatchKinematics(const Arm& arm) : arm_(arm), variables_(jointVariables(arm)) {
-  if (!arm_.hasJacobian()) tip_.emplace(arm);
-}
+BatchKinematics::BatchKinematics(const Arm& arm) : given_(arm), arm_(arm), joints_(jointVariables(arm)) {}
 
-int BatchKinematics::lanes() const { return tip_ ? 1 : hinges::kernels().back().lanes; }
+int BatchKinematics::lanes() const { return arm_.hasJacobian() ? hinges::kernels().back().lanes : 1; }
 
 void BatchKinematics::solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options) {
-  run(postures, tips, options, false);
+  static const std::vector<Variable> kNone;
+  run(postures, tips, options, kNone);
 }
 
 void BatchKinematics::solveWithJacobian(const PostureBatch& postures, TipBatch& tips,
                                         const FlexibleKinematicsOptions& options) {
-  run(postures, tips, options, true);
+  run(postures, tips, options, joints_);
+}
+
+void BatchKinematics::solveWithDerivatives(const PostureBatch& postures, const std::vector<Variable>& variables,
+                                           TipBatch& tips, const FlexibleKinematicsOptions& options) {
+  run(postures, tips, options, variables);
+}
+
+bool BatchKinematics::hasKernel(const std::vector<Variable>& variables) {
+  if (!arm_.hasJacobian() || variables.empty()) return arm_.hasJacobian();
+  if (hinges::areSame(variables, kernel_asked_)) return kernel_.has_value();
+  kernel_asked_ = variables;
+  kernel_ = arm_.kernelVariables(variables);
+  if (kernel_) derivatives_.resize(static_cast<std::size_t>(6 * kMostLanes * kernel_->columns()));
+  return kernel_.has_value();
 }
 
 void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                          bool derive) {
-  const Index n = postures.size(), joints = static_cast<Index>(variables_.size());
-  assert(postures.q.rows() == joints && postures.load.size() == n && postures.gravity_B.cols() == n);
+                          const std::vector<Variable>& variables) {
+  const Index n = postures.size();
+  assert(postures.q.rows() == static_cast<Index>(joints_.size()) && postures.load.size() == n &&
+         postures.gravity_B.cols() == n);
   tips.status.assign(static_cast<std::size_t>(n), KinematicsStatus::kNotRun);
   tips.poses.resize(12, n);
-  tips.jacobian.resize(derive ? 6 * joints : 0, n);
+  tips.jacobian.resize(6 * static_cast<Index>(variables.size()), n);
   if (n == 0) return;
-  if (!tip_)
-    solveSideBySide(postures, tips, options, derive);
+  if (hasKernel(variables))
+    solveSideBySide(postures, tips, options, variables.size());
   else
-    solveOneByOne(postures, tips, options, derive);
+    solveOneByOne(postures, tips, options, variables);
   for (Index k = 0; k < n; ++k) {
     if (tips.status[static_cast<std::size_t>(k)] == KinematicsStatus::kConverged) continue;
     tips.poses.col(k).setConstant(kNaN);
@@ -93,32 +108,44 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
 }
 
 void BatchKinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips,
-                                      const FlexibleKinematicsOptions& options, bool derive) {
+                                      const FlexibleKinematicsOptions& options, std::size_t variables) {
   const hinges::Kernel& kernel = hinges::kernels().back();
   const hinges::HingeArm arm = arm_.hinges()->numbers();
   const Index n = postures.size();
   sweeps_.resize(static_cast<std::size_t>(n));
-  Index k = 0;
-  for (; k + kernel.lanes <= n; k += kernel.lanes)
-    kernel.solve(arm,
-                 {postures.q.data() + k, postures.load.data() + k, postures.gravity_B.data() + k, n,
-                  options.tolerance * arm.reach, options.max_iterations},
-                 {tips.poses.data() + k, derive ? tips.jacobian.data() + k : nullptr, sweeps_.data() + k, nullptr, n});
-  if (k < n) solveRest(kernel, arm, postures, k, options, derive, tips, sweeps_.data());
+  hinges::Shapes out{};
+  for (Index k = 0; k < n; k += kernel.lanes) {
+    const Index count = std::min<Index>(kernel.lanes, n - k);
+    if (variables) kernel_->place(derivatives_.data(), kernel.lanes, out);
+    if (count < kernel.lanes) {
+      solveRest(kernel, arm, postures, k, options, tips, sweeps_.data(), out);
+    } else {
+      out.pose = tips.poses.data() + k;
+      out.sweeps = sweeps_.data() + k;
+      out.stride = n;
+      kernel.solve(arm,
+                   {postures.q.data() + k, postures.load.data() + k, postures.gravity_B.data() + k, n,
+                    options.tolerance * arm.reach, options.max_iterations},
+                   out);
+    }
+    for (std::size_t v = 0; v < variables; ++v)
+      kernel_->gather(v, derivatives_.data(), kernel.lanes, count,
+                      tips.jacobian.data() + 6 * static_cast<Index>(v) * n + k, n);
+  }
   for (std::size_t i = 0; i < sweeps_.size(); ++i)
     tips.status[i] = sweeps_[i] < 0 ? KinematicsStatus::kNotConverged : KinematicsStatus::kConverged;
 }
 
 void BatchKinematics::solveOneByOne(const PostureBatch& postures, TipBatch& tips,
-                                    const FlexibleKinematicsOptions& options, bool derive) {
-  static const std::vector<Variable> kNone;
+                                    const FlexibleKinematicsOptions& options, const std::vector<Variable>& variables) {
+  if (!tip_) tip_.emplace(given_);
   for (Index k = 0; k < postures.size(); ++k) {
     const Posture posture{postures.q.col(k), postures.load[k], postures.gravity_B.col(k)};
-    tips.status[static_cast<std::size_t>(k)] = tip_->solve(posture, derive ? variables_ : kNone, options);
+    tips.status[static_cast<std::size_t>(k)] = tip_->solve(posture, variables, options);
     const PoseOf<double>& X = tip_->arm().X_BD();
     tips.poses.col(k).head<3>() = X.p;
     tips.poses.col(k).tail<9>() = X.R.reshaped();
-    if (derive) tips.jacobian.col(k) = tip_->columns().reshaped();
+    if (!variables.empty()) tips.jacobian.col(k) = tip_->columns().reshaped();
   }
 }
 

@@ -29,7 +29,8 @@ struct PostureBatch {
 struct TipBatch {
   std::vector<KinematicsStatus> status;
   Side poses;     ///< 12 rows: p_BD, then the columns of R_BD, in the base as named
-  Side jacobian;  ///< 6 rows for each joint: d p_BD [m per unit], then the rotation vector [rad per unit], base axes
+  Side jacobian;  ///< 6 rows for each joint, or variable: d p_BD [m per unit], then the rotation vector [rad per unit],
+                  ///< base axes
 
   [[nodiscard]] PoseOf<double> X_BD(Eigen::Index k) const;
 };
@@ -46,20 +47,30 @@ class BatchKinematics {
   void solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
   void solveWithJacobian(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
 
+  /// The same with derivatives by other variables than the joints.
+  void solveWithDerivatives(const PostureBatch& postures, const std::vector<Variable>& variables, TipBatch& tips,
+                            const FlexibleKinematicsOptions& options = {});
+
+  /// Whether a kernel does the work for derivatives by these, too; for none, whether it does for shapes.
+  [[nodiscard]] bool hasKernel(const std::vector<Variable>& variables);
+
   /// The lanes of the kernel that does the work, 1 where none does.
   [[nodiscard]] int lanes() const;
 
  private:
-  void run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options, bool derive);
+  void run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
+           const std::vector<Variable>& variables);
   void solveSideBySide(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                       bool derive);
+                       std::size_t variables);
   void solveOneByOne(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                     bool derive);
+                     const std::vector<Variable>& variables);
 
+  const Arm& given_;
   PreparedArm arm_;
   std::optional<TipDifferentiation> tip_;  ///< where no kernel does the work
-  std::vector<Variable> variables_;
-  std::vector<double> sweeps_;
+  std::vector<Variable> joints_, kernel_asked_;
+  std::optional<hinges::HingeVariables> kernel_;  ///< of kernel_asked_
+  std::vector<double> sweeps_, derivatives_;
 };
 
 }  // namespace tubeplan::deflection

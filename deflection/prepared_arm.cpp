@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "deflection/hinges/hinge_chain.hpp"
+#include "deflection/hinges/hinge_variables.hpp"
 #include "deflection/hinges/kernels.hpp"
 
 namespace tubeplan::deflection {
@@ -170,15 +170,25 @@ bool PreparedArm::hasJacobian() const { return is_fixed_ && hinges_ && hinges_->
 
 const hinges::HingeChain* PreparedArm::hinges() const { return is_fixed_ ? hinges_.get() : nullptr; }
 
-KinematicsStatus PreparedArm::solveHinges(const FlexibleKinematicsOptions& options, double* jacobian) {
+std::optional<hinges::HingeVariables> PreparedArm::kernelVariables(const std::vector<Variable>& variables) const {
+  if (!hasJacobian()) return std::nullopt;
+  return hinges::HingeVariables::of(variables, arm_, chain_, *hinges_, equilibrium_.elements);
+}
+
+/// `out` says where derivatives are to go, if any.
+KinematicsStatus PreparedArm::solveHinges(const FlexibleKinematicsOptions& options, hinges::Shapes out) {
   const hinges::HingeArm arm = hinges_->numbers();
   const Posture& posture = effectivePosture();
   assert(posture.q.size() == arm.joints);
   double pose[12], sweeps = 0;
+  out.pose = pose;
+  out.sweeps = &sweeps;
+  out.gives = gives_.data();
+  out.stride = out.derivative_stride = 1;
   hinges::kernels().front().solve(arm,
                                   {posture.q.data(), &posture.load, posture.gravity_B.data(), 1,
                                    options.tolerance * arm.reach, options.max_iterations},
-                                  {pose, jacobian, &sweeps, gives_.data(), 1});
+                                  out);
   X_BD_.p = Eigen::Map<const Vector3d>(pose);
   X_BD_.R = Eigen::Map<const Eigen::Matrix3d>(pose + 3);
   if (situation_) X_BD_ = situation_->X_BM * X_BD_;
@@ -192,7 +202,18 @@ KinematicsStatus PreparedArm::solveWithJacobian(const Posture& posture, const Fl
                                                 double* jacobian) {
   assert(hasJacobian());
   asked_ = posture;
-  return solveHinges(options, jacobian);
+  hinges::Shapes out{};
+  out.jacobian = jacobian;
+  return solveHinges(options, out);
+}
+
+KinematicsStatus PreparedArm::solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
+                                                   const hinges::HingeVariables& variables, double* derivatives) {
+  assert(hasJacobian());
+  asked_ = posture;
+  hinges::Shapes out{};
+  variables.place(derivatives, 1, out);
+  return solveHinges(options, out);
 }
 
 /// The elements as the kernel has found them, and the loads on them.
@@ -221,7 +242,7 @@ KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinema
     prepare(arm, turnsUndone(arm, effective_posture.q));
     findHinges(arm);
   }
-  if (hinges_) return solveHinges(options, nullptr);
+  if (hinges_) return solveHinges(options, {});
   is_told_ = true;
   pose(effective_posture.q);
   load(arm, effective_posture);

@@ -15,7 +15,10 @@ namespace tubeplan::deflection {
 
 namespace hinges {
 class HingeChain;
-}
+class HingeVariables;
+struct Shapes;
+}  // namespace hinges
+struct Variable;
 
 /// Solves one posture after the other; each thread needs its own.
 class PreparedArm {
@@ -34,6 +37,13 @@ class PreparedArm {
   KinematicsStatus solveWithJacobian(const Posture& posture, const FlexibleKinematicsOptions& options,
                                      double* jacobian);
   [[nodiscard]] bool hasJacobian() const;
+
+  /// How a kernel's derivatives make those by `variables`; nothing where they do not. Of this arm alone.
+  [[nodiscard]] std::optional<hinges::HingeVariables> kernelVariables(const std::vector<Variable>& variables) const;
+
+  /// Solves a posture with the derivatives of kernelVariables(), as one lane of a kernel writes them.
+  KinematicsStatus solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
+                                        const hinges::HingeVariables& variables, double* derivatives);
 
   /// The arm as a kernel takes it, for every posture alike; null where it is not (hinges/hinge_chain.hpp).
   [[nodiscard]] const hinges::HingeChain* hinges() const;
@@ -78,7 +88,7 @@ class PreparedArm {
   [[nodiscard]] const Posture& effectivePosture() const { return situation_ ? situation_->posture : asked_; }
   void prepare(const Arm& arm, const Eigen::VectorXd& q);
   void findHinges(const Arm& arm);
-  KinematicsStatus solveHinges(const FlexibleKinematicsOptions& options, double* jacobian);
+  KinematicsStatus solveHinges(const FlexibleKinematicsOptions& options, hinges::Shapes out);
   void tellElements() const;
   void addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k);
   void addElement(const Arm& arm, const ChainLink<double>& link);

@@ -16,14 +16,6 @@ int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   return rows;
 }
 
-/// All joints in order, and nothing else.
-bool areJoints(const std::vector<Variable>& variables, std::size_t joints) {
-  if (variables.size() != joints) return false;
-  for (std::size_t k = 0; k < joints; ++k)
-    if (variables[k].type != Variable::Type::kJoint || variables[k].index != static_cast<int>(k)) return false;
-  return true;
-}
-
 /// Which of a row's numbers change.
 struct RowChanges {
   bool placement = false, flexibility = false, others = false;
@@ -60,8 +52,7 @@ void setValues(Row<Dual>& row, const Row<double>& values) {
 
 }  // namespace
 
-TipDifferentiation::TipDifferentiation(const Arm& arm)
-    : given_(arm), arm_(arm), direct_(arm_, sensitivity_), dual_arm_(castArm<Dual>(arm)) {
+TipDifferentiation::TipDifferentiation(const Arm& arm) : given_(arm), arm_(arm), direct_(arm_, sensitivity_) {
   int joint = 0;
   for (const auto& row : arm.rows) joints_.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);
   active_ = activeRows(arm);
@@ -180,29 +171,47 @@ void TipDifferentiation::moveBase(TipColumns& tip) const {
   addMotion(situation_->X_BM, p_MD_B, tip);
 }
 
-KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
-                                           const FlexibleKinematicsOptions& options) {
-  const auto n = static_cast<Eigen::Index>(variables.size());
-  columns_.resize(6, n);
-  if (arm_.hasJacobian() && areJoints(variables, active_.size())) {
-    arm_.solveWithJacobian(posture, options, columns_.data());
-    if (arm_.status() != KinematicsStatus::kConverged) columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return arm_.status();
-  }
-  arm_.solve(posture, options);
-  if (arm_.status() != KinematicsStatus::kConverged) {
-    columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return arm_.status();
-  }
-  if (n == 0) return arm_.status();
-  sensitivity_.linearize(arm_);
-  direct_.begin();
+/// Whether a kernel has all of these derivatives; found once for variables that are asked for again and again.
+bool TipDifferentiation::findKernel(const std::vector<Variable>& variables) {
+  if (!arm_.hasJacobian()) return false;
+  if (hinges::areSame(variables, kernel_asked_)) return kernel_.has_value();
+  kernel_asked_ = variables;
+  kernel_ = arm_.kernelVariables(variables);
+  if (kernel_) kernel_columns_.resize(6 * static_cast<std::size_t>(kernel_->columns()));
+  return kernel_.has_value();
+}
+
+KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const FlexibleKinematicsOptions& options) {
+  arm_.solveWithDerivatives(posture, options, *kernel_, kernel_columns_.data());
+  for (Eigen::Index k = 0; k < columns_.cols(); ++k)
+    kernel_->gather(static_cast<std::size_t>(k), kernel_columns_.data(), 1, 1, columns_.col(k).data(), 1);
+  return arm_.status();
+}
+
+void TipDifferentiation::castPosture(const Posture& posture) {
   dual_posture_.q = posture.q.cast<Dual>();
   dual_posture_.load = posture.load;
   dual_posture_.gravity_B = posture.gravity_B.cast<Dual>();
   dual_posture_.senses = posture.senses;
   dual_posture_.temperature = posture.temperature;
   dual_posture_.time = posture.time;
+}
+
+KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
+                                           const FlexibleKinematicsOptions& options) {
+  const auto n = static_cast<Eigen::Index>(variables.size());
+  columns_.resize(6, n);
+  const bool by_kernel = n > 0 && findKernel(variables);
+  by_kernel ? solveByKernel(posture, options) : arm_.solve(posture, options);
+  if (arm_.status() != KinematicsStatus::kConverged) {
+    columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return arm_.status();
+  }
+  if (n == 0 || by_kernel) return arm_.status();
+  sensitivity_.linearize(arm_);
+  direct_.begin();
+  if (dual_arm_.rows.empty()) dual_arm_ = castArm<Dual>(given_);
+  castPosture(posture);
   if (given_.effects.empty())
     differentiateWithoutEffects(variables);
   else

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deflection/direct_changes.hpp"
+#include "deflection/hinges/hinge_variables.hpp"
 #include "deflection/prepared_arm.hpp"
 #include "deflection/tip_derivatives.hpp"
 #include "deflection/tip_sensitivity.hpp"
@@ -32,6 +33,9 @@ class TipDifferentiation {
  private:
   using Block = std::array<std::size_t, kDualSize>;  ///< the variables of a pass
 
+  bool findKernel(const std::vector<Variable>& variables);
+  KinematicsStatus solveByKernel(const Posture& posture, const FlexibleKinematicsOptions& options);
+  void castPosture(const Posture& posture);
   void seed(const Variable& variable, int slot, double size);
   void differentiateWithoutEffects(const std::vector<Variable>& variables);
   bool differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere, TipColumns& tip);
@@ -45,7 +49,10 @@ class TipDifferentiation {
   PreparedArm arm_;
   TipSensitivity sensitivity_;
   DirectChanges direct_;
-  ArmOf<Dual> dual_arm_;
+  std::vector<Variable> kernel_asked_;  ///< what kernel_ was found for
+  std::optional<hinges::HingeVariables> kernel_;
+  std::vector<double> kernel_columns_;
+  ArmOf<Dual> dual_arm_;  ///< empty until it is needed
   PostureOf<Dual> dual_posture_;
   Vector3<Dual> gravity_turn_;
   std::optional<Situation<Dual>> situation_;  ///< of the dual arm and posture, where there are effects

@@ -192,15 +192,15 @@ std::vector<Touch> CentringTrials::touch(const Run& run, const std::vector<const
 
 std::vector<TrialVisit> CentringTrials::visit(const Run& run, const std::vector<const Hole*>& holes,
                                               const BothCalibrations& base) const {
+  std::vector<HoleToScore> to_score;
+  for (const Hole* hole : holes)
+    to_score.push_back({hole->plan.p_WH, hole->plan.q_start, trialHole(*hole, run.index).tip_error});
+  planner::TipPrediction true_tips(run.truth);
+  const auto rigid = centringsAt({rigid_, base.rigid.X_WB}, run.truth, true_tips, to_score);
+  const auto flexible = centringsAt({flexible_, base.flexible.X_WB}, run.truth, true_tips, to_score);
   std::vector<TrialVisit> visits;
-  for (const Hole* hole : holes) {
-    const TrialHole trial = trialHole(*hole, run.index);
-    const auto centring = [&](const PlacedModel& model) {
-      return centringAt(model, run.truth, hole->plan.p_WH, hole->plan.q_start, trial.tip_error);
-    };
-    visits.push_back({static_cast<int>(hole - holes_.data()),
-                      {centring({rigid_, base.rigid.X_WB}), centring({flexible_, base.flexible.X_WB})}});
-  }
+  for (std::size_t k = 0; k < holes.size(); ++k)
+    visits.push_back({static_cast<int>(holes[k] - holes_.data()), {rigid[k], flexible[k]}});
   return visits;
 }
 

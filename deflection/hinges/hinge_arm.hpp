@@ -12,6 +12,7 @@ namespace tubeplan::deflection::hinges {
 inline constexpr int kMaxTurns = 48;     ///< an arm with more is solved without a kernel
 inline constexpr int kMaxUnknowns = 48;  ///< turns that give and beams, for derivatives
 inline constexpr int kMaxJoints = 8;
+inline constexpr int kGravityTurns = 3;  ///< of gravity about the base's axes
 
 enum Twisted { kStraight, kQuarter, kAskew };
 
@@ -50,12 +51,16 @@ struct Postures {
 
 /// Shapes side by side. What is null is not asked for.
 struct Shapes {
-  double* pose;      ///< 12: p_BD, then the columns of R_BD
-  double* jacobian;  ///< 6 for each joint: d p_BD, then the rotation vector, base axes
-  double* sweeps;    ///< that it took; negative where the shape does not settle
-  double* gives;     ///< 4 for each turn: moment about its axis [N m]; its angle [rad]; of a beam lambda, kappa
-  long stride;
-  double* turns = nullptr;  ///< 12 for each turn: its frame in the base, as the pose
+  double* pose;            ///< 12: p_BD, then the columns of R_BD
+  double* jacobian;        ///< 6 for each joint: d p_BD, then the rotation vector, base axes
+  double* sweeps;          ///< that it took; negative where the shape does not settle
+  double* gives;           ///< 4 for each turn: moment about its axis [N m]; its angle [rad]; of a beam lambda, kappa
+  long stride;             ///< of what is above, but for the jacobian
+  long derivative_stride;  ///< of the jacobian, and of what is asked for with it:
+  double* by_gravity = nullptr;     ///< 6 for each turn of gravity's direction about an axis of the base
+  double* by_compliance = nullptr;  ///< 6 for all of each turn's springs [per rad/(N m)], then 6 for the beam that
+                                    ///< leads to it; written only of what there is
+  double* turns = nullptr;          ///< 12 for each turn: its frame in the base, as the pose
 };
 
 /// Solves as many postures as the kernel has lanes.

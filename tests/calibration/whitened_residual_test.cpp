@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration/fit.hpp"
+#include "deflection/effects/effect.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -55,6 +56,50 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
         << unknowns.list[static_cast<std::size_t>(k)].name;
     EXPECT_GT(exact.jacobian.col(k).norm() * unknowns.list[static_cast<std::size_t>(k)].typical, 1);
   }
+}
+
+/// Readings side by side and one by one: an effect of size nothing keeps the kernels off.
+TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
+  ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 3, "A");
+  addEveryKind(maker, 3, "B");
+  PlacedArm fast = cobraTwice();
+  fast.placings[1].is_known = true;
+  const FreeChoice choice{
+      {"tool.joint_stiffness.z", "latch-link.beam.Iz", "latch-link.beam.E", "base-link.joint_stiffness.y"}, true};
+  const auto unknowns = chooseUnknowns(fast, choice).list;
+  ASSERT_EQ(unknowns.size(), 10u);
+  PlacedArm slow = fast;
+  slow.arm.effects.push_back(deflection::makeEffect(slow.arm, "contact-force", "tip").effect);
+  const VectorXd x = anyStep(unknowns, maker);
+  const auto weights = weighReadings(applied(fast, unknowns, x), maker.readings);
+  const auto same_weights = weighReadings(applied(slow, unknowns, x), maker.readings);
+  ASSERT_TRUE(weights && same_weights);
+  for (std::size_t k = 0; k < maker.readings.size(); ++k)
+    EXPECT_LE((weights->whitener[k] - same_weights->whitener[k]).norm(), 1e-8 * weights->whitener[k].norm());
+  const auto a = whitenedResidual(fast, unknowns, maker.readings, *weights, x, true);
+  const auto b = whitenedResidual(slow, unknowns, maker.readings, *weights, x, true);
+  ASSERT_TRUE(a.ok && b.ok);
+  EXPECT_LE((a.r - b.r).norm(), 1e-8 * b.r.norm());
+  EXPECT_LE((a.error - b.error).norm(), 1e-8 * b.error.norm());
+  for (Index k = 0; k < x.size(); ++k)
+    EXPECT_LE((a.jacobian.col(k) - b.jacobian.col(k)).norm(), 1e-8 * b.jacobian.col(k).norm())
+        << unknowns[static_cast<std::size_t>(k)].name;
+}
+
+TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
+  ReadingMaker maker(cobra(), 7, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 2);
+  const auto few = maker.readings;
+  while (maker.readings.size() < 1300) maker.readings.insert(maker.readings.end(), few.begin(), few.end());
+  const auto own = weighReadings(cobra(), few), all = weighReadings(cobra(), maker.readings);
+  ReadingWeights plain_own = *own, plain_all = *all;
+  plain_own.points.clear();
+  plain_all.points.clear();
+  const VectorXd of_few = whitenedResidual(cobra(), {}, few, plain_own, {}, false).r;
+  const VectorXd of_all = whitenedResidual(cobra(), {}, maker.readings, plain_all, {}, false).r;
+  for (Index row = 0; row < of_all.size(); row += of_few.size())
+    EXPECT_EQ(VectorXd(of_all.segment(row, of_few.size())), of_few);
 }
 
 /// The same campaign with its unknown points as three more variables each: predicted less the point, whitened.

@@ -1,0 +1,51 @@
+#include "calibration/reading_batch.hpp"
+
+#include <algorithm>
+
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::Vector3d;
+
+void ReadingBatch::place(const Measurement& reading, double load, const Vector3d& gravity_B, Index at) {
+  postures_.q.col(at) = reading.q;
+  postures_.load[at] = load;
+  postures_.gravity_B.col(at) = gravity_B;
+}
+
+bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector<Measurement>& readings,
+                         const std::vector<int>& placing_of, std::size_t first, std::size_t count,
+                         const std::vector<deflection::Variable>& variables) {
+  std::vector<Vector3d> gravity_B;
+  for (const auto& placing : placings) gravity_B.push_back(deflection::gravityInBase(arm_, placing.X_WB));
+  unloaded_.assign(count, -1);
+  auto postures = static_cast<Index>(count);
+  for (std::size_t k = 0; k < count; ++k)
+    if (readings[first + k].kind == MeasurementKind::kDeflection) unloaded_[k] = postures++;
+  postures_.resize(readings[first].q.size(), postures);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Measurement& reading = readings[first + k];
+    const Vector3d& gravity = gravity_B[static_cast<std::size_t>(placing_of[first + k])];
+    place(reading, reading.load, gravity, static_cast<Index>(k));
+    if (unloaded_[k] >= 0) place(reading, 0, gravity, unloaded_[k]);
+  }
+  kinematics_.solveWithDerivatives(postures_, variables, tips_);
+  return std::all_of(tips_.status.begin(), tips_.status.end(),
+                     [](auto status) { return status == deflection::KinematicsStatus::kConverged; });
+}
+
+Vector3d ReadingBatch::tip(std::size_t k) const {
+  Vector3d p = tips_.poses.col(static_cast<Index>(k)).head<3>();
+  if (unloaded_[k] >= 0) p -= tips_.poses.col(unloaded_[k]).head<3>();
+  return p;
+}
+
+Vector3d ReadingBatch::column(std::size_t k, std::size_t variable) const {
+  const Index row = 6 * static_cast<Index>(variable);
+  Vector3d by = tips_.jacobian.col(static_cast<Index>(k)).segment<3>(row);
+  if (unloaded_[k] >= 0) by -= tips_.jacobian.col(unloaded_[k]).segment<3>(row);
+  return by;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,43 @@
+// The tips of many readings at once, side by side where the arm is one for a kernel (deflection/posture_batch.hpp).
+#pragma once
+
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "calibration/placed_arm.hpp"
+#include "deflection/posture_batch.hpp"
+
+namespace tubeplan::calibration {
+
+/// For arms without effects: all that a reading says beside joints and load is of no matter to them.
+class ReadingBatch {
+ public:
+  /// `arm` must outlive this, and stay as it is.
+  explicit ReadingBatch(const deflection::Arm& arm) : arm_(arm), kinematics_(arm) {}
+
+  /// Whether tips and their derivatives by `variables` come side by side.
+  [[nodiscard]] bool isFastFor(const std::vector<deflection::Variable>& variables) {
+    return kinematics_.hasKernel(variables);
+  }
+
+  /// Solves `count` readings from `first`, each at its placing of `placings`; false where a shape does not settle. What
+  /// follows is counted from `first`.
+  bool solve(const std::vector<Placing>& placings, const std::vector<Measurement>& readings,
+             const std::vector<int>& placing_of, std::size_t first, std::size_t count,
+             const std::vector<deflection::Variable>& variables);
+
+  /// The tip as seen from the base [m], base axes; of a deflection less the unloaded one, as are its derivatives.
+  [[nodiscard]] Eigen::Vector3d tip(std::size_t k) const;
+  [[nodiscard]] Eigen::Vector3d column(std::size_t k, std::size_t variable) const;
+
+ private:
+  void place(const Measurement& reading, double load, const Eigen::Vector3d& gravity_B, Eigen::Index at);
+
+  const deflection::Arm& arm_;
+  deflection::BatchKinematics kinematics_;
+  deflection::PostureBatch postures_;
+  deflection::TipBatch tips_;
+  std::vector<Eigen::Index> unloaded_;  ///< the posture to take off, -1 where there is none
+};
+
+}  // namespace tubeplan::calibration
