@@ -160,8 +160,14 @@ void BodyPlacing::runKernel() {
   const deflection::hinges::HingeArm arm = plain_->chain.numbers();
   double gravity[3 * kernels::kMostLanes];
   for (int k = 0; k < 3 * width; ++k) gravity[k] = gravity_B_[k / width];
+  deflection::hinges::Shapes shapes{};
+  shapes.pose = tip_.data();
+  shapes.sweeps = sweeps_.data();
+  shapes.gives = gives_.data();
+  shapes.turns = turns_.data();
+  shapes.stride = width;
   kernel.solve(arm, {q_.data(), load_.data(), gravity, width, kUsual.tolerance * arm.reach, kUsual.max_iterations},
-               {tip_.data(), nullptr, sweeps_.data(), gives_.data(), width, turns_.data()});
+               shapes);
   placed_.kernel->place(plain_->arm(), {tip_.data(), turns_.data(), gives_.data(), width},
                         {placed_.frames.data(), placed_.bow.data(), width});
   for (int l = 0; l < width; ++l)

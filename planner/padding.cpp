@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "deflection/chain.hpp"
+#include "planner/clearance.hpp"
 
 namespace tubeplan::planner {
 
@@ -21,12 +22,9 @@ Matrix36 displacementAt(const Eigen::Vector3d& r) {
 }
 
 double reachOfBodies(const Workcell& cell) {
-  double reach = 0;
-  for (const auto& body : cell.scene.bodies) {
-    const Capsule& around = static_cast<const Solid&>(*body.shape).around();
-    reach = std::max({reach, around.from.norm() + around.radius, around.to.norm() + around.radius});
-  }
-  return deflection::reachOf(cell.arm) + reach;
+  const CollisionWorld world(cell.scene);
+  const std::vector<double>& reach = world.bodyReach();
+  return deflection::reachOf(cell.arm) + (reach.empty() ? 0 : std::ranges::max(reach));
 }
 
 }  // namespace

@@ -166,6 +166,53 @@ TEST(Kernels, GiveTheSameBitsInAnyNumberOfLanes) {
   }
 }
 
+TEST(Kernels, TellTheFrameOfEveryRow) {
+  std::mt19937_64 random(8);
+  for (const Arm& arm : kernelArms()) {
+    PreparedArm prepared(arm);
+    const hinges::HingeChain& chain = *prepared.hinges();
+    const hinges::HingeArm numbers = chain.numbers();
+    ASSERT_EQ(chain.rows().size(), arm.rows.size()) << arm.name;
+    std::vector<double> turns(12 * static_cast<std::size_t>(numbers.count));
+    double pose[12], sweeps = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+      const Posture posture = randomCase(arm, random);
+      ASSERT_EQ(prepared.solve(posture), KinematicsStatus::kConverged);
+      hinges::kernels().front().solve(
+          numbers, {posture.q.data(), &posture.load, posture.gravity_B.data(), 1, 1e-10 * numbers.reach, 100},
+          {pose, nullptr, &sweeps, nullptr, 1, turns.data()});
+      for (const hinges::RowOnTurn& row : chain.rows()) {
+        PoseOf<double> X;
+        if (row.turn >= 0) {
+          const double* at = turns.data() + 12 * row.turn;
+          X = {Eigen::Map<const Eigen::Matrix3d>(at + 3), Eigen::Map<const Eigen::Vector3d>(at)};
+        }
+        X = X * row.X_TL;
+        const PoseOf<double> expected = prepared.X_BL(row.row);
+        EXPECT_LE((X.p - expected.p).norm(), 1e-12) << arm.name << " row " << row.row;
+        EXPECT_LE((X.R - expected.R).norm(), 1e-12) << arm.name << " row " << row.row;
+      }
+    }
+  }
+}
+
+/// What turns after a row's frame, about the same axis at the same place, makes one turn with what is before it.
+TEST(Kernels, ARowWithinATurnIsNotToldOf) {
+  Arm arm = cobraArm();
+  Row<double> hinge = arm.rows[4];
+  hinge.name = "hinge";
+  hinge.placement = DenavitHartenberg<double>{};
+  hinge.joint = {};
+  hinge.weight = {};
+  hinge.beam.reset();
+  arm.rows.insert(arm.rows.begin() + 4, hinge);
+  arm.rows[4].placement = arm.rows[5].placement;
+  arm.rows[5].placement = DenavitHartenberg<double>{};
+  const PreparedArm prepared(arm);
+  ASSERT_NE(prepared.hinges(), nullptr);
+  EXPECT_TRUE(prepared.hinges()->rows().empty());
+}
+
 TEST(PostureBatch, IsEachPostureAlone) {
   std::mt19937_64 random(5);
   std::vector<Arm> arms = kernelArms();

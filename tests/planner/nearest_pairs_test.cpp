@@ -171,7 +171,7 @@ TEST(NearestPairs, AreThoseOfTheWorldInEveryPostureAndInAnyNumberOfLanes) {
         EXPECT_LT(alone[k].distance, 0);
         continue;
       }
-      EXPECT_NEAR(alone[k].distance, expected.distance, 1e-9);
+      EXPECT_NEAR(alone[k].distance, expected.distance, 1e-12);
       EXPECT_EQ(named.body + named.other, expected.body + expected.other);
       EXPECT_NEAR((named.point_W - expected.point_W).norm(), 0, 1e-6);
       EXPECT_DOUBLE_EQ(named.margin, named.distance - scene.clearance);
