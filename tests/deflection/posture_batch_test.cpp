@@ -175,12 +175,16 @@ TEST(Kernels, TellTheFrameOfEveryRow) {
     ASSERT_EQ(chain.rows().size(), arm.rows.size()) << arm.name;
     std::vector<double> turns(12 * static_cast<std::size_t>(numbers.count));
     double pose[12], sweeps = 0;
+    hinges::Shapes shapes{};
+    shapes.pose = pose;
+    shapes.sweeps = &sweeps;
+    shapes.turns = turns.data();
+    shapes.stride = 1;
     for (int trial = 0; trial < 50; ++trial) {
       const Posture posture = randomCase(arm, random);
       ASSERT_EQ(prepared.solve(posture), KinematicsStatus::kConverged);
       hinges::kernels().front().solve(
-          numbers, {posture.q.data(), &posture.load, posture.gravity_B.data(), 1, 1e-10 * numbers.reach, 100},
-          {pose, nullptr, &sweeps, nullptr, 1, turns.data()});
+          numbers, {posture.q.data(), &posture.load, posture.gravity_B.data(), 1, 1e-10 * numbers.reach, 100}, shapes);
       for (const hinges::RowOnTurn& row : chain.rows()) {
         PoseOf<double> X;
         if (row.turn >= 0) {
