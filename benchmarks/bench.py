@@ -18,6 +18,8 @@ import sys
 import tempfile
 import time
 
+from table import table
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIBRARIES = ['kinematics', 'identification', 'diagnosis', 'clearance', 'sheet', 'order']
 POSTURES_PER_ROUND = 64  # of kernel_instructions
@@ -76,7 +78,13 @@ def instructions(folder, jacobian):
     return (counted(21) - counted(1)) / (20 * POSTURES_PER_ROUND)
 
 
-def commands(program, folder, repetitions, runs):
+def plans(folder):
+    with tempfile.NamedTemporaryFile(suffix='.json') as out:
+        subprocess.run([folder / 'ompl_fcl_plan', '--json', out.name], check=True)
+        return json.load(open(out.name))
+
+
+def commands(program, repetitions, runs):
     """Whole commands on the shipped cell, each into a folder of its own."""
     cell = ROOT / 'app/cells/mockup.yaml'
     with tempfile.TemporaryDirectory() as scratch:
@@ -91,7 +99,7 @@ def commands(program, folder, repetitions, runs):
         done = {
             'plan 500': at('plan 500', [*plan, 'spread:500', '--out', out / '500']),
             'plan all': at('plan all', [*plan, 'all', '--out', out / 'all'], 1),
-            'verify all': at('verify all', [program, 'verify', cell, out / 'all/plan.json'], 1),
+            'verify all': at('verify all', [program, 'verify', cell, out / 'all'], 1),
         }
         # Both at once would share the machine's cores: one after the other, in turn.
         ways = {'campaign, 1 worker': [*campaign, out / 'a', '--runs', runs, '--jobs', 1],
@@ -125,21 +133,26 @@ def main():
     parser.add_argument('--repetitions', type=int, default=9)
     parser.add_argument('--runs', type=int, default=12000, help='of the campaigns')
     parser.add_argument('--out', type=pathlib.Path, default=ROOT / 'docs')
+    parser.add_argument('--only', nargs='+', choices=[*LIBRARIES, 'instructions', 'plans', 'commands'],
+                        help='these alone; the other figures stay as the last run on this machine left them')
     options = parser.parse_args()
     folder, program = options.build / 'benchmarks', options.build / 'tubeplan'
+    runs = {name: lambda name=name: run_library(folder, name, options.repetitions) for name in LIBRARIES}
+    runs['instructions'] = lambda: {'pose': instructions(folder, False),
+                                    'pose and Jacobian': instructions(folder, True)}
+    runs['plans'] = lambda: plans(folder)
+    runs['commands'] = lambda: commands(program, 3, options.runs)
 
-    figures = {'machine': machine(), 'date': time.strftime('%Y-%m-%d'), 'repetitions': options.repetitions}
-    for name in LIBRARIES:
-        figures[name] = run_library(folder, name, options.repetitions)
-    figures['instructions'] = {'pose': instructions(folder, False), 'pose and Jacobian': instructions(folder, True)}
-    with tempfile.NamedTemporaryFile(suffix='.json') as out:
-        subprocess.run([folder / 'ompl_fcl_plan', '--json', out.name], check=True)
-        figures['plans'] = json.load(open(out.name))
-    figures['commands'] = commands(program, folder, 3, options.runs)
-    figures['campaign_runs'] = options.runs
-    write_text(options.out / 'benchmarks.json', json.dumps(figures, indent=1, sort_keys=True) + '\n')
-    from table import table
-    write_text(options.out / 'benchmarks.md', table(figures))
+    raw = options.out / 'benchmarks.json'
+    figures = json.loads(raw.read_text()) if options.only and raw.exists() else {}
+    if figures.get('machine', machine()) != machine():
+        sys.exit(f'{raw} is of another machine: run all benchmarks')
+    figures |= {'machine': machine(), 'date': time.strftime('%Y-%m-%d'), 'repetitions': options.repetitions,
+                'campaign_runs': options.runs}
+    for name in options.only or runs:
+        figures[name] = runs[name]()
+        write_text(raw, json.dumps(figures, indent=1, sort_keys=True) + '\n')
+        write_text(options.out / 'benchmarks.md', table(figures))
     print(f'wrote {options.out / "benchmarks.md"} and benchmarks.json')
 
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kTryEveryOrderUpTo = 4;
 constexpr double kTrialShare = 0.08;   // of all kicks, for each start tour ...
-constexpr double kFinishShare = 0.44;  // ... and for the best of them
+constexpr double kFinishShare = 0.32;  // ... and for the best of them
 constexpr long kKicksBetweenStops = 1000;
 constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
 
