@@ -106,7 +106,7 @@ def commands(program, repetitions, runs):
                 'campaign, 2 workers': [*campaign, out / 'b', '--runs', runs, '--jobs', 2]}
         if shutil.which('mpirun'):
             for ranks in (1, 2):
-                ways[f'campaign, {ranks} ranks'] = [
+                ways[f'campaign, {ranks} rank{"s" * (ranks > 1)}'] = [
                     'mpirun', '--allow-run-as-root', '-n', ranks, *campaign, out / f'm{ranks}', '--runs', runs,
                     '--jobs', 1]
         for name, words in ways.items():
@@ -131,7 +131,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--build', type=pathlib.Path, default=ROOT / 'build-bench', help='the build folder')
     parser.add_argument('--repetitions', type=int, default=9)
-    parser.add_argument('--runs', type=int, default=12000, help='of the campaigns')
+    parser.add_argument('--runs', type=int, default=60000, help='of the campaigns')
     parser.add_argument('--out', type=pathlib.Path, default=ROOT / 'docs')
     parser.add_argument('--only', nargs='+', choices=[*LIBRARIES, 'instructions', 'plans', 'commands'],
                         help='these alone; the other figures stay as the last run on this machine left them')

@@ -91,7 +91,8 @@ class Rows:
     def sheet(self):
         yield self.time('reach with collision checks', 'sheet', 'sheet/and collision checks: reach')
         yield self.time('scoring a visit to each', 'sheet', 'sheet/scoring', 0.05)
-        for name in self.raw.get('order', {}):
+        orders = self.raw.get('order', {})
+        for name in sorted(orders, key=lambda name: orders[name]['visits']):
             what = name.removeprefix('order/')
             yield self.time(f'order of {what}, bound included, all cores', 'order', name, 10 if what == 'all' else 1)
             yield self.counter(f'the same: gap, at most', 'order', name, 'gap_%', '%', 1)
@@ -109,7 +110,7 @@ class Rows:
         for name, figure in self.raw.get('commands', {}).items():
             yield Row(name, f'{scaled(figure["wall"])}; {scaled(figure["processor"])}')
         yield self.efficiency('campaign: efficiency of 2 workers', 'campaign, 1 worker', 'campaign, 2 workers')
-        yield self.efficiency('campaign: efficiency of 2 MPI ranks', 'campaign, 1 ranks', 'campaign, 2 ranks')
+        yield self.efficiency('campaign: efficiency of 2 MPI ranks', 'campaign, 1 rank', 'campaign, 2 ranks')
 
     def sections(self):
         runs = self.raw.get('campaign_runs', 0)
