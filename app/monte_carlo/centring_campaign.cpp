@@ -44,7 +44,7 @@ class CentringExperiment : public Experiment {
   CentringTally total_;
 };
 
-constexpr std::uint64_t kLargestChunk = 64;  // a tenth of a second or so
+constexpr std::uint64_t kLargestChunk = 256;  // a tenth of a second or so
 
 }  // namespace
 
