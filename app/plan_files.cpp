@@ -7,6 +7,7 @@
 
 #include "app/calibration_json.hpp"
 #include "app/command_inputs.hpp"
+#include "app/path_numbers.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/report/plan_report.hpp"
 #include "app/touch_input.hpp"
@@ -113,6 +114,15 @@ std::string goalOf(const PlanOutcome& outcome, int segment) {
   return fmt::format("{},{},{}", tubesheets::legName(sheet.leg), tube.row, tube.column);
 }
 
+/// Numbers of the path's rows as the file has them: time, segment and joints.
+std::string pathFingerprintOf(const PlanOutcome& outcome) {
+  const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
+  PathNumbers numbers;
+  for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm)))
+    numbers.add(row.time, row.segment + 1, row.q.cwiseQuotient(factors));
+  return numbers.fingerprint();
+}
+
 }  // namespace
 
 json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
@@ -139,7 +149,8 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"tightest", tightestText(outcome)},
                  {"warnings", outcome.cell.warnings},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
-                 {"counts", countsJson(outcome)}};
+                 {"counts", countsJson(outcome)},
+                 {"path_fingerprint", pathFingerprintOf(outcome)}};
   if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
   if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
   if (request.padding > 0)

@@ -66,6 +66,11 @@ std::vector<std::string> findIdentityProblems(const PlanFiles& files, const tube
                                      tubeName(files.plan.tubes[k].row, files.plan.tubes[k].column), files.tube_legs[k],
                                      files.leg));
   checkPath(files, problems);
+  if (!files.stated_path.empty() && files.stated_path != files.path_fingerprint)
+    problems.push_back(
+        fmt::format("path.csv has not the numbers that plan.json was written with (fingerprint {}, stated {}): a row "
+                    "was altered, or it is another plan's",
+                    files.path_fingerprint, files.stated_path));
   return problems;
 }
 

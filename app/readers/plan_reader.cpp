@@ -7,6 +7,7 @@
 
 #include "app/command_inputs.hpp"
 #include "app/input_error.hpp"
+#include "app/path_numbers.hpp"
 #include "app/readers/text_file.hpp"
 
 namespace tubeplan::app {
@@ -109,6 +110,7 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
   if (line != header && !has_echo) throw InputError(path + ":1", inQuotes(line), header + echo, "plan again");
   const std::size_t columns = 3 + active.size() + (has_echo ? 3 : 0);
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
+  PathNumbers numbers;
   for (int number = 2; std::getline(text, line); ++number) {
     const std::string where = path + ":" + std::to_string(number);
     const auto cells = cellsOf(line);
@@ -117,13 +119,15 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
     planner::PathRow row{
         numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
     row.q.resize(static_cast<Eigen::Index>(active.size()));
-    for (std::size_t k = 0; k < active.size(); ++k)
-      row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where) * factors[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < active.size(); ++k) row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where);
+    numbers.add(row.time, row.segment + 1, row.q);
+    row.q.array() *= factors.array();
     files.plan.path.push_back(std::move(row));
     if (has_echo)
       files.path_echoes.push_back({cells[columns - 3], static_cast<int>(numberOf(cells[columns - 2], where)),
                                    static_cast<int>(numberOf(cells[columns - 1], where))});
   }
+  files.path_fingerprint = numbers.fingerprint();
 }
 
 }  // namespace
@@ -147,6 +151,8 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   files.viewed_from = valueAt<std::string>(sheet, "viewed_from", path);
   files.load = valueAt<double>(document, "load", path) * cell.units.factor(dimension::kForce);
   readPath((folder / "path.csv").string(), cell, files);
+  if (document.contains("path_fingerprint"))
+    files.stated_path = valueAt<std::string>(document, "path_fingerprint", path);
   return files;
 }
 

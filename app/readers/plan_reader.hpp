@@ -24,6 +24,8 @@ struct PlanFiles {
   double load = 0;                     ///< N
   std::vector<std::string> tube_legs;  ///< of plan.tubes; empty in a plan without
   std::vector<TubeEcho> path_echoes;   ///< of plan.path; empty in a plan without
+  std::string path_fingerprint;        ///< of the numbers that path.csv has ...
+  std::string stated_path;             ///< ... and as plan.json states it; empty in a plan without
 };
 
 /// Reads both files of the folder, numbers in the cell's units. Throws InputError for a missing file, key or column,

@@ -71,6 +71,23 @@ TEST_F(PlanIdentity, APathRowThatGoesElsewhereIsRefuted) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 1);
 }
 
+/// A joint of a travel moved a little is as good a motion as it was: only the file's own numbers tell.
+TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
+  ASSERT_EQ(run("verify mockup.yaml made").exit_code, 0);
+  const std::string path = contentOf(folder / "made/path.csv");
+  const std::size_t row = path.find(",travel,"), joint = row + 8;
+  ASSERT_NE(row, std::string::npos);
+  const std::size_t end = path.find(',', joint);
+  const double value = std::stod(path.substr(joint, end - joint));
+  (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{}", value + 1e-9) + path.substr(end));
+  const Outcome altered = run("verify mockup.yaml made");
+  EXPECT_EQ(altered.exit_code, 1);
+  expectSays(altered.out, "path.csv has not the numbers that plan.json was written with");
+  // The same numbers written otherwise are the same path.
+  (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{:.17e}", value) + path.substr(end));
+  EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
+}
+
 TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
   const std::string list = contentOf(folder / "made/worklist.csv");
   expectSays(list, "leg,sheet,row,column,x_in,y_in,priority,comment\n");
