@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "app/workcell.hpp"
+#include "benchmarks/run_benchmarks.hpp"
 #include "deflection/prepared_arm.hpp"
 #include "planner/arm_clearance.hpp"
 #include "planner/frames_along_chords.hpp"
@@ -123,7 +124,8 @@ void postures(benchmark::State& state, const ClearanceAt& clearance_at) {
 
 void posturesSideBySide(benchmark::State& state) {
   const PostureColumns q = bench().standoffs();
-  while (state.KeepRunningBatch(q.cols())) benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
+  while (state.KeepRunningBatch(q.cols()))
+    benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
 }
 
 /// The median over the moves stands beside the mean.
@@ -200,9 +202,5 @@ void registerAll() {
 
 int main(int argc, char** argv) {
   tubeplan::benchmarks::registerAll();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return tubeplan::benchmarks::runBenchmarks(argc, argv);
 }

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include "benchmarks/run_benchmarks.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/hypothesis.hpp"
 #include "tests/calibration/bench_readings.hpp"
@@ -56,9 +57,5 @@ BENCHMARK(reachVerdict)->Name("diagnosis/verdict")->Unit(benchmark::kMillisecond
 
 int main(int argc, char** argv) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return tubeplan::benchmarks::runBenchmarks(argc, argv);
 }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "benchmarks/ceres_solver.hpp"
+#include "benchmarks/run_benchmarks.hpp"
 #include "benchmarks/thesis_campaign.hpp"
 
 namespace tubeplan::benchmarks {
@@ -93,9 +94,5 @@ void registerAll() {
 
 int main(int argc, char** argv) {
   tubeplan::benchmarks::registerAll();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return tubeplan::benchmarks::runBenchmarks(argc, argv);
 }

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "app/workcell.hpp"
+#include "benchmarks/run_benchmarks.hpp"
 #include "planner/real_order.hpp"
 #include "planner/tube_reach.hpp"
 #include "planner/visit_order.hpp"
@@ -46,9 +47,5 @@ void registerAll() {
 
 int main(int argc, char** argv) {
   tubeplan::benchmarks::registerAll();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return tubeplan::benchmarks::runBenchmarks(argc, argv);
 }
