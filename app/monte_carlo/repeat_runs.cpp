@@ -18,7 +18,7 @@ enum Subject {
 };
 
 // Long against a look for messages, short against a chunk.
-constexpr std::chrono::microseconds kPause{2000};
+constexpr std::chrono::microseconds kPause{10000};
 constexpr std::chrono::milliseconds kPauseAlone{20};
 
 /// The first rank.
