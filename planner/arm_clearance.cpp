@@ -113,9 +113,7 @@ ArmClearance::~ArmClearance() = default;
 ArmClearance::ArmClearance(const Workcell& cell)
     : cell_(cell),
       arms_(std::make_unique<PreparedArms>(cell)),
-      approach_world_(cell.scene),
-      travel_world_(travelScene(cell.scene)),
-      travel_(armTravelOf(cell, approach_world_.bodyReach())) {}
+      travel_(armTravelOf(cell, CollisionWorld(cell.scene).bodyReach())) {}
 
 Clearance ArmClearance::lessBow(Clearance clearance, double bow) const {
   clearance.distance -= bow + travel_.jump;

@@ -64,8 +64,7 @@ class ArmClearance {
   [[nodiscard]] Clearance lessBow(Clearance clearance, double bow) const;
 
   const Workcell& cell_;
-  std::unique_ptr<PreparedArms> arms_;  ///< one for each thread that asks
-  CollisionWorld approach_world_, travel_world_;
+  std::unique_ptr<PreparedArms> arms_;  ///< the scenes by rule, and an arm for each thread that asks
   ArmTravel travel_;
 };
 
