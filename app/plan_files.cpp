@@ -149,8 +149,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"tightest", tightestText(outcome)},
                  {"warnings", outcome.cell.warnings},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
-                 {"counts", countsJson(outcome)},
-                 {"path_fingerprint", pathFingerprintOf(outcome)}};
+                 {"counts", countsJson(outcome)}};
   if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
   if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
   if (request.padding > 0)
@@ -158,6 +157,12 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                          {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)}};
   if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell.units);
   return result;
+}
+
+std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome) {
+  json plan = planJson(request, outcome);
+  plan["path_fingerprint"] = pathFingerprintOf(outcome);
+  return plan.dump(1) + "\n";
 }
 
 std::string pathCsv(const PlanOutcome& outcome) {
@@ -176,7 +181,7 @@ std::string pathCsv(const PlanOutcome& outcome) {
 }
 
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder) {
-  folder.write("plan.json", planJson(request, outcome).dump(1) + "\n");
+  folder.write("plan.json", planFileText(request, outcome));
   folder.write("path.csv", pathCsv(outcome));
   const auto cell_file = folder.path() / "cell.yaml";
   folder.write("cell.yaml", outcome.calibration

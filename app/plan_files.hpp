@@ -12,6 +12,9 @@ namespace tubeplan::app {
 /// plan.json as the contract has it.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
 
+/// plan.json's text: planJson() with the fingerprint of the path's numbers, by which `verify` knows them again.
+[[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
+
 /// time_s,segment,kind,<joint>_<angle>...,leg,row,column: the tube that the row leads to or from
 [[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
 

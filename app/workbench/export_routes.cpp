@@ -73,7 +73,7 @@ std::string touchesText(const Situation& s) {
   for (const auto& made : s.touches) touches.push_back(made.touch);
   return touchesCsv(touches, currentModel(s).cell);
 }
-std::string planText(const Situation& s) { return planJson(s.plan_request, planOf(s)).dump(1) + "\n"; }
+std::string planText(const Situation& s) { return planFileText(s.plan_request, planOf(s)); }
 std::string pathText(const Situation& s) { return pathCsv(planOf(s)); }
 std::string workListText(const Situation& s) { return workListCsv(planOf(s)); }
 std::string trajectoryText(const Situation& s) { return trajectoryYaml(planOf(s)); }
