@@ -51,9 +51,11 @@ def run_library(folder, name, repetitions):
 
 
 def run_command(command, repetitions):
-    """Medians of wall and CPU seconds, and the greatest resident memory."""
+    """Medians of wall and CPU seconds; each time into a fresh folder, where the command names one."""
     walls, processors = [], []
     for _ in range(repetitions):
+        if '--out' in command:
+            shutil.rmtree(command[command.index('--out') + 1], ignore_errors=True)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         start = time.monotonic()
         subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL,
@@ -84,39 +86,25 @@ def plans(folder):
         return json.load(open(out.name))
 
 
-def commands(program, repetitions, runs):
-    """Whole commands on the shipped cell, each into a folder of its own."""
+def commands(program, runs):
+    """Whole commands on the shipped cell, one after the other: two at once would share the machine's cores."""
     cell = ROOT / 'app/cells/mockup.yaml'
     with tempfile.TemporaryDirectory() as scratch:
         out = pathlib.Path(scratch)
         plan = [program, 'plan', cell, '--tubes']
-        campaign = [program, 'campaign', cell, '--seed', 1, '--out']
-
-        def at(name, words, times=repetitions, before=()):
-            print(f'{name} ...', flush=True)
-            return run_command([*before, *words], times)
-
-        done = {
-            'plan 500': at('plan 500', [*plan, 'spread:500', '--out', out / '500']),
-            'plan all': at('plan all', [*plan, 'all', '--out', out / 'all'], 1),
-            'verify all': at('verify all', [program, 'verify', cell, out / 'all'], 1),
-        }
-        # Both at once would share the machine's cores: one after the other, in turn.
-        ways = {'campaign, 1 worker': [*campaign, out / 'a', '--runs', runs, '--jobs', 1],
-                'campaign, 2 workers': [*campaign, out / 'b', '--runs', runs, '--jobs', 2]}
+        campaign = [program, 'campaign', cell, '--seed', 1, '--runs', runs, '--out']
+        ways = {'plan 500': (3, [*plan, 'spread:500', '--out', out / '500']),
+                'plan all': (1, [*plan, 'all', '--out', out / 'all']),
+                'verify all': (1, [program, 'verify', cell, out / 'all']),
+                'campaign, 1 worker': (3, [*campaign, out / 'one', '--jobs', 1]),
+                'campaign, 2 workers': (3, [*campaign, out / 'two', '--jobs', 2])}
         if shutil.which('mpirun'):
-            for ranks in (1, 2):
-                ways[f'campaign, {ranks} rank{"s" * (ranks > 1)}'] = [
-                    'mpirun', '--allow-run-as-root', '-n', ranks, *campaign, out / f'm{ranks}', '--runs', runs,
-                    '--jobs', 1]
-        for name, words in ways.items():
-            def fresh():
-                shutil.rmtree(words[words.index('--out') + 1], ignore_errors=True)
-            times = []
-            for _ in range(3):
-                fresh()
-                times.append(run_command(words, 1))
-            done[name] = {key: statistics.median(t[key] for t in times) for key in times[0]}
+            ranks = ['mpirun', '--allow-run-as-root', '-n']
+            ways['campaign, 1 rank'] = (3, [*ranks, 1, *campaign, out / 'rank', '--jobs', 1])
+            ways['campaign, 2 ranks'] = (3, [*ranks, 2, *campaign, out / 'ranks', '--jobs', 1])
+        done = {}
+        for name, (times, words) in ways.items():
+            done[name] = run_command(words, times)
             print(name, done[name], flush=True)
     return done
 
@@ -141,7 +129,7 @@ def main():
     runs['instructions'] = lambda: {'pose': instructions(folder, False),
                                     'pose and Jacobian': instructions(folder, True)}
     runs['plans'] = lambda: plans(folder)
-    runs['commands'] = lambda: commands(program, 3, options.runs)
+    runs['commands'] = lambda: commands(program, options.runs)
 
     raw = options.out / 'benchmarks.json'
     figures = json.loads(raw.read_text()) if options.only and raw.exists() else {}
