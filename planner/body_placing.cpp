@@ -7,10 +7,12 @@
 #include "deflection/hinges/kernels.hpp"
 #include "planner/arm_clearance.hpp"
 #include "planner/frames_along_chords.hpp"
+#include "planner/kernels/plain_pose.hpp"
 
 namespace tubeplan::planner {
 
 using deflection::KinematicsStatus, deflection::hinges::HingeChain;
+using kernels::copy, kernels::plainPose;
 using Eigen::Index, Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
@@ -18,15 +20,6 @@ namespace {
 /// The tolerance of shapes that everybody has who asks for nothing else.
 constexpr deflection::FlexibleKinematicsOptions kUsual;
 constexpr double kBowMargin = 1.1;
-
-void copy(const Vector3d& from, double* to) { std::copy_n(from.data(), 3, to); }
-
-kernels::PlainPose plainPose(const Eigen::Matrix3d& R, const Vector3d& p) {
-  kernels::PlainPose X;
-  copy(p, X.p);
-  std::copy_n(R.data(), 9, X.R);
-  return X;
-}
 
 }  // namespace
 
@@ -47,7 +40,7 @@ struct BodyPlacing::Plain {
     const HingeChain* chain = arm.hinges();
     if (!chain || chain->rows().size() != cell.arm.rows.size() || chain->rows().size() > kernels::kMostRows)
       return nullptr;
-    auto plain = std::make_unique<Plain>(Plain{*chain, {}, {}, plainPose(cell.X_WB.linear(), cell.X_WB.translation())});
+    auto plain = std::make_unique<Plain>(Plain{*chain, {}, {}, plainPose(cell.X_WB)});
     for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) plain->addRow(cell.arm, row, components);
     return plain;
   }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "planner/kernels/plain_pose.hpp"
 #include "planner/mesh_shape.hpp"
 #include "planner/regions.hpp"
 #include "planner/separation.hpp"
@@ -13,18 +14,9 @@
 namespace tubeplan::planner {
 
 using Eigen::Isometry3d, Eigen::Vector3d;
-using kernels::PairKind, kernels::PlainObstacle;
+using kernels::copy, kernels::plainPose, kernels::PairKind, kernels::PlainObstacle;
 
 namespace {
-
-void copy(const Vector3d& from, double* to) { std::copy_n(from.data(), 3, to); }
-
-kernels::PlainPose plainPose(const Isometry3d& X) {
-  kernels::PlainPose plain;
-  copy(X.translation(), plain.p);
-  for (int k = 0; k < 9; ++k) plain.R[k] = X.linear()(k % 3, k / 3);
-  return plain;
-}
 
 double halfLengthOf(const Capsule& capsule) { return 0.5 * (capsule.to - capsule.from).norm(); }
 
