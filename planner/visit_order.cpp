@@ -115,15 +115,15 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
     TourSearch search(table, neighbours);
     result.best = settled(table, search, withBestPostures(table, options.start));
   }
-  const Candidate trial = result.best;
+  const double known_time = result.best.time;
   oneapi::tbb::parallel_invoke(
       [&] {
         if (!options.start.empty()) return;
-        result.best =
-            finished(table, neighbours, trial, std::lround(kFinishShare * static_cast<double>(kicks)), options);
+        const long rest = std::lround(kFinishShare * static_cast<double>(kicks));
+        result.best = finished(table, neighbours, std::move(result.best), rest, options);
       },
       [&] {
-        if (options.with_bound) result.lower_bound = boundOf(route, options, trial.time);
+        if (options.with_bound) result.lower_bound = boundOf(route, options, known_time);
       });
   return result;
 }
