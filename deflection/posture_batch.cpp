@@ -79,12 +79,7 @@ void BatchKinematics::solveWithDerivatives(const PostureBatch& postures, const s
 }
 
 bool BatchKinematics::hasKernel(const std::vector<Variable>& variables) {
-  if (!arm_.hasJacobian() || variables.empty()) return arm_.hasJacobian();
-  if (hinges::areSame(variables, kernel_asked_)) return kernel_.has_value();
-  kernel_asked_ = variables;
-  kernel_ = arm_.kernelVariables(variables);
-  if (kernel_) derivatives_.resize(static_cast<std::size_t>(6 * kMostLanes * kernel_->columns()));
-  return kernel_.has_value();
+  return variables.empty() ? arm_.hasJacobian() : arm_.kernelFor(variables) != nullptr;
 }
 
 void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
@@ -97,7 +92,7 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
   tips.jacobian.resize(6 * static_cast<Index>(variables.size()), n);
   if (n == 0) return;
   if (hasKernel(variables))
-    solveSideBySide(postures, tips, options, variables.size());
+    solveSideBySide(postures, tips, options, variables);
   else
     solveOneByOne(postures, tips, options, variables);
   for (Index k = 0; k < n; ++k) {
@@ -108,15 +103,18 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
 }
 
 void BatchKinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips,
-                                      const FlexibleKinematicsOptions& options, std::size_t variables) {
+                                      const FlexibleKinematicsOptions& options,
+                                      const std::vector<Variable>& variables) {
   const hinges::Kernel& kernel = hinges::kernels().back();
+  const hinges::HingeVariables* derived = variables.empty() ? nullptr : arm_.kernelFor(variables);
+  if (derived) derivatives_.resize(static_cast<std::size_t>(6 * kMostLanes * derived->columns()));
   const hinges::HingeArm arm = arm_.hinges()->numbers();
   const Index n = postures.size();
   sweeps_.resize(static_cast<std::size_t>(n));
   hinges::Shapes out{};
   for (Index k = 0; k < n; k += kernel.lanes) {
     const Index count = std::min<Index>(kernel.lanes, n - k);
-    if (variables) kernel_->place(derivatives_.data(), kernel.lanes, out);
+    if (derived) derived->place(derivatives_.data(), kernel.lanes, out);
     if (count < kernel.lanes) {
       solveRest(kernel, arm, postures, k, options, tips, sweeps_.data(), out);
     } else {
@@ -128,8 +126,8 @@ void BatchKinematics::solveSideBySide(const PostureBatch& postures, TipBatch& ti
                     options.tolerance * arm.reach, options.max_iterations},
                    out);
     }
-    for (std::size_t v = 0; v < variables; ++v)
-      kernel_->gather(v, derivatives_.data(), kernel.lanes, count,
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      derived->gather(v, derivatives_.data(), kernel.lanes, count,
                       tips.jacobian.data() + 6 * static_cast<Index>(v) * n + k, n);
   }
   for (std::size_t i = 0; i < sweeps_.size(); ++i)

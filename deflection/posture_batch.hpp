@@ -61,15 +61,14 @@ class BatchKinematics {
   void run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
            const std::vector<Variable>& variables);
   void solveSideBySide(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                       std::size_t variables);
+                       const std::vector<Variable>& variables);
   void solveOneByOne(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
                      const std::vector<Variable>& variables);
 
   const Arm& given_;
   PreparedArm arm_;
   std::optional<TipDifferentiation> tip_;  ///< where no kernel does the work
-  std::vector<Variable> joints_, kernel_asked_;
-  std::optional<hinges::HingeVariables> kernel_;  ///< of kernel_asked_
+  std::vector<Variable> joints_;
   std::vector<double> sweeps_, derivatives_;
 };
 

@@ -1,10 +1,8 @@
 #include "deflection/prepared_arm.hpp"
 
-#include <cassert>
 #include <cmath>
 
 #include "deflection/hinges/hinge_variables.hpp"
-#include "deflection/hinges/kernels.hpp"
 
 namespace tubeplan::deflection {
 
@@ -53,19 +51,6 @@ PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(arm.effects.empt
 }
 
 PreparedArm::~PreparedArm() = default;
-
-void PreparedArm::findHinges(const Arm& arm) {
-  hinges_.reset();
-  const auto& tip = arm.tip_load;
-  const bool tip_pulls = tip && !(tip->contact_force == 0 && tip->payload_offset.isZero(0));
-  if (equilibrium_.loads.size() > 1 || equilibrium_.clearances > 0 || tip_pulls) return;
-  std::vector<int> joint_of(chain_.links.size(), -1);
-  for (const JointTurn& turn : turns_) joint_of[turn.link] = turn.joint;
-  auto found = hinges::HingeChain::of(chain_, arm, joint_of, equilibrium_.elements, equilibrium_.reach);
-  if (!found) return;
-  hinges_ = std::make_unique<const hinges::HingeChain>(std::move(*found));
-  gives_.resize(4 * static_cast<std::size_t>(hinges_->numbers().count));
-}
 
 void PreparedArm::addElement(const Arm& arm, const ChainLink<double>& link) {
   const ComponentState& component = chain_.components[static_cast<std::size_t>(link.component)];
@@ -164,66 +149,6 @@ void PreparedArm::load(const Arm& arm, const Posture& posture) const {
   if (!arm.tip_load) return;
   gravity.at_tip -= arm.tip_load->contact_force;
   gravity.tip_moment = posture.load * arm.tip_load->payload_offset;
-}
-
-bool PreparedArm::hasJacobian() const { return is_fixed_ && hinges_ && hinges_->hasJacobian(); }
-
-const hinges::HingeChain* PreparedArm::hinges() const { return is_fixed_ ? hinges_.get() : nullptr; }
-
-std::optional<hinges::HingeVariables> PreparedArm::kernelVariables(const std::vector<Variable>& variables) const {
-  if (!hasJacobian()) return std::nullopt;
-  return hinges::HingeVariables::of(variables, arm_, chain_, *hinges_, equilibrium_.elements);
-}
-
-/// `out` says where derivatives are to go, if any.
-KinematicsStatus PreparedArm::solveHinges(const FlexibleKinematicsOptions& options, hinges::Shapes out) {
-  const hinges::HingeArm arm = hinges_->numbers();
-  const Posture& posture = effectivePosture();
-  assert(posture.q.size() == arm.joints);
-  double pose[12], sweeps = 0;
-  out.pose = pose;
-  out.sweeps = &sweeps;
-  out.gives = gives_.data();
-  out.stride = out.derivative_stride = 1;
-  hinges::kernels().front().solve(arm,
-                                  {posture.q.data(), &posture.load, posture.gravity_B.data(), 1,
-                                   options.tolerance * arm.reach, options.max_iterations},
-                                  out);
-  X_BD_.p = Eigen::Map<const Vector3d>(pose);
-  X_BD_.R = Eigen::Map<const Eigen::Matrix3d>(pose + 3);
-  if (situation_) X_BD_ = situation_->X_BM * X_BD_;
-  is_told_ = false;
-  iterations_ = sweeps < 0 ? options.max_iterations : (static_cast<int>(sweeps) + 1) / 2;
-  status_ = sweeps < 0 ? KinematicsStatus::kNotConverged : KinematicsStatus::kConverged;
-  return status_;
-}
-
-KinematicsStatus PreparedArm::solveWithJacobian(const Posture& posture, const FlexibleKinematicsOptions& options,
-                                                double* jacobian) {
-  assert(hasJacobian());
-  asked_ = posture;
-  hinges::Shapes out{};
-  out.jacobian = jacobian;
-  return solveHinges(options, out);
-}
-
-KinematicsStatus PreparedArm::solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
-                                                   const hinges::HingeVariables& variables, double* derivatives) {
-  assert(hasJacobian());
-  asked_ = posture;
-  hinges::Shapes out{};
-  variables.place(derivatives, 1, out);
-  return solveHinges(options, out);
-}
-
-/// The elements as the kernel has found them, and the loads on them.
-void PreparedArm::tellElements() const {
-  if (is_told_) return;
-  is_told_ = true;
-  pose(effectivePosture().q);
-  load(effective(), effectivePosture());
-  hinges_->tell(gives_.data(), 1, equilibrium_.elements);
-  equilibrium_.carryLoads();
 }
 
 KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinematicsOptions& options) {

@@ -32,16 +32,15 @@ class PreparedArm {
   /// Solves the deflected shape at a posture. All that follows is about the last one solved.
   KinematicsStatus solve(const Posture& posture, const FlexibleKinematicsOptions& options = {});
 
-  /// The same with the tip's exact derivatives by the joints, where hasJacobian(): position [m per unit], then rotation
-  /// vector [rad per unit], base axes; 6 rows, joint by joint. Not numbers where the shape does not converge.
-  KinematicsStatus solveWithJacobian(const Posture& posture, const FlexibleKinematicsOptions& options,
-                                     double* jacobian);
+  /// Whether a kernel solves the shape at every posture, and gives derivatives by joints with it.
   [[nodiscard]] bool hasJacobian() const;
 
-  /// How a kernel's derivatives make those by `variables`; nothing where they do not. Of this arm alone.
-  [[nodiscard]] std::optional<hinges::HingeVariables> kernelVariables(const std::vector<Variable>& variables) const;
+  /// How a kernel's derivatives make those by `variables`; null where they do not. Worked out once for variables that
+  /// are asked for again and again, and good until others are.
+  [[nodiscard]] const hinges::HingeVariables* kernelFor(const std::vector<Variable>& variables);
 
-  /// Solves a posture with the derivatives of kernelVariables(), as one lane of a kernel writes them.
+  /// Solves a posture with the derivatives that `variables` of kernelFor() is put together from, as one lane of a
+  /// kernel writes them.
   KinematicsStatus solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
                                         const hinges::HingeVariables& variables, double* derivatives);
 
@@ -112,6 +111,8 @@ class PreparedArm {
   mutable Equilibrium equilibrium_;  ///< where a kernel has solved the shape, told by tellElements() when asked for
   std::unique_ptr<const hinges::HingeChain> hinges_;  ///< the same arm for the kernels, where it is one for them
   std::vector<double> gives_;                         ///< what a kernel has found of each turn
+  std::vector<Variable> kernel_asked_;                ///< of kernelFor(), the last ones
+  std::unique_ptr<const hinges::HingeVariables> kernel_;  ///< of those, null where there is none
   mutable bool is_told_ = true;
   int iterations_ = 0;
   KinematicsStatus status_ = KinematicsStatus::kNotRun;

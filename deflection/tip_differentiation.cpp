@@ -171,20 +171,12 @@ void TipDifferentiation::moveBase(TipColumns& tip) const {
   addMotion(situation_->X_BM, p_MD_B, tip);
 }
 
-/// Whether a kernel has all of these derivatives; found once for variables that are asked for again and again.
-bool TipDifferentiation::findKernel(const std::vector<Variable>& variables) {
-  if (!arm_.hasJacobian()) return false;
-  if (hinges::areSame(variables, kernel_asked_)) return kernel_.has_value();
-  kernel_asked_ = variables;
-  kernel_ = arm_.kernelVariables(variables);
-  if (kernel_) kernel_columns_.resize(6 * static_cast<std::size_t>(kernel_->columns()));
-  return kernel_.has_value();
-}
-
-KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const FlexibleKinematicsOptions& options) {
-  arm_.solveWithDerivatives(posture, options, *kernel_, kernel_columns_.data());
+KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const hinges::HingeVariables& kernel,
+                                                   const FlexibleKinematicsOptions& options) {
+  kernel_columns_.resize(6 * static_cast<std::size_t>(kernel.columns()));
+  arm_.solveWithDerivatives(posture, options, kernel, kernel_columns_.data());
   for (Eigen::Index k = 0; k < columns_.cols(); ++k)
-    kernel_->gather(static_cast<std::size_t>(k), kernel_columns_.data(), 1, 1, columns_.col(k).data(), 1);
+    kernel.gather(static_cast<std::size_t>(k), kernel_columns_.data(), 1, 1, columns_.col(k).data(), 1);
   return arm_.status();
 }
 
@@ -201,13 +193,13 @@ KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::ve
                                            const FlexibleKinematicsOptions& options) {
   const auto n = static_cast<Eigen::Index>(variables.size());
   columns_.resize(6, n);
-  const bool by_kernel = n > 0 && findKernel(variables);
-  by_kernel ? solveByKernel(posture, options) : arm_.solve(posture, options);
+  const hinges::HingeVariables* kernel = n > 0 ? arm_.kernelFor(variables) : nullptr;
+  kernel ? solveByKernel(posture, *kernel, options) : arm_.solve(posture, options);
   if (arm_.status() != KinematicsStatus::kConverged) {
     columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
     return arm_.status();
   }
-  if (n == 0 || by_kernel) return arm_.status();
+  if (n == 0 || kernel) return arm_.status();
   sensitivity_.linearize(arm_);
   direct_.begin();
   if (dual_arm_.rows.empty()) dual_arm_ = castArm<Dual>(given_);

@@ -33,8 +33,8 @@ class TipDifferentiation {
  private:
   using Block = std::array<std::size_t, kDualSize>;  ///< the variables of a pass
 
-  bool findKernel(const std::vector<Variable>& variables);
-  KinematicsStatus solveByKernel(const Posture& posture, const FlexibleKinematicsOptions& options);
+  KinematicsStatus solveByKernel(const Posture& posture, const hinges::HingeVariables& kernel,
+                                 const FlexibleKinematicsOptions& options);
   void castPosture(const Posture& posture);
   void seed(const Variable& variable, int slot, double size);
   void differentiateWithoutEffects(const std::vector<Variable>& variables);
@@ -49,8 +49,6 @@ class TipDifferentiation {
   PreparedArm arm_;
   TipSensitivity sensitivity_;
   DirectChanges direct_;
-  std::vector<Variable> kernel_asked_;  ///< what kernel_ was found for
-  std::optional<hinges::HingeVariables> kernel_;
   std::vector<double> kernel_columns_;
   ArmOf<Dual> dual_arm_;  ///< empty until it is needed
   PostureOf<Dual> dual_posture_;
