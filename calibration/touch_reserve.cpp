@@ -1,7 +1,8 @@
 #include "calibration/touch_reserve.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "deflection/inverse_solver.hpp"
 
 namespace tubeplan::calibration {
 
@@ -30,20 +31,33 @@ Eigen::Isometry3d displaced(const Eigen::Isometry3d& X_WB, const Vector6& way, c
   return X;
 }
 
+/// Whether the arm, standing at X_WB, can touch each of the candidates.
+std::vector<bool> areTouched(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                             const std::vector<TouchPlan>& candidates) {
+  std::vector<deflection::ToolGoal> goals;
+  std::vector<Eigen::VectorXd> starts;
+  for (const TouchPlan& candidate : candidates) {
+    goals.push_back({X_WB.inverse() * candidate.p_WH, X_WB.linear().transpose() * TouchSimulationOptions{}.axis_W});
+    starts.push_back(candidate.q_start);
+  }
+  deflection::InverseSolver solver(arm, 0, deflection::gravityInBase(arm, X_WB));
+  std::vector<bool> touched;
+  for (const auto& branch : solver.refine(goals, starts))
+    touched.push_back(branch.status == deflection::BranchStatus::kConverged);
+  return touched;
+}
+
 }  // namespace
 
 std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                      const std::vector<TouchPlan>& candidates, const BaseDoubt& doubt) {
-  std::vector<Eigen::Isometry3d> bases;
-  for (const Vector6& way : waysOff()) bases.push_back(displaced(X_WB, way, doubt));
-  TouchSimulationOptions exact;
-  exact.sigma = 0;
-  std::vector<TouchPlan> kept;
-  std::ranges::copy_if(candidates, std::back_inserter(kept), [&](const TouchPlan& candidate) {
-    return std::ranges::all_of(bases, [&](const Eigen::Isometry3d& X) {
-      return simulateTouches(arm, X, {candidate}, exact).status == TouchSimulationStatus::kDone;
+  std::vector<TouchPlan> kept = candidates;
+  for (const Vector6& way : waysOff()) {
+    const auto touched = areTouched(arm, displaced(X_WB, way, doubt), kept);
+    std::erase_if(kept, [&](const TouchPlan& candidate) {
+      return !touched[static_cast<std::size_t>(&candidate - kept.data())];
     });
-  });
+  }
   return kept;
 }
 
