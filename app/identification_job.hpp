@@ -17,7 +17,7 @@
 namespace tubeplan::app {
 
 struct IdentificationRequest {
-  std::string method = "ipopt", robust = "none";
+  std::string method = "in-turn", robust = "none";
   std::vector<std::string> free;    ///< instead of the cell's `identify`
   std::vector<std::string> stages;  ///< "NAMES[:SETUP]" each; empty: all at once
   double drop = 0;

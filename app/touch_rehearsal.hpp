@@ -38,7 +38,7 @@ struct BothCalibrations {
 [[nodiscard]] BothCalibrations calibrateBoth(
     const deflection::Arm& flexible, const deflection::Arm& rigid, const Eigen::Isometry3d& X_WB_start,
     const std::vector<calibration::Touch>& touches,
-    calibration::LeastSquaresMethod method = calibration::LeastSquaresMethod::kInteriorPoint);
+    calibration::LeastSquaresMethod method = calibration::LeastSquaresMethod::kInTurn);
 
 /// The cell with its base as calibrated. A misfit beyond noise widens the covariance by chi-square per degree of
 /// freedom.

@@ -41,12 +41,11 @@ void evaluate(benchmark::State& state, MakeCampaign make, bool jacobian) {
 }
 
 /// All of the program's identification: what the readings tell, weights, the fit, intervals.
-void identify(benchmark::State& state, calibration::LeastSquaresMethod method) {
+void identify(benchmark::State& state) {
   const auto session = touchSession();
   calibration::IdentificationOptions options;
   options.free = {session->names, false};
   options.folds = 0;
-  options.solver.method = method;
   calibration::Identification found;
   for (auto _ : state) found = calibration::identify(session->start, session->readings, options);
   state.counters["values"] = found.evaluations;
@@ -81,12 +80,7 @@ void registerCampaign(const std::string& name, MakeCampaign make) {
 void registerAll() {
   registerCampaign("6 of 93 places", thesisCampaign);
   registerCampaign("11 of 45 touch points", touchCampaign);
-  for (const auto& kind : calibration::leastSquaresMethods())
-    if (kind.method == calibration::LeastSquaresMethod::kLevenbergMarquardt ||
-        kind.method == calibration::LeastSquaresMethod::kInteriorPoint)
-      benchmark::RegisterBenchmark(("11 of 45 touch points/identify/" + std::string(kind.name)).c_str(), identify,
-                                   kind.method)
-          ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("11 of 45 touch points/identify", identify)->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace

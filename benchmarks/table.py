@@ -75,14 +75,14 @@ class Rows:
 
     def identification(self):
         for case, goal in (('6 of 93 places', None), ('11 of 45 touch points', 0.005)):
-            own, ceres = f'{case}/levenberg-marquardt', f'{case}/ceres'
+            own, ceres = f'{case}/in-turn', f'{case}/ceres'
             yield self.time(f'{case}: Ceres', 'identification', ceres)
-            yield self.time(f'{case}: Levenberg-Marquardt', 'identification', own, goal)
+            yield self.time(f'{case}: as `identify` does it', 'identification', own, goal)
             yield self.ratio(f'{case}: the same beside Ceres', 'identification', own, ceres, 1.0)
             yield self.ratio(f'{case}: the same beside Hooke-Jeeves', 'identification', own, f'{case}/hooke-jeeves', 0.01)
-            yield self.ratio(f'{case}: Ipopt, beside Ceres', 'identification', f'{case}/ipopt', ceres, 1.0)
-        whole = '11 of 45 touch points/identify/levenberg-marquardt'
-        yield self.time('11 of 45 touch points: `identify` with its judgement, Levenberg-Marquardt', 'identification', whole)
+            yield self.ratio(f'{case}: Ipopt alone, beside Ceres', 'identification', f'{case}/ipopt', ceres)
+        whole = '11 of 45 touch points/identify'
+        yield self.time('11 of 45 touch points: all of `identify`, its judgement included', 'identification', whole)
 
     def diagnosis(self):
         yield self.time('ranking', 'diagnosis', 'diagnosis/ranking', 0.1)

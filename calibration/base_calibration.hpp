@@ -16,7 +16,7 @@ struct BaseCalibrationOptions {
   double collinear_ratio = 0.05;        ///< least height of the touches' triangle against its longest side
   double mistaken_hole_p_value = 1e-4;  ///< below it, touches are searched for a mistaken hole
   int alignments = 12;                  ///< closed-form alignments before the solver; each corrects gravity's direction
-  LeastSquaresMethod method = LeastSquaresMethod::kInteriorPoint;  ///< Levenberg-Marquardt starts quicker: for many
+  LeastSquaresMethod method = LeastSquaresMethod::kInTurn;
 };
 
 enum class CalibrationStatus { kNotRun, kDone, kRefused, kNotConverged };
