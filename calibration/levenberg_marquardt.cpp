@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kFirstRadius = 1;      // of a typical size, in the mean over the variables
-constexpr double kLeastRadius = 1e-14;  // of the same: shorter steps change nothing
-constexpr double kRest = 1e-13;         // of a variable's own curvature: what only rounding would move stays
-constexpr double kUnseen = 1e-30;       // of the largest curvature: what no residual depends on stays
-constexpr double kLengthRest = 0.1;     // of the radius, by which a damped step may be longer
-constexpr int kDampings = 20;           // tries to bring a step to the radius
-constexpr double kNoMisfit = 1e-6;      // chi2 below which the tolerance is no longer a share of it
+constexpr double kFirstRadius = 1;            // of a typical size, in the mean over the variables
+constexpr double kLeastRadius = 1e-14;        // of the same: shorter steps change nothing
+constexpr double kRest = 1e-13;               // of a variable's own curvature: what only rounding would move stays
+constexpr double kUnseen = 1e-30;             // of the largest curvature: what no residual depends on stays
+constexpr double kLengthRest = 0.1;           // of the radius, by which a damped step may be longer
+constexpr int kDampings = 20;                 // tries to bring a step to the radius
+constexpr double kNoMisfit = 1e-6;            // chi2 below which the tolerance is no longer a share of it
 constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the foretold fall for a longer, and for a shorter radius
 
 /// Half of chi2's change by a step, to second order: gradient . step + step . normal step / 2.
@@ -89,60 +89,92 @@ VectorXd boundedStep(const ScaledProblem& problem, const Valley& valley, const V
   return step;
 }
 
+/// One descent, point after point.
+class Descent {
+ public:
+  explicit Descent(const LeastSquaresProblem& problem)
+      : scaled_(problem), x_(scaled_.start()), size_(std::sqrt(static_cast<double>(x_.size()))) {}
+
+  LeastSquaresResult run(const LeastSquaresStop& stop);
+
+ private:
+  enum class Step { kTaken, kAtRest, kOnlyRounding };
+
+  Step step(double tolerance);
+  bool moveTo(const VectorXd& next, double foretold, bool is_first);
+  void settleRadius(double length, double fall, double foretold);
+  [[nodiscard]] LeastSquaresResult end(LeastSquaresStatus status, const char* reason) const {
+    return scaled_.resultAt(x_, chi2_, status, reason, iterations_);
+  }
+
+  ScaledProblem scaled_;
+  VectorXd x_, r_, next_r_;
+  MatrixXd jacobian_, next_jacobian_;
+  double size_;
+  double radius_ = kFirstRadius * size_;
+  double chi2_ = std::numeric_limits<double>::quiet_NaN();
+  Valley valley_;
+  std::vector<Index> free_;
+  bool is_linear_ = true;  ///< r_ and jacobian_ are those of x_
+  int iterations_ = 0;
+};
+
 /// How far steps may go, by how well the last one was foretold.
-double radiusAfter(double radius, double length, double fall, double foretold) {
-  if (fall > kGood * foretold) return std::max(radius, 2 * length);
-  return fall > kPoor * foretold ? radius : kPoor * std::min(radius, length);
+void Descent::settleRadius(double length, double fall, double foretold) {
+  if (fall > kGood * foretold)
+    radius_ = std::max(radius_, 2 * length);
+  else if (!(fall > kPoor * foretold))
+    radius_ = kPoor * std::min(radius_, length);
+}
+
+/// Whether chi2 falls there; then x_ is moved. Most steps are taken, so the Jacobian comes with the value; after one
+/// that was not, the value alone.
+bool Descent::moveTo(const VectorXd& next, double foretold, bool is_first) {
+  const bool is_linear = foretold > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
+  const double tried = is_linear ? next_r_.squaredNorm() : foretold > 0 ? scaled_.chi2At(next) : chi2_;
+  const double fall = chi2_ - tried;
+  settleRadius((next - x_).norm(), fall, foretold);
+  if (!(fall > 0)) return false;
+  x_ = next;
+  chi2_ = tried;
+  is_linear_ = is_linear;
+  if (is_linear) r_.swap(next_r_), jacobian_.swap(next_jacobian_);
+  return true;
+}
+
+/// Shortens the step until chi2 falls by it.
+Descent::Step Descent::step(double tolerance) {
+  for (bool is_first = true;; is_first = false) {
+    double damping = 0;
+    const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, valley_, x_, free_, radius_, damping));
+    const double foretold = valley_.fallBy(next - x_);
+    if (damping == 0 && std::abs(foretold) <= tolerance * std::max(chi2_, kNoMisfit)) return Step::kAtRest;
+    if (moveTo(next, foretold, is_first)) return Step::kTaken;
+    if (radius_ <= kLeastRadius * size_) return Step::kOnlyRounding;
+  }
+}
+
+LeastSquaresResult Descent::run(const LeastSquaresStop& stop) {
+  using Status = LeastSquaresStatus;
+  if (!scaled_.linearizeAt(x_, r_, jacobian_)) return scaled_.failureAtStart();
+  for (;; ++iterations_) {
+    chi2_ = r_.squaredNorm();
+    valley_.open(jacobian_, r_);
+    free_ = movable(scaled_, x_, valley_.gradient);
+    if (free_.empty()) return end(Status::kConverged, "every variable rests on a bound");
+    if (iterations_ == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
+    const Step taken = step(stop.tolerance);
+    if (taken == Step::kAtRest) return end(Status::kConverged, "no step would lower chi2 by more than the tolerance");
+    if (taken == Step::kOnlyRounding) return end(Status::kConverged, "chi2 falls no further than by rounding");
+    if (!is_linear_ && !scaled_.linearizeAt(x_, r_, jacobian_))
+      return end(Status::kFailed, "the model could not be differentiated");
+  }
 }
 
 }  // namespace
 
 LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
-  using Status = LeastSquaresStatus;
-  ScaledProblem scaled(problem);
-  VectorXd x = scaled.start(), r, next_r;
-  MatrixXd jacobian, next_jacobian;
-  if (!scaled.linearizeAt(x, r, jacobian)) return scaled.failureAtStart();
-  double chi2 = r.squaredNorm();
-  const double size = std::sqrt(static_cast<double>(x.size()));
-  double radius = kFirstRadius * size;
-  for (int iterations = 0;; ++iterations) {
-    Valley valley;
-    valley.open(jacobian, r);
-    const auto end = [&](Status status, const char* reason) {
-      return scaled.resultAt(x, chi2, status, reason, iterations);
-    };
-    const auto free = movable(scaled, x, valley.gradient);
-    if (free.empty()) return end(Status::kConverged, "every variable rests on a bound");
-    if (iterations == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
-    bool is_linear = false;
-    for (int tries = 0;; ++tries) {
-      double damping = 0;
-      const VectorXd next = scaled.withinBounds(x + boundedStep(scaled, valley, x, free, radius, damping));
-      const VectorXd step = next - x;
-      const double foretold = valley.fallBy(step);
-      if (damping == 0 && std::abs(foretold) <= stop.tolerance * std::max(chi2, kNoMisfit))
-        return end(Status::kConverged, "no step would lower chi2 by more than the tolerance");
-      // Most steps are taken, so the Jacobian comes with the value; after one that was not, the value alone.
-      is_linear = foretold > 0 && tries == 0 && scaled.linearizeAt(next, next_r, next_jacobian);
-      const double tried = is_linear ? next_r.squaredNorm() : foretold > 0 ? scaled.chi2At(next) : chi2;
-      const double fall = chi2 - tried;
-      radius = radiusAfter(radius, step.norm(), fall, foretold);
-      if (fall > 0) {
-        x = next;
-        chi2 = tried;
-        break;
-      }
-      if (radius <= kLeastRadius * size) return end(Status::kConverged, "chi2 falls no further than by rounding");
-    }
-    if (is_linear) {
-      r.swap(next_r);
-      jacobian.swap(next_jacobian);
-    } else if (!scaled.linearizeAt(x, r, jacobian)) {
-      return end(Status::kFailed, "the model could not be differentiated");
-    }
-    chi2 = r.squaredNorm();
-  }
+  return Descent(problem).run(stop);
 }
 
 }  // namespace tubeplan::calibration
