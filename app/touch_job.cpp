@@ -14,6 +14,7 @@
 #include "app/workcell.hpp"
 #include "calibration/base_calibration.hpp"
 #include "calibration/touch_choice.hpp"
+#include "calibration/touch_reserve.hpp"
 
 namespace tubeplan::app {
 
@@ -118,6 +119,24 @@ std::vector<ReachedHole> nearestHoles(const planner::Workcell& cell) {
   return nearest;
 }
 
+/// Holes still in reach where a base that nothing tells of yet stands otherwise than named; all, where too few are.
+std::vector<ReachedHole> surelyReached(Job& job, const std::vector<ReachedHole>& holes, int count) {
+  const auto& cell = *job.sheet_cell;
+  std::vector<calibration::TouchPlan> plans;
+  for (std::size_t k = 0; k < holes.size(); ++k)
+    plans.push_back({std::to_string(k), "",
+                     planner::holeCentre(cell.sheet.tubes[static_cast<std::size_t>(holes[k].tube)]), holes[k].q});
+  std::vector<ReachedHole> kept;
+  for (const auto& plan : calibration::keepTouchable(cell.arm, cell.X_WB, plans))
+    kept.push_back(holes[std::stoul(plan.id)]);
+  if (static_cast<int>(kept.size()) < count) return holes;
+  if (kept.size() < holes.size())
+    job.outcome.notes.push_back(fmt::format(
+        "{} of {} holes are left out as touches for the base: where it stands otherwise they may be out of reach",
+        holes.size() - kept.size(), holes.size()));
+  return kept;
+}
+
 /// The best three (and more) of all, where no reading tells anything yet.
 calibration::Design exhaustiveChoice(const Job& job, const Knowledge& knowledge, const std::vector<ReachedHole>& holes,
                                      const calibration::PosedDesign& posed, int count) {
@@ -150,14 +169,15 @@ void proposeForBase(Job& job) {
   const int count = job.request.count > 0 ? job.request.count : kTouches;
   if (count < 3) throw InputError("--count", std::to_string(count), "three or more touches to place a base");
   const Knowledge& knowledge = *job.of_base;
-  const auto holes = reachHoles(*job.sheet_cell, spreadHoles(job), false);
+  const bool is_first = job.readings.empty();
+  auto holes = reachHoles(*job.sheet_cell, spreadHoles(job), false);
+  if (is_first) holes = surelyReached(job, holes, count);
   proposal.candidates = holeTouches(*job.sheet_cell, holes, job.outcome.base_noise.sigma);
   const auto posed = calibration::poseDesign(knowledge, proposal.candidates, job.work);
   calibration::NextReadingsOptions options;
   options.seed = job.request.seed;
   options.design.count = count;
   options.design.optimality = calibration::Optimality::kMeanTip;
-  const bool is_first = job.readings.empty();
   auto design = is_first && holes.size() <= kExhaustive ? exhaustiveChoice(job, knowledge, holes, posed, count)
                                                         : calibration::chooseReadings(posed.problem, options.design);
   proposal.next = calibration::forecastReadings(knowledge, posed, std::move(design), options);

@@ -5,7 +5,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/touch_job.hpp"
+#include "app/workcell.hpp"
+#include "calibration/touch_reserve.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -53,6 +57,23 @@ TEST_F(LookAhead, touchesPlacesTheBaseOfTheMockUp) {
   EXPECT_GT(sigma["now"]["rms"].get<double>(), 1);
   EXPECT_EQ(found["base"]["nearest_holes"].size(), 3u);
   EXPECT_EQ(found["units"]["length"], "in");
+}
+
+/// A hole that only the base as named reaches is no touch to find the base by.
+TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
+  TouchRequest request;
+  request.cell = (shippedCells() / "mockup.yaml").string();
+  request.tubes = "spread:12";
+  const TouchOutcome found = proposeTouches(request);
+  const planner::Workcell cell = workcellOf(found.cell, "test");
+  std::vector<calibration::TouchPlan> plans;
+  for (const auto& step : found.base.value().next.design.steps) {
+    const auto& reading = found.base->chosen(step).readings.front();
+    plans.push_back({reading.point, reading.point, reading.p_W.value(), reading.q});
+  }
+  ASSERT_EQ(plans.size(), 3U);
+  EXPECT_EQ(calibration::keepTouchable(cell.arm, cell.X_WB, plans).size(), 3U);
+  EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("left out") != note.npos; }));
 }
 
 TEST_F(LookAhead, touchesAddsToTheTouchesMadeAlready) {
