@@ -52,6 +52,12 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   Eigen::LLT<MatrixXd> factor;
   for (int k = 0;; ++k) {
     factor.compute(normal);
+    if (factor.info() != Eigen::Success) {  // by rounding: the damping is too small to be seen
+      const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
+      normal.diagonal().array() += more;
+      damping += more;
+      continue;
+    }
     VectorXd step = -factor.solve(pull);
     const double length = step.norm();
     if (length <= (1 + kLengthRest) * radius || k == kDampings) return step;
@@ -121,9 +127,10 @@ class Descent {
 
 /// How far steps may go, by how well the last one was foretold.
 void Descent::settleRadius(double length, double fall, double foretold) {
-  if (fall > kGood * foretold)
+  const double share = fall > 0 ? fall / foretold : 0;  // a step that ran against bounds may foretell a rise
+  if (share > kGood)
     radius_ = std::max(radius_, 2 * length);
-  else if (!(fall > kPoor * foretold))
+  else if (!(share > kPoor))
     radius_ = kPoor * std::min(radius_, length);
 }
 

@@ -43,14 +43,16 @@ inline LeastSquaresProblem halfPlane(bool say_so) {
   return problem;
 }
 
-/// A x = b of random numbers, more rows than columns, within bounds that cut off some of the free answer.
-inline LeastSquaresProblem randomLinear(std::uint64_t seed) {
+/// A x = b of random numbers, more rows than columns, within bounds that cut off some of the free answer. Columns are
+/// all but one and the same where `own`, their own part, is small.
+inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   constexpr int kRows = 12, kColumns = 5;
   boost::random::mt19937_64 random(seed);
   boost::random::uniform_real_distribution<double> share(-1, 1);
   Eigen::MatrixXd A(kRows, kColumns);
   Eigen::VectorXd b(kRows);
   for (double& number : A.reshaped()) number = share(random);
+  if (own < 1) A = own * A + (1 - own) * A.col(0).replicate<1, kColumns>();
   for (double& number : b) number = 10 * share(random);
   auto problem = problemAt(Eigen::VectorXd::Zero(kColumns));
   problem.lower.setConstant(-1);
