@@ -80,7 +80,7 @@ class Rows:
             yield self.time(f'{case}: as `identify` does it', 'identification', own, goal)
             yield self.ratio(f'{case}: the same beside Ceres', 'identification', own, ceres, 1.0)
             yield self.ratio(f'{case}: the same beside Hooke-Jeeves', 'identification', own, f'{case}/hooke-jeeves', 0.01)
-            yield self.ratio(f'{case}: Ipopt alone, beside Ceres', 'identification', f'{case}/ipopt', ceres)
+            yield self.ratio(f'{case}: Ipopt alone, beside Ceres', 'identification', f'{case}/ipopt', ceres, 1.0)
         whole = '11 of 45 touch points/identify'
         yield self.time('11 of 45 touch points: all of `identify`, its judgement included', 'identification', whole)
 

@@ -1,5 +1,5 @@
-// Levenberg-Marquardt first, which is quickest where a fit is well posed; where it finds no rest soon, as in a long bent
-// valley, Ipopt goes another way from the same start, and the lower of the two ends is followed to its bottom.
+// Levenberg-Marquardt first, which is quickest where a fit is well posed; where it finds no rest soon, as in a long
+// bent valley, Ipopt goes another way from the same start, and the lower of the two ends is followed to its bottom.
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +10,6 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr int kSoon = 30;  // iterations
-
-LeastSquaresStop restOf(LeastSquaresMethod method, int iterations) {
-  const auto kinds = leastSquaresMethods();
-  const auto kind = std::ranges::find(kinds, method, &LeastSquaresMethodKind::method);
-  return {kind->stop.tolerance, iterations};
-}
 
 /// The work of both, for what one of them has found.
 LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
@@ -29,12 +23,13 @@ LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult
 
 LeastSquaresResult minimizeInTurn(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
   using Status = LeastSquaresStatus;
-  const auto soon = std::min(kSoon, stop.max_iterations);
+  const int soon = std::min(kSoon, stop.max_iterations);
   const LeastSquaresResult quick = minimizeByLevenbergMarquardt(problem, {stop.tolerance, soon});
   if (quick.status == Status::kConverged || std::isnan(quick.chi2) || stop.max_iterations <= kSoon) return quick;
 
   const int left = stop.max_iterations - soon;
-  const LeastSquaresResult other = minimizeByInteriorPoint(problem, restOf(LeastSquaresMethod::kInteriorPoint, left));
+  const LeastSquaresResult other =
+      minimizeLeastSquares(problem, {.max_iterations = left, .method = LeastSquaresMethod::kInteriorPoint});
   if (other.chi2 <= quick.chi2) return withWorkOf(other, quick);
 
   const LeastSquaresResult first = withWorkOf(quick, other);

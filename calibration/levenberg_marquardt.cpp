@@ -18,6 +18,7 @@ constexpr double kRest = 1e-13;               // of a variable's own curvature: 
 constexpr double kUnseen = 1e-30;             // of the largest curvature: what no residual depends on stays
 constexpr double kLengthRest = 0.1;           // of the radius, by which a damped step may be longer
 constexpr int kDampings = 20;                 // tries to bring a step to the radius
+constexpr int kFactorisations = 100;          // tries to make the damped matrix positive definite, doubling each time
 constexpr double kNoMisfit = 1e-6;            // chi2 below which the tolerance is no longer a share of it
 constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the foretold fall for a longer, and for a shorter radius
 
@@ -50,12 +51,15 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   normal.diagonal() *= 1 + kRest;
   normal.diagonal().array() += kUnseen * normal.diagonal().maxCoeff() + damping;
   Eigen::LLT<MatrixXd> factor;
-  for (int k = 0;; ++k) {
+  int indefinite = 0;
+  for (int k = 0; k <= kDampings; ++k) {
     factor.compute(normal);
     if (factor.info() != Eigen::Success) {  // by rounding: the damping is too small to be seen
+      if (++indefinite > kFactorisations) break;
       const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
       normal.diagonal().array() += more;
       damping += more;
+      --k;
       continue;
     }
     VectorXd step = -factor.solve(pull);
@@ -65,6 +69,7 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
     normal.diagonal().array() += more;
     damping += more;
   }
+  return VectorXd::Zero(pull.size());
 }
 
 /// The step of the free variables, of `radius` at most; what would leave its bounds goes to the bound, and the others
@@ -168,7 +173,10 @@ LeastSquaresResult Descent::run(const LeastSquaresStop& stop) {
     chi2_ = r_.squaredNorm();
     valley_.open(jacobian_, r_);
     free_ = movable(scaled_, x_, valley_.gradient);
+    if (!valley_.gradient.allFinite() || !valley_.normal.allFinite())
+      return end(Status::kFailed, "the derivatives are too large to be squared");
     if (free_.empty()) return end(Status::kConverged, "every variable rests on a bound");
+    if (valley_.gradient(free_).isZero(0)) return end(Status::kConverged, "chi2 does not depend on the variables here");
     if (iterations_ == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
     const Step taken = step(stop.tolerance);
     if (taken == Step::kAtRest) return end(Status::kConverged, "no step would lower chi2 by more than the tolerance");

@@ -25,21 +25,28 @@ Eigen::VectorXd encoderNoise(const deflection::Arm& arm, std::mt19937_64& random
 
 }  // namespace
 
+std::vector<deflection::Branch> reachPlaces(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                            const std::vector<Eigen::Vector3d>& places_W,
+                                            const std::vector<Eigen::VectorXd>& starts, double load,
+                                            const Eigen::Vector3d& axis_W) {
+  std::vector<deflection::ToolGoal> goals;
+  for (const auto& place_W : places_W) goals.push_back({X_WB.inverse() * place_W, X_WB.linear().transpose() * axis_W});
+  deflection::InverseSolver solver(arm, load, deflection::gravityInBase(arm, X_WB));
+  return solver.refine(goals, starts);
+}
+
 TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                 const std::vector<TouchPlan>& plans, const TouchSimulationOptions& options) {
   TouchSimulation result;
   std::mt19937_64 random(options.seed);
-  std::vector<deflection::ToolGoal> goals;
+  std::vector<Eigen::Vector3d> tips_W;
   std::vector<Eigen::VectorXd> starts, reading_noise;
   for (const auto& plan : plans) {
-    const Eigen::Vector3d tip_W =
-        plan.p_WH + gaussian(random, options.sigma) + gaussian(random, options.model_error_sigma);
-    goals.push_back({X_WB.inverse() * tip_W, X_WB.linear().transpose() * options.axis_W});
+    tips_W.push_back(plan.p_WH + gaussian(random, options.sigma) + gaussian(random, options.model_error_sigma));
     starts.push_back(plan.q_start);
     reading_noise.push_back(encoderNoise(truth, random));
   }
-  deflection::InverseSolver solver(truth, options.load, deflection::gravityInBase(truth, X_WB));
-  const auto branches = solver.refine(goals, starts);
+  const auto branches = reachPlaces(truth, X_WB, tips_W, starts, options.load, options.axis_W);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     const auto& plan = plans[k];
     if (branches[k].status != deflection::BranchStatus::kConverged) {

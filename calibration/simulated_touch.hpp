@@ -34,6 +34,12 @@ struct TouchSimulation {
   std::vector<Touch> touches;
 };
 
+/// How the arm, standing at X_WB, brings its deflected tip to each of these places, each from a start near it.
+[[nodiscard]] std::vector<deflection::Branch> reachPlaces(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                                          const std::vector<Eigen::Vector3d>& places_W,
+                                                          const std::vector<Eigen::VectorXd>& starts, double load,
+                                                          const Eigen::Vector3d& axis_W);
+
 /// What the arm `truth`, standing at X_WB, would read at each planned touch.
 [[nodiscard]] TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                               const std::vector<TouchPlan>& plans,

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "deflection/inverse_solver.hpp"
-
 namespace tubeplan::calibration {
 
 namespace {
@@ -31,19 +29,20 @@ Eigen::Isometry3d displaced(const Eigen::Isometry3d& X_WB, const Vector6& way, c
   return X;
 }
 
-/// Whether the arm, standing at X_WB, can touch each of the candidates.
-std::vector<bool> areTouched(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                             const std::vector<TouchPlan>& candidates) {
-  std::vector<deflection::ToolGoal> goals;
+/// Those of the candidates that the arm touches where it stands at X_WB.
+std::vector<TouchPlan> touchedFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                   const std::vector<TouchPlan>& candidates) {
+  std::vector<Eigen::Vector3d> holes_W;
   std::vector<Eigen::VectorXd> starts;
   for (const TouchPlan& candidate : candidates) {
-    goals.push_back({X_WB.inverse() * candidate.p_WH, X_WB.linear().transpose() * TouchSimulationOptions{}.axis_W});
+    holes_W.push_back(candidate.p_WH);
     starts.push_back(candidate.q_start);
   }
-  deflection::InverseSolver solver(arm, 0, deflection::gravityInBase(arm, X_WB));
-  std::vector<bool> touched;
-  for (const auto& branch : solver.refine(goals, starts))
-    touched.push_back(branch.status == deflection::BranchStatus::kConverged);
+  const TouchSimulationOptions usual;
+  const auto branches = reachPlaces(arm, X_WB, holes_W, starts, usual.load, usual.axis_W);
+  std::vector<TouchPlan> touched;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (branches[k].status == deflection::BranchStatus::kConverged) touched.push_back(candidates[k]);
   return touched;
 }
 
@@ -52,12 +51,7 @@ std::vector<bool> areTouched(const deflection::Arm& arm, const Eigen::Isometry3d
 std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                      const std::vector<TouchPlan>& candidates, const BaseDoubt& doubt) {
   std::vector<TouchPlan> kept = candidates;
-  for (const Vector6& way : waysOff()) {
-    const auto touched = areTouched(arm, displaced(X_WB, way, doubt), kept);
-    std::erase_if(kept, [&](const TouchPlan& candidate) {
-      return !touched[static_cast<std::size_t>(&candidate - kept.data())];
-    });
-  }
+  for (const Vector6& way : waysOff()) kept = touchedFrom(arm, displaced(X_WB, way, doubt), kept);
   return kept;
 }
 

@@ -1,6 +1,8 @@
 // Least-squares problems with known answers, and a watch on what they are asked.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
@@ -18,6 +20,12 @@ inline LeastSquaresProblem problemAt(const Eigen::VectorXd& start) {
   problem.upper = Eigen::VectorXd::Constant(start.size(), kFar);
   problem.scale = Eigen::VectorXd::Ones(start.size());
   return problem;
+}
+
+inline double chi2Of(const LeastSquaresProblem& problem, const Eigen::VectorXd& x) {
+  Eigen::VectorXd r;
+  EXPECT_TRUE(problem.evaluate(x, r, nullptr));
+  return r.squaredNorm();
 }
 
 /// A curved valley with its bottom, zero, at (1, 1).
