@@ -15,7 +15,7 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::ErrorSize, calibration::Identification, calibration::IdentificationStatus,
-    calibration::IdentifiedNumber, calibration::Told, calibration::Unknown;
+    calibration::Identifiability, calibration::IdentifiedNumber, calibration::Unknown;
 
 const char* nameOf(IdentificationStatus status) {
   switch (status) {
@@ -33,9 +33,9 @@ const char* nameOf(IdentificationStatus status) {
   return "";
 }
 
-std::string toldText(const IdentifiedNumber& number) {
-  if (number.told == Told::kYes) return "yes";
-  if (number.told == Told::kNo) return "no";
+std::string identifiableText(const IdentifiedNumber& number) {
+  if (number.identifiable == Identifiability::kYes) return "yes";
+  if (number.identifiable == Identifiability::kNo) return "no";
   return fmt::format("with {}", fmt::join(number.with, " and "));
 }
 
@@ -46,16 +46,25 @@ nlohmann::json sizeJson(const ErrorSize& size, const Units& units) {
           {"readings", size.readings}};
 }
 
-nlohmann::json numberJson(const IdentifiedNumber& number, const deflection::Arm& arm, const Units& units) {
-  const Dimension unit = dimensionOf(number.unknown, arm);
+/// A prior's sigma in the file's units; of a stiffness, whose compliance has it, as a share of the value.
+nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
+  const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
+  return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)
+                                  : finiteJson(unknown.prior_sigma / units.factor(dimensionOf(unknown.quantity)))},
+          {"of", is_compliance ? "compliance, as a share of that at the start" : "value"}};
+}
+
+nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown.quantity);
   const double factor = units.factor(unit);
   nlohmann::json json = {{"name", number.unknown.name},
                          {"value", finiteJson(number.value / factor)},
                          {"sigma", finiteJson(number.sigma / factor)},
                          {"unit", units.nameOf(unit)},
                          {"start", finiteJson(number.unknown.start / factor)},
-                         {"identifiable", toldText(number)},
-                         {"held", number.is_held},
+                         {"identifiable", identifiableText(number)},
+                         {"prior", priorJson(number.unknown, units)},
+                         {"prior_deviation", finiteJson(number.prior_deviation)},
                          {"interval", {finiteJson(number.lower / factor), finiteJson(number.upper / factor)}},
                          {"interval_by", number.is_profile ? "profile" : "sigma"}};
   if (number.is_at_bound) json["at_bound"] = true;
@@ -73,28 +82,18 @@ std::string sizeText(const char* title, const ErrorSize& size, const Units& unit
                      lengthFigure(size.mean, units), lengthFigure(size.max, units), units.length().name);
 }
 
-std::string numberText(const IdentifiedNumber& number, const deflection::Arm& arm, const Units& units) {
-  const Dimension unit = dimensionOf(number.unknown, arm);
+std::string numberText(const IdentifiedNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown.quantity);
   const double factor = units.factor(unit);
   std::string text = fmt::format("  {:<36} {:>12.6g}", number.unknown.name, number.value / factor);
-  if (number.is_held)
-    text += fmt::format(" {:<14} {:<30}", units.nameOf(unit), "held");
-  else
-    text += fmt::format(" {:<14} sigma {:>9.3g}  95 % {:.6g} to {:.6g}", units.nameOf(unit), number.sigma / factor,
-                        number.lower / factor, number.upper / factor);
-  text += fmt::format("  start {:.6g}  identifiable: {}\n", number.unknown.start / factor, toldText(number));
+  text += fmt::format(" {:<14} sigma {:>9.3g}  95 % {:.6g} to {:.6g}", units.nameOf(unit), number.sigma / factor,
+                      number.lower / factor, number.upper / factor);
+  text += fmt::format("  start {:.6g}  identifiable: {}\n", number.unknown.start / factor, identifiableText(number));
   if (!number.note.empty()) text += "      " + number.note + "\n";
   return text;
 }
 
 }  // namespace
-
-Dimension dimensionOf(const Unknown& unknown, const deflection::Arm& arm) {
-  const bool slides =
-      unknown.owner == Unknown::Owner::kArm && unknown.name.ends_with("joint.offset") &&
-      arm.rows.at(static_cast<std::size_t>(unknown.path.row)).joint.type == deflection::JointType::kPrismatic;
-  return slides ? dimension::kLength : dimensionOf(unknown.quantity);
-}
 
 nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
                                   const Units& units) {
@@ -103,7 +102,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   if (result.status == IdentificationStatus::kRefused) return json;
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kArm)
-      json["parameters"].push_back(numberJson(number, result.fitted.arm, units));
+      json["parameters"].push_back(numberJson(number, units));
   json["bases"] = nlohmann::json::array();
   for (const auto& placing : result.fitted.placings)
     json["bases"].push_back(
@@ -111,7 +110,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["base_steps"] = nlohmann::json::array();
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kBase)
-      json["base_steps"].push_back(numberJson(number, result.fitted.arm, units));
+      json["base_steps"].push_back(numberJson(number, units));
   json["rms"] = {{"before", lengthJson(result.before.rms, units)},
                  {"after_base", lengthJson(result.after_base.rms, units)},
                  {"after", lengthJson(result.after.rms, units)},
@@ -127,7 +126,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
   json["p_value"] = finiteJson(result.p_value);
-  json["sigma_widened_by"] = finiteJson(result.widening);
+  json["model_error"] = lengthJson(result.model_error, units);
   json["dropped"] = result.dropped;
   json["correlations"] = nlohmann::json::array();
   for (const auto& pair : result.correlations)
@@ -161,13 +160,15 @@ std::string identificationText(const Identification& result, const std::vector<c
   text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthFigure(result.noise_floor, units));
   text += fmt::format("chi-square {:.1f} for {} degrees of freedom ({:.2f} each, p = {:.3g})\n", result.chi2,
                       result.degrees_of_freedom, result.chi2 / std::max(1, result.degrees_of_freedom), result.p_value);
-  if (result.widening > 1)
-    text += fmt::format("the misfit is more than the stated noise allows: every sigma is widened by {:.2f}\n",
-                        result.widening);
+  if (result.model_error > 0)
+    text += fmt::format(
+        "lack of fit: beyond the stated noise the model is off by {} {} in each coordinate (one standard deviation); "
+        "sigmas and intervals count it as noise\n",
+        lengthFigure(result.model_error, units), units.length().name);
   text += "parameters\n";
   for (const auto& number : result.numbers)
-    if (number.unknown.owner == Unknown::Owner::kArm || number.is_held)
-      text += numberText(number, result.fitted.arm, units);
+    if (number.unknown.owner == Unknown::Owner::kArm || number.identifiable != Identifiability::kYes)
+      text += numberText(number, units);
   for (const auto& dropped : result.dropped) text += "  dropped " + dropped + "\n";
   for (const auto& pair : result.correlations)
     text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);

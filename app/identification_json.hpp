@@ -9,9 +9,6 @@
 
 namespace tubeplan::app {
 
-/// The unit of a free number: a slide's offset is a length although its quantity says angle.
-[[nodiscard]] Dimension dimensionOf(const calibration::Unknown& unknown, const deflection::Arm& arm);
-
 /// `readings` are those that were given, for naming outliers.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
                                                 const std::vector<calibration::Measurement>& readings,

@@ -40,7 +40,7 @@ Rung rungOf(const std::string& name, const calibration::Identification& fit) {
   Rung rung;
   rung.name = name;
   rung.model = fit.fitted;
-  rung.fitted_numbers = static_cast<int>(fit.fitted_numbers.size());
+  rung.fitted_numbers = static_cast<int>(fit.numbers.size());
   rung.as_it_stands = fit.before;
   rung.fitted = fit.after;
   rung.heldout = fit.heldout;

@@ -74,13 +74,6 @@ double knowledgeFigure(const SensitivityReport& report, std::size_t n) {
   return isDesignable(number) ? perCent(number, number.error) : kNone;
 }
 
-Dimension unitOf(const NumberSensitivity& number, const Cell& cell) {
-  const bool slides = number.parameter.name.ends_with("joint.offset") &&
-                      cell.arm.rows[static_cast<std::size_t>(number.parameter.path.row)].joint.type ==
-                          deflection::JointType::kPrismatic;
-  return slides ? dimension::kLength : dimensionOf(number.parameter.quantity);
-}
-
 nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
   nlohmann::json list = nlohmann::json::array();
   const double unit = cell.units.factor(dimension::kLength);
@@ -88,8 +81,8 @@ nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
     const auto& number = report.figures.numbers[n];
     list.push_back({{"name", number.parameter.name},
                     {"kind", wordsOf(number.kind)->name},
-                    {"value", cell.units.toFile(number.parameter.value, unitOf(number, cell))},
-                    {"unit", cell.units.nameOf(unitOf(number, cell))},
+                    {"value", cell.units.toFile(number.parameter.value, dimensionOf(number.parameter.quantity))},
+                    {"unit", cell.units.nameOf(dimensionOf(number.parameter.quantity))},
                     {"deflection_per_percent", finiteJson(perCent(number, number.deflection) / unit)},
                     {"uncompensated_per_percent", finiteJson(perCent(number, number.centring) / unit)},
                     {"sentence", sentence(number, cell.units)}});
@@ -102,10 +95,10 @@ nlohmann::json knowledgeJson(const SensitivityReport& report, const Cell& cell) 
   const double unit = cell.units.factor(dimension::kLength);
   for (const std::size_t n : ranked(report, knowledgeFigure)) {
     const auto& number = report.figures.numbers[n];
-    const double factor = cell.units.factor(unitOf(number, cell)), sigma = sigmaOf(report, n);
+    const double factor = cell.units.factor(dimensionOf(number.parameter.quantity)), sigma = sigmaOf(report, n);
     nlohmann::json json = {{"name", number.parameter.name},
                            {"value", finiteJson(number.parameter.value / factor)},
-                           {"unit", cell.units.nameOf(unitOf(number, cell))},
+                           {"unit", cell.units.nameOf(dimensionOf(number.parameter.quantity))},
                            {"sigma", finiteJson(sigma / factor)},
                            {"error_per_sigma", finiteJson(sigma * number.error / unit)}};
     if (isDesignable(number)) {

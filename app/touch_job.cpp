@@ -225,13 +225,14 @@ void proposeForParameters(Job& job) {
 /// New readings are made where the arm stands now.
 std::string lastSetup(const Knowledge& knowledge) { return knowledge.start.placings.back().setup; }
 
-void note(const Knowledge& knowledge, std::vector<std::string>& notes) {
+void note(const Knowledge& knowledge, const Units& units, std::vector<std::string>& notes) {
   if (!knowledge.note.empty())
     notes.push_back("the readings could not be fitted (" + knowledge.note + "): the cell's own values stand in");
-  if (knowledge.noise > 1)
+  if (knowledge.model_error > 0)
     notes.push_back(
-        fmt::format("the readings misfit by more than their noise: every reading is taken as {:.2f} times as noisy",
-                    knowledge.noise));
+        fmt::format("lack of fit: beyond the stated noise the model is off by {:.4g} {} in each coordinate, which counts "
+                    "as noise of every reading",
+                    knowledge.model_error / units.factor(dimension::kLength), units.length().name));
   if (knowledge.start.placings.size() > 1)
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(knowledge) + "'");
 }
@@ -241,7 +242,7 @@ void learn(Job& job, const std::string& named_by) {
   auto& outcome = job.outcome;
   if (wants(job, "parameters")) {
     job.of_numbers = knowledgeOf(outcome.cell, job.readings, {job.request.free, !outcome.cell.base_known}, named_by);
-    note(*job.of_numbers, outcome.notes);
+    note(*job.of_numbers, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*job.of_numbers);
     outcome.cell = cellAsKnown(outcome.cell, *job.of_numbers);
   }
@@ -251,7 +252,7 @@ void learn(Job& job, const std::string& named_by) {
   job.of_base = knowledgeOf(unplaced, job.readings, {{}, true}, named_by);
   if (wants(job, "parameters")) return;
   outcome.setup = lastSetup(*job.of_base);
-  note(*job.of_base, outcome.notes);
+  note(*job.of_base, outcome.cell.units, outcome.notes);
   outcome.cell = cellAsKnown(outcome.cell, *job.of_base);
 }
 

@@ -73,8 +73,8 @@ void appendReadings(const TouchOutcome& outcome, const Proposal& proposal, char 
   }
 }
 
-nlohmann::json numberJson(const NumberForecast& number, const deflection::Arm& arm, const Units& units) {
-  const Dimension unit = dimensionOf(number.unknown, arm);
+nlohmann::json numberJson(const NumberForecast& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown.quantity);
   const double factor = units.factor(unit);
   return {{"name", number.unknown.name},
           {"value", finiteJson(number.value / factor)},
@@ -100,7 +100,7 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const Proposal& proposa
                            {"random", tipJson(next.tip_random, units)}}},
                          {"bits", {{"after", finiteJson(next.bits)}, {"random", finiteJson(next.bits_random)}}}};
   json["numbers"] = nlohmann::json::array();
-  for (const auto& number : next.numbers) json["numbers"].push_back(numberJson(number, outcome.cell.arm, units));
+  for (const auto& number : next.numbers) json["numbers"].push_back(numberJson(number, units));
   return json;
 }
 
@@ -196,7 +196,7 @@ std::string parametersText(const TouchOutcome& outcome) {
   text += readingsText(outcome, proposal, 'N') + tipText(outcome, proposal);
   text += fmt::format("  {:<36} {:>12} {:>12} {:>12}\n", "sigma of the parameters", "now", "after", "after random");
   for (const auto& number : proposal.next.numbers) {
-    const Dimension unit = dimensionOf(number.unknown, outcome.cell.arm);
+    const Dimension unit = dimensionOf(number.unknown.quantity);
     const double factor = outcome.cell.units.factor(unit);
     text += fmt::format("  {:<36} {:>12} {:>12} {:>12} {}\n", number.unknown.name,
                         shareText(number.now / factor, number.is_told_now),

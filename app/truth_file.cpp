@@ -31,13 +31,6 @@ bool isGeometry(const std::string& name) {
          name.starts_with("tool.tip.");
 }
 
-// The offset of a slide is a length.
-Dimension unitOf(const deflection::Parameter& parameter, const deflection::Arm& arm) {
-  const bool is_offset = parameter.name.ends_with(".joint.offset");
-  return is_offset ? jointDimension(arm.rows.at(static_cast<std::size_t>(parameter.path.row)).joint)
-                   : dimensionOf(parameter.quantity);
-}
-
 std::string headText(const TruthFile& file) {
   const Units& units = file.cell.units;
   std::vector<std::string> encoders;
@@ -62,7 +55,7 @@ std::string parametersText(const TruthFile& file) {
   deflection::Arm truth = file.truth.arm;
   std::string text;
   for (const auto& parameter : identifiedParameters(file.cell)) {
-    const Dimension unit = unitOf(parameter, file.cell.arm);
+    const Dimension unit = dimensionOf(parameter.quantity);
     text += fmt::format("  - {{name: {}, value: {}, nominal: {}, unit: {}}}\n", inYamlQuotes(parameter.name),
                         formatNumber(units.toFile(deflection::locate(truth, parameter.path), unit)),
                         formatNumber(units.toFile(parameter.value, unit)), inYamlQuotes(units.nameOf(unit)));

@@ -56,7 +56,7 @@ void identify(benchmark::State& state) {
     error = std::max(error, std::abs(found.numbers.at(k).value / session->truth[k] - 1));
   state.counters["error_%"] = 100 * error;
   state.SetLabel(found.status == calibration::IdentificationStatus::kDone
-                     ? std::to_string(found.fitted_numbers.size()) + " told"
+                     ? std::to_string(found.numbers.size()) + " free"
                      : "NOT DONE: " + found.reason);
 }
 

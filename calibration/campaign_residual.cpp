@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "calibration/predict_all.hpp"
+#include "calibration/prior.hpp"
 #include "calibration/reading_batch.hpp"
 #include "deflection/rotation.hpp"
 
@@ -60,8 +61,15 @@ std::vector<int> placingsOf(const PlacedArm& placed, const std::vector<Measureme
 void takePointsOff(const ReadingWeights& weights, MatrixXd& columns) { takeWhatPointsAbsorb(weights, columns); }
 
 CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                   const std::vector<Measurement>& readings, const ReadingWeights& weights)
-    : start_(start), unknowns_(unknowns), readings_(readings), weights_(weights), placed_(start) {
+                                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                   Priors priors, StopQuestion stop)
+    : start_(start),
+      unknowns_(unknowns),
+      readings_(readings),
+      weights_(weights),
+      stop_(std::move(stop)),
+      placed_(start) {
+  if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
   placing_of_ = placingsOf(start, readings);
   bases_.resize(start.placings.size());
   bool has_base = false;
@@ -97,8 +105,8 @@ void CampaignResidual::moveTo(const VectorXd& x) {
 
 bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, VectorXd* error) {
   moveTo(x);
-  r.resize(weights_.rows);
-  if (jacobian) jacobian->setZero(weights_.rows, x.size());
+  r.resize(weights_.rows + prior_slopes_.size());
+  if (jacobian) jacobian->setZero(r.size(), x.size());
   if (error) error->resize(weights_.rows);
   const Rows to{&r, jacobian, error};
   bool is_done = false;
@@ -106,6 +114,9 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   takeWhatPointsAbsorb(weights_, r);
   if (jacobian) takeWhatPointsAbsorb(weights_, *jacobian);
   if (error) takeEstimatesOff(weights_, *error);
+  if (prior_slopes_.size() == 0) return true;
+  r.tail(x.size()) = priorResiduals(unknowns_, x);
+  if (jacobian) jacobian->bottomRows(x.size()).diagonal() = prior_slopes_;
   return true;
 }
 
@@ -120,7 +131,7 @@ bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
   std::atomic<bool> ok = true;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kBlock), [&](const auto& range) {
     ReadingBatch own(placed_.arm);
-    if (!fillBlock(own, range.begin(), range.size(), to)) ok = false;
+    if (shouldStop(stop_) || !fillBlock(own, range.begin(), range.size(), to)) ok = false;
   });
   return ok;
 }
@@ -187,7 +198,7 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
 }
 
 bool CampaignResidual::fillOneByOne(const Rows& to) const {
-  return predictAll(placed_, readings_.size(), [&](ReadingPredictor& predictor, std::size_t k) {
+  return predictAll(placed_, readings_.size(), stop_, [&](ReadingPredictor& predictor, std::size_t k) {
     const auto placing = static_cast<std::size_t>(placing_of_[k]);
     PredictionRequest request;
     if (to.jacobian) {

@@ -13,9 +13,13 @@ class ReadingBatch;
 
 class CampaignResidual {
  public:
-  /// All of these must outlive this.
+  /// Whether the unknowns' priors stand as further residuals below those of the readings, one for each unknown.
+  enum class Priors { kNone, kAppended };
+
+  /// All of these must outlive this. Asked to stop, an evaluation ends early, as one that is not possible.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                   const std::vector<Measurement>& readings, const ReadingWeights& weights);
+                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                   Priors priors = Priors::kNone, StopQuestion stop = {});
 
   /// The residual at variables x, its Jacobian where it is not null; false where the model cannot be evaluated.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
@@ -50,6 +54,8 @@ class CampaignResidual {
   const std::vector<Unknown>& unknowns_;
   const std::vector<Measurement>& readings_;
   const ReadingWeights& weights_;
+  Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
+  StopQuestion stop_;
   std::vector<int> placing_of_;                   ///< of each reading
   std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
   std::vector<Eigen::Index> numbers_;             ///< column of each number

@@ -46,12 +46,8 @@ std::vector<Unknown> baseUnknowns(const PlacedArm& placed) {
 Uncertain uncertainOf(const Identification& fit, const CentringForecastOptions& options) {
   Uncertain uncertain;
   uncertain.about.start = fit.fitted;
-  std::vector<Unknown> fitted;
-  for (const int k : fit.fitted_numbers) {
-    const auto& number = fit.numbers[static_cast<std::size_t>(k)];
-    fitted.push_back(rebased(number.unknown, number.value));
-  }
-  if (!fitted.empty()) append(fitted, fit.covariance * fit.widening * fit.widening, uncertain);
+  const auto fitted = fittedUnknowns(fit);
+  if (!fitted.empty()) append(fitted, fit.covariance, uncertain);
   if (options.base_covariance && fit.fitted.placings.back().is_known)
     append(baseUnknowns(fit.fitted), *options.base_covariance, uncertain);
   uncertain.about.x = VectorXd::Zero(static_cast<Index>(uncertain.about.unknowns.size()));

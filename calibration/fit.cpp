@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "calibration/campaign_residual.hpp"
+#include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -16,6 +17,9 @@ namespace {
 
 constexpr int kMaxRounds = 3;
 constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that asks for another round
+constexpr double kLackOfFit = 0.01;    // p below which the stated noise is refused
+constexpr int kMaxModelErrorRounds = 8;
+constexpr double kModelErrorConverged = 0.01;  // relative change that asks for no further round
 
 /// Weight of each reading by its whitened length, against the spread of most readings: a model that is off everywhere
 /// must not make every reading an outlier.
@@ -42,7 +46,7 @@ VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWe
 
 LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                               const VectorXd& x) {
+                               const VectorXd& x, const StopQuestion& stop) {
   const auto n = static_cast<Index>(unknowns.size());
   LeastSquaresProblem problem;
   problem.start = x;
@@ -55,7 +59,8 @@ LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown
     problem.upper[k] = unknown.upper;
     problem.scale[k] = unknown.typical;
   }
-  const auto residual = std::make_shared<CampaignResidual>(start, unknowns, readings, weights);
+  const auto residual = std::make_shared<CampaignResidual>(start, unknowns, readings, weights,
+                                                           CampaignResidual::Priors::kAppended, stop);
   problem.evaluate = [residual](const VectorXd& at, VectorXd& r, MatrixXd* jacobian) {
     return residual->evaluate(at, r, jacobian);
   };
@@ -68,50 +73,144 @@ LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem, const Le
   return result;
 }
 
-Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
-                const VectorXd& x, const LeastSquaresOptions& solver, RobustLoss loss) {
-  Fit fit;
-  fit.solution.x = x;
-  VectorXd next_factors;
-  int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
-  double before = std::numeric_limits<double>::quiet_NaN();
-  const int rounds = loss == RobustLoss::kNone ? kMaxRounds : 5 * kMaxRounds;
-  for (int round = 0; round < rounds; ++round) {
-    auto weights = weighReadings(applied(start, unknowns, fit.solution.x), readings, next_factors);
-    if (!weights) {
-      fit.solution.status = LeastSquaresStatus::kFailed;
-      fit.solution.reason = "the deflected shape does not settle: the arm is too soft for its load";
-      return fit;
-    }
-    fit.weights = std::move(*weights);
-    fit.factors = next_factors;
-    if (round > 0 && loss == RobustLoss::kNone) {
-      const double now =
-          whitenedResidual(start, unknowns, readings, fit.weights, fit.solution.x, false).r.squaredNorm();
-      if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) break;
-    }
-    const VectorXd from = fit.solution.x;
-    if (unknowns.empty()) {
-      fit.solution.status = LeastSquaresStatus::kConverged;
-    } else {
-      fit.solution = minimizeOrUnwind(fitProblem(start, unknowns, readings, fit.weights, from), solver);
-      iterations += fit.solution.iterations;
-      evaluations += fit.solution.evaluations;
-      jacobian_evaluations += fit.solution.jacobian_evaluations;
-    }
-    if (fit.solution.status == LeastSquaresStatus::kFailed) return fit;
-    before = fit.solution.chi2;
-    if (loss == RobustLoss::kNone) continue;
-    const auto residual = whitenedResidual(start, unknowns, readings, fit.weights, fit.solution.x, false);
-    next_factors = robustFactors(readings, fit.weights, residual, fit.factors, loss);
-    if (fit.factors.size() && (next_factors - fit.factors).cwiseAbs().maxCoeff() < 1e-3) break;
+namespace {
+
+/// One fit under way.
+class Fitting {
+ public:
+  Fitting(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
+          const VectorXd& x, const FitOptions& options)
+      : start_(start), unknowns_(unknowns), readings_(readings), options_(options) {
+    fit_.solution.x = x;
+    fit_.weights.model_error = options.model_error.value_or(0);
   }
-  fit.residual = whitenedResidual(start, unknowns, readings, fit.weights, fit.solution.x, true);
-  fit.solution.chi2 = fit.residual.r.squaredNorm();
-  fit.solution.iterations = iterations;
-  fit.solution.evaluations = evaluations;
-  fit.solution.jacobian_evaluations = jacobian_evaluations;
-  return fit;
+
+  Fit run() {
+    if (!untilWeightsRest() || !describe()) return std::move(fit_);
+    if (options_.model_error || !(fit_.p_value < kLackOfFit)) return std::move(fit_);
+    for (int round = 0; round < kMaxModelErrorRounds; ++round) {
+      const double before = fit_.weights.model_error;
+      const double now = modelErrorOf(readings_, fit_.weights, fit_.residual.error, fit_.degrees_of_freedom);
+      if (std::abs(now - before) <= kModelErrorConverged * now) break;
+      fit_.weights = reweighted(fit_.weights, readings_, now, fit_.factors);
+      if (!minimize() || !describe()) break;
+    }
+    return std::move(fit_);
+  }
+
+ private:
+  bool weigh() {
+    const PlacedArm placed = applied(start_, unknowns_, fit_.solution.x);
+    auto weights = weighReadings(placed, readings_, fit_.factors, fit_.weights.model_error, options_.solver.stop);
+    if (!weights) return failed("the model cannot be evaluated at the readings: the arm is too soft for its load");
+    fit_.weights = std::move(*weights);
+    return true;
+  }
+
+  bool failed(const char* reason) {
+    goOn(options_.solver.stop);
+    fit_.solution.status = LeastSquaresStatus::kFailed;
+    fit_.solution.reason = reason;
+    return false;
+  }
+
+  bool minimize() {
+    if (unknowns_.empty()) {
+      fit_.solution.status = LeastSquaresStatus::kConverged;
+      return true;
+    }
+    const LeastSquaresResult before = fit_.solution;
+    const LeastSquaresProblem problem =
+        fitProblem(start_, unknowns_, readings_, fit_.weights, before.x, options_.solver.stop);
+    fit_.solution = minimizeOrUnwind(problem, options_.solver);
+    fit_.solution.iterations += before.iterations;
+    fit_.solution.evaluations += before.evaluations;
+    fit_.solution.jacobian_evaluations += before.jacobian_evaluations;
+    return fit_.solution.status != LeastSquaresStatus::kFailed;
+  }
+
+  [[nodiscard]] WhitenedResidual residual(const ReadingWeights& weights, bool with_jacobian) const {
+    return whitenedResidual(start_, unknowns_, readings_, weights, fit_.solution.x, with_jacobian,
+                            options_.solver.stop);
+  }
+
+  /// Encoders' noise reaches a reading by the posture's slopes, and a robust weight by the residual: both follow the
+  /// solution.
+  bool untilWeightsRest() {
+    const bool is_robust = options_.loss != RobustLoss::kNone;
+    const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
+    double before = std::numeric_limits<double>::quiet_NaN();
+    for (int round = 0; round < rounds; ++round) {
+      if (!weigh()) return false;
+      if (round > 0 && !is_robust) {
+        const double now = residual(fit_.weights, false).r.squaredNorm();
+        if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) break;
+      }
+      if (!minimize()) return false;
+      const WhitenedResidual at = residual(fit_.weights, false);
+      if (!at.ok) return failed("the model cannot be evaluated at the readings");
+      before = at.r.squaredNorm();
+      if (!is_robust) continue;
+      const VectorXd factors = robustFactors(readings_, fit_.weights, at, fit_.factors, options_.loss);
+      const bool rest = fit_.factors.size() && (factors - fit_.factors).cwiseAbs().maxCoeff() < 1e-3;
+      fit_.factors = factors;
+      if (rest) break;
+    }
+    if (is_robust) fit_.weights = reweighted(fit_.weights, readings_, fit_.weights.model_error, fit_.factors);
+    return true;
+  }
+
+  /// Residual, covariance and chi-square at the solution.
+  bool describe() {
+    fit_.residual = residual(fit_.weights, true);
+    if (!fit_.residual.ok || !fit_.residual.r.allFinite() || !fit_.residual.jacobian.allFinite())
+      return failed("the model cannot be differentiated at the readings");
+    fit_.solution.chi2 = fit_.residual.r.squaredNorm();
+    fit_.covariance = posteriorCovariance(fit_.residual.jacobian, unknowns_);
+    fit_.degrees_of_freedom = fit_.weights.degrees_of_freedom - numbersDetermined(fit_.covariance, unknowns_);
+    const bool is_stated = fit_.weights.model_error == 0;
+    fit_.chi2 = is_stated ? fit_.solution.chi2
+                          : residual(reweighted(fit_.weights, readings_, 0, fit_.factors), false).r.squaredNorm();
+    fit_.p_value = chiSquareTail(fit_.chi2, fit_.degrees_of_freedom);
+    return true;
+  }
+
+  const PlacedArm& start_;
+  const std::vector<Unknown>& unknowns_;
+  const std::vector<Measurement>& readings_;
+  const FitOptions& options_;
+  Fit fit_;
+};
+
+}  // namespace
+
+Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
+                const VectorXd& x, const FitOptions& options) {
+  return Fitting(start, unknowns, readings, x, options).run();
+}
+
+double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error,
+                    int degrees_of_freedom) {
+  if (degrees_of_freedom <= 0) return 0;
+  std::vector<Eigen::SelfAdjointEigenSolver<MatrixXd>> noise;
+  std::vector<VectorXd> along;  // each error in the axes of its noise
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    noise.emplace_back(weights.noise[k]);
+    along.push_back(noise.back().eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k])));
+  }
+  const auto excess = [&](double variance) {
+    double chi2 = 0;
+    for (std::size_t k = 0; k < readings.size(); ++k)
+      chi2 += (along[k].array().square() / (noise[k].eigenvalues().array().max(0.) + variance)).sum();
+    return chi2 - degrees_of_freedom;
+  };
+  if (!(excess(0) > 0)) return 0;
+  double low = 0, high = error.squaredNorm() / degrees_of_freedom;  // chi-square there is no more than expected
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    (excess(middle) > 0 ? low : high) = middle;
+  }
+  return std::sqrt(high);
 }
 
 void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) {
@@ -152,18 +251,9 @@ ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeigh
   return size;
 }
 
-MatrixXd covarianceOf(const MatrixXd& jacobian) {
-  if (jacobian.cols() == 0) return {};
-  // Columns of unit length: a compliance and a force differ by many powers of ten.
-  const VectorXd lengths = jacobian.colwise().norm().transpose();
-  const VectorXd scale = lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 0; });
-  const MatrixXd back =
-      scale.asDiagonal() * MatrixXd(jacobian * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse();
-  return back * back.transpose();
-}
-
 double chiSquareTail(double chi2, double degrees_of_freedom) {
-  if (degrees_of_freedom <= 0 || !std::isfinite(chi2)) return 1;
+  if (degrees_of_freedom <= 0 || std::isnan(chi2)) return std::numeric_limits<double>::quiet_NaN();
+  if (std::isinf(chi2)) return 0;
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), std::max(chi2, 0.)));
 }
 

@@ -101,10 +101,9 @@ ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector
 
 ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                         const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
-                        const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss,
-                        const WorkHooks& hooks) {
+                        const std::vector<int>& folds, const FitOptions& options, const WorkHooks& hooks) {
   const auto fitted = [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
-    const Fit fit = fitUnknowns(start, unknowns, kept, x, solver, loss);
+    const Fit fit = fitUnknowns(start, unknowns, kept, x, options);
     if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
     return applied(start, unknowns, fit.solution.x);
   };

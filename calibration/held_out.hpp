@@ -32,7 +32,7 @@ using FitToReadings = std::function<std::optional<PlacedArm>(const std::vector<M
 /// The same with the unknowns fitted from `x`.
 [[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                       const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
-                                      const std::vector<int>& folds, const LeastSquaresOptions& solver, RobustLoss loss,
+                                      const std::vector<int>& folds, const FitOptions& options,
                                       const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::calibration

@@ -1,7 +1,11 @@
 #include "calibration/identification.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
+#include <iterator>
 
 #include "calibration/fit.hpp"
 #include "calibration/held_out.hpp"
@@ -9,7 +13,6 @@
 #include "calibration/outliers.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
-#include "calibration/told_fit.hpp"
 
 namespace tubeplan::calibration {
 
@@ -29,57 +32,117 @@ std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool he
   return some;
 }
 
-void listCorrelations(const ToldFit& work, Identification& result) {
+void listCorrelations(Identification& result) {
   const VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
   for (Index i = 0; i < sigma.size(); ++i)
     for (Index j = i + 1; j < sigma.size(); ++j) {
       const double value = result.covariance(i, j) / (sigma[i] * sigma[j]);
       if (std::abs(value) > kStrongCorrelation)
-        result.correlations.push_back(
-            {work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(i)])].name,
-             work.unknowns[static_cast<std::size_t>(work.told.kept[static_cast<std::size_t>(j)])].name, value});
+        result.correlations.push_back({result.numbers[static_cast<std::size_t>(i)].unknown.name,
+                                       result.numbers[static_cast<std::size_t>(j)].unknown.name, value});
     }
 }
 
-void judgeHeldOut(const ToldFit& work, const std::vector<Measurement>& held_out, Identification& result) {
+std::vector<Unknown> basesOf(const std::vector<Unknown>& unknowns) {
+  std::vector<Unknown> bases;
+  std::copy_if(unknowns.begin(), unknowns.end(), std::back_inserter(bases),
+               [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
+  return bases;
+}
+
+FitOptions fitOptions(const IdentificationOptions& options) { return {options.solver, options.loss, {}}; }
+
+void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& held_out, Identification& result) {
   if (!held_out.empty()) {
     result.heldout_before = judge(result.start, held_out);
     result.heldout = judge(result.fitted, held_out);
     return;
   }
-  if (work.options.folds < 2) return;
-  const auto folds = foldsOf(work.fitted, work.options.folds, work.options.seed);
-  std::vector<Unknown> bases;
-  for (const auto& unknown : work.kept())
-    if (unknown.owner == Unknown::Owner::kBase) bases.push_back(unknown);
-  result.heldout_before =
-      crossValidate(work.start, bases, work.fitted, VectorXd::Zero(static_cast<Index>(bases.size())), folds,
-                    work.options.solver, work.options.loss);
-  result.heldout = crossValidate(work.start, work.kept(), work.fitted, work.fit.solution.x, folds, work.options.solver,
-                                 work.options.loss, work.options.hooks);
+  if (model.options.folds < 2) return;
+  const auto folds = foldsOf(model.fitted, model.options.folds, model.options.seed);
+  FitOptions options = fitOptions(model.options);
+  options.model_error = result.model_error;
+  const auto bases = basesOf(model.unknowns);
+  result.heldout_before = crossValidate(model.start, bases, model.fitted,
+                                        VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
+  result.heldout = crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds, options,
+                                 model.options.hooks);
 }
 
-void summarize(ToldFit& work, Identification& result) {
-  result.fitted_numbers = work.told.kept;
-  result.singular_values = work.told.singular_values;
-  result.fitted = applied(work.start, work.kept(), work.fit.solution.x);
-  result.chi2 = work.fit.solution.chi2;
-  result.degrees_of_freedom = work.fit.weights.degrees_of_freedom - static_cast<int>(work.told.kept.size());
-  result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
-  result.widening = wideningOf(result.chi2, result.degrees_of_freedom);
-  result.after = errorSize(work.fitted, work.fit.weights, work.fit.residual.error);
-  result.errors = errorLengths(work.fitted, work.fit.weights, work.fit.residual.error);
-  result.noise_floor = noiseFloor(work.fitted, work.fit.weights);
-  result.covariance = covarianceOf(work.fit.residual.jacobian);
-  for (const auto& unknown : work.unknowns) {
-    result.numbers.emplace_back();
-    result.numbers.back().unknown = unknown;
-  }
-  sayHeld(work, result);
-  sayFitted(work, result);
-  listCorrelations(work, result);
-  result.outliers = findOutliers(work.fitted, work.fit, result.covariance, work.options.outlier_level);
+/// Singular values of the readings' Jacobian, each column by its number's typical size.
+VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
+  for (std::size_t k = 0; k < unknowns.size(); ++k) jacobian.col(static_cast<Index>(k)) *= unknowns[k].typical;
+  const MatrixXd square = jacobian.transpose() * jacobian;
+  return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
+}
+
+void summarize(const FittedModel& model, Identification& result) {
+  const Fit& fit = model.fit;
+  result.fitted = applied(model.start, model.unknowns, fit.solution.x);
+  result.chi2 = fit.chi2;
+  result.degrees_of_freedom = fit.degrees_of_freedom;
+  result.p_value = fit.p_value;
+  result.model_error = fit.weights.model_error;
+  result.covariance = fit.covariance;
+  result.singular_values = singularValues(fit.residual.jacobian, model.unknowns);
+  result.after = errorSize(model.fitted, fit.weights, fit.residual.error);
+  result.errors = errorLengths(model.fitted, fit.weights, fit.residual.error);
+  result.noise_floor = noiseFloor(model.fitted, fit.weights);
+  describeNumbers(model, result);
+  listCorrelations(result);
+  result.outliers = findOutliers(model.fitted, fit, model.options.outlier_level);
   for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
+}
+
+void countWork(const LeastSquaresResult& solution, Identification& result) {
+  result.iterations += solution.iterations;
+  result.evaluations += solution.evaluations;
+  result.jacobian_evaluations += solution.jacobian_evaluations;
+}
+
+/// Places unknown bases with nothing else free, so that the rest starts from a sensible place.
+void fitBases(FittedModel& model, Identification& result) {
+  const auto bases = basesOf(model.unknowns);
+  if (bases.empty()) return;
+  alignPlacings(model.start, model.fitted);
+  const Fit fit = fitUnknowns(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())),
+                              fitOptions(model.options));
+  countWork(fit.solution, result);
+  if (fit.solution.status == LeastSquaresStatus::kConverged) model.start = applied(model.start, bases, fit.solution.x);
+}
+
+VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int start) {
+  boost::random::mt19937_64 random(seed * 7919 + static_cast<std::uint64_t>(start));
+  boost::random::uniform_real_distribution<double> uniform(-1, 1);
+  VectorXd x(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    const double size = unknown.owner == Unknown::Owner::kBase ? 0.05 * unknown.typical : 1.1 * unknown.typical;
+    x[k] = std::clamp(size * uniform(random), unknown.lower, unknown.upper);
+  }
+  return x;
+}
+
+bool isUsable(const Fit& fit) { return fit.solution.status != LeastSquaresStatus::kFailed && fit.residual.ok; }
+
+/// The lowest of the fits from several starts; false where none is possible.
+bool fitFromStarts(FittedModel& model, Identification& result) {
+  std::vector<double> ends;
+  const int starts = std::max(1, model.options.starts);
+  const auto count = static_cast<Index>(model.unknowns.size());
+  for (int s = 0; s < starts; ++s) {
+    tell(model.options.hooks, "fit", static_cast<std::size_t>(s), starts > 1 ? static_cast<std::size_t>(starts) : 0);
+    Fit fit = fitUnknowns(model.start, model.unknowns, model.fitted,
+                          s == 0 ? VectorXd(VectorXd::Zero(count)) : drawStart(model.unknowns, model.options.seed, s),
+                          fitOptions(model.options));
+    countWork(fit.solution, result);
+    ends.push_back(isUsable(fit) ? fit.chi2 : std::numeric_limits<double>::infinity());
+    if (s == 0 || ends.back() < *std::min_element(ends.begin(), ends.end() - 1)) model.fit = std::move(fit);
+  }
+  const double least = *std::min_element(ends.begin(), ends.end());
+  result.starts_agreeing = static_cast<int>(
+      std::count_if(ends.begin(), ends.end(), [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
+  return isUsable(model.fit);
 }
 
 void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted, ErrorSize& size, double* chi2) {
@@ -118,7 +181,7 @@ int leastNeeded(const Identification& result, double level) {
   double need = std::numeric_limits<double>::infinity();
   for (int k = 0; k < static_cast<int>(result.numbers.size()); ++k) {
     const auto& number = result.numbers[static_cast<std::size_t>(k)];
-    if (number.unknown.owner == Unknown::Owner::kBase || number.unknown.is_geometry || number.is_held) continue;
+    if (number.unknown.owner == Unknown::Owner::kBase || number.unknown.is_geometry) continue;
     if (needOf(number) < need) need = needOf(number), least = k;
   }
   return least >= 0 && chiSquareTail(need * need, 1) > level ? least : -1;
@@ -139,7 +202,7 @@ Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurem
     const int least = options.drop_level > 0 && result.status == IdentificationStatus::kDone
                           ? leastNeeded(result, options.drop_level)
                           : -1;
-    if (least < 0 || result.fitted_numbers.size() < 2) {
+    if (least < 0 || result.numbers.size() < 2) {
       result.dropped = std::move(dropped);
       return result;
     }
@@ -162,32 +225,32 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   Identification result;
   const auto fitted = readingsOf(readings, false, &result.used);
   const auto held_out = readingsOf(readings, true, nullptr);
-  ToldFit work{fitted, options, start, {}, {}, {}};
-  auto unknowns = chooseUnknowns(work.start, options.free);
+  FittedModel model{fitted, options, start, {}, {}};
+  auto unknowns = chooseUnknowns(model.start, options.free);
   result.problems = unknowns.problems;
-  work.unknowns = std::move(unknowns.list);
-  if (result.problems.empty() && work.unknowns.empty()) result.reason = "nothing is free: name a parameter to find";
+  model.unknowns = std::move(unknowns.list);
+  if (result.problems.empty() && model.unknowns.empty()) result.reason = "nothing is free: name a parameter to find";
   if (!result.problems.empty()) result.reason = result.problems.front().found;
-  if (result.reason.empty()) noteReadingProblem(fitted, work.unknowns, result);
+  if (result.reason.empty()) noteReadingProblem(fitted, model.unknowns, result);
   if (!result.reason.empty()) {
     result.status = IdentificationStatus::kRefused;
     return result;
   }
   measureStart(start, fitted, result.before, &result.chi2_before);
-  fitBases(work, result);
-  result.start = work.start;
-  measureStart(work.start, fitted, result.after_base, nullptr);
-  if (!fitTold(work, result)) {
+  fitBases(model, result);
+  result.start = model.start;
+  measureStart(model.start, fitted, result.after_base, nullptr);
+  if (!fitFromStarts(model, result)) {
     result.status = IdentificationStatus::kNotConverged;
     result.reason =
-        work.fit.solution.reason.empty() ? "the model cannot be evaluated at the readings" : work.fit.solution.reason;
+        model.fit.solution.reason.empty() ? "the model cannot be evaluated at the readings" : model.fit.solution.reason;
     return result;
   }
-  summarize(work, result);
-  judgeHeldOut(work, held_out, result);
-  const bool converged = work.fit.solution.status == LeastSquaresStatus::kConverged;
+  summarize(model, result);
+  judgeHeldOut(model, held_out, result);
+  const bool converged = model.fit.solution.status == LeastSquaresStatus::kConverged;
   result.status = converged ? IdentificationStatus::kDone : IdentificationStatus::kNotConverged;
-  if (!converged) result.reason = work.fit.solution.reason;
+  if (!converged) result.reason = model.fit.solution.reason;
   return result;
 }
 
@@ -207,10 +270,7 @@ Identification identify(const PlacedArm& start, const std::vector<Measurement>& 
 
 std::vector<Unknown> fittedUnknowns(const Identification& result) {
   std::vector<Unknown> unknowns;
-  for (const int k : result.fitted_numbers) {
-    const IdentifiedNumber& number = result.numbers[static_cast<std::size_t>(k)];
-    unknowns.push_back(rebased(number.unknown, number.value));
-  }
+  for (const IdentifiedNumber& number : result.numbers) unknowns.push_back(rebased(number.unknown, number.value));
   return unknowns;
 }
 

@@ -31,9 +31,6 @@ struct IdentificationOptions {
 
 enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
-/// How far a number can be told.
-enum class Told { kYes, kWith, kNo };
-
 struct IdentifiedNumber {
   Unknown unknown;
   double value = 0;  ///< of the parameter; of a base component: of its step
@@ -41,9 +38,9 @@ struct IdentifiedNumber {
   double lower = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval
   double upper = std::numeric_limits<double>::quiet_NaN();
   bool is_profile = false;  ///< the interval is by profile, not by sigma
-  Told told = Told::kNo;
-  std::vector<std::string> with;  ///< names of the unknowns it is tied to
-  bool is_held = false;           ///< it kept its start
+  Identifiability identifiable = Identifiability::kNo;
+  std::vector<std::string> with;  ///< names of the unknowns it is determined in combination with
+  double prior_deviation = 0;     ///< from the arm's file, in standard deviations of its prior
   bool is_at_bound = false;
   std::string note;  ///< one plain sentence where there is something to say
 };
@@ -75,26 +72,26 @@ struct Identification {
   std::vector<std::string> dropped;               ///< "NAME: why", numbers that the readings do not need
   PlacedArm start, fitted;                        ///< with only the bases placed; with everything
   std::vector<IdentifiedNumber> numbers;
-  std::vector<int> fitted_numbers;  ///< those that were not held: the order of the covariance
-  Eigen::MatrixXd covariance;       ///< of the fitted variables (logarithms of stiffnesses)
+  Eigen::MatrixXd covariance;  ///< of the numbers' variables, in their order (compliances of stiffnesses)
   std::vector<StrongCorrelation> correlations;
   ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
   ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
   double chi2_before = std::numeric_limits<double>::quiet_NaN();
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  int degrees_of_freedom = 0;
+  int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();
-  double widening = 1;  ///< factor on every sigma where the misfit is larger than the stated noise allows
+  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
+                           ///< above 0 where chi-square refuses the stated noise
   std::vector<Outlier> outliers;
   Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
   std::vector<int> used;   ///< readings that were fitted
-  Eigen::VectorXd singular_values;
+  Eigen::VectorXd singular_values;  ///< of the readings' Jacobian, each column by its number's typical size
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;
 };
 
-/// The numbers that were fitted, in the order of the covariance, as variables that are 0 where the fit left them.
+/// The numbers in the order of the covariance, as variables that are 0 where the fit left them.
 [[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
 
 /// Finds the free numbers and the placings that are not known. Readings marked held-out are not fitted but judged.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <tuple>
 
 #include "calibration/profile_interval.hpp"
@@ -12,8 +13,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
+constexpr double kNormal95 = 1.959963984540054;
+constexpr double kBoundMargin = 1e-4;  // of a typical size, that counts as at the bound
 constexpr double kPoorNormal = 0.2;  // sigma of a compliance over itself from which the normal interval is poor
 constexpr double kLeaning = 0.3;     // correlation with a number near its bound that spoils the normal interval
+
+bool isAtBound(const Unknown& unknown, double x) {
+  const double margin = kBoundMargin * unknown.typical;
+  return x <= unknown.lower + margin || x >= unknown.upper - margin;
+}
 
 std::string namesOf(const std::vector<std::string>& names) {
   std::string text;
@@ -22,12 +30,29 @@ std::string namesOf(const std::vector<std::string>& names) {
   return text;
 }
 
+constexpr double kFarFromDrawing = 3;  // of the prior's standard deviations
+
+bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Scale::kCompliance; }
+
 std::string noteOf(const IdentifiedNumber& number, bool hardly_gives) {
+  if (number.identifiable == Identifiability::kInCombination)
+    return "determined only in combination with " + namesOf(number.with) + "; what is left open is its prior's";
   if (number.is_at_bound && hardly_gives)
-    return "the readings ask for no give at all, or less than none, which no part has: take it as rigid, or look "
+    return "the readings ask for no compliance at all, or less than none, which no part has: take it as rigid, or look "
            "for a missing effect";
   if (number.is_at_bound) return "at its bound: the readings ask for more than is physical";
-  return hardly_gives ? "its compliance is within two sigmas of none: the readings hardly need it" : "";
+  if (hardly_gives) return "its compliance is within two sigmas of none: the readings hardly need it";
+  if (number.identifiable == Identifiability::kNo)
+    return "the readings do not depend on it enough to determine it: it stays near its start";
+  if (number.prior_deviation > kFarFromDrawing) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%.1f standard deviations of its prior from the arm's file: is the file right, or is an effect "
+                  "missing?",
+                  number.prior_deviation);
+    return text;
+  }
+  return "";
 }
 
 /// Whether the normal interval of a stiffness is poor: it is wide, or made wide by another that can hardly go on in the
@@ -43,74 +68,36 @@ bool isNormalPoor(const std::vector<Unknown>& unknowns, const VectorXd& x, const
   return false;
 }
 
-/// The profile of a kept number; those held that it is tied to may move as well.
-ProfileInterval profileOf(const ToldFit& work, const IdentifiedNumber& number, int kept, double sigma, double noise) {
-  auto unknowns = work.kept();
-  Fit fit = work.fit;
-  std::vector<double> x(fit.solution.x.begin(), fit.solution.x.end());
-  for (const HeldUnknown& held : work.told.held) {
-    const Unknown& unknown = work.unknowns[static_cast<std::size_t>(held.unknown)];
-    if (std::count(number.with.begin(), number.with.end(), unknown.name) == 0) continue;
-    const bool is_of_arm = unknown.owner == Unknown::Owner::kArm;
-    unknowns.push_back(is_of_arm ? rebased(unknown, deflection::findParameter(work.start.arm, unknown.name)->value)
-                                 : unknown);
-    x.push_back(0);
-  }
-  fit.solution.x = Eigen::Map<VectorXd>(x.data(), static_cast<Index>(x.size()));
-  return profileInterval(work.start, unknowns, work.fitted, fit, kept, sigma, noise, work.options.hooks.stop);
-}
-
 }  // namespace
 
-void sayHeld(const ToldFit& work, Identification& result) {
-  for (const HeldUnknown& held : work.told.held) {
-    auto& number = result.numbers[static_cast<std::size_t>(held.unknown)];
-    number.is_held = true;
-    const bool is_of_arm = number.unknown.owner == Unknown::Owner::kArm;
-    number.value = is_of_arm ? deflection::findParameter(work.start.arm, number.unknown.name)->value : 0;
-    const std::string where = number.value == number.unknown.start ? "held at its start" : "held where the fit left it";
-    number.told = held.is_seen && !held.with.empty() ? Told::kWith : Told::kNo;
-    for (const int other : held.with) {
-      number.with.push_back(work.unknowns[static_cast<std::size_t>(other)].name);
-      auto& partner = result.numbers[static_cast<std::size_t>(other)];
-      if (held.with.size() > 3 || partner.unknown.owner == Unknown::Owner::kBase) continue;
-      partner.told = Told::kWith;
-      partner.with.push_back(number.unknown.name);
-    }
-    if (number.told == Told::kNo)
-      number.note = "the readings do not depend on it enough to tell it: " + where;
-    else
-      number.note = "told only in a combination with " + namesOf(number.with) + ": " + where;
-  }
-}
-
-void sayFitted(const ToldFit& work, Identification& result) {
-  const auto kept = work.kept();
-  const auto at_bound = atBound(kept, work.fit.solution.x);
-  for (std::size_t i = 0; i < work.told.kept.size(); ++i) {
-    tell(work.options.hooks, "intervals", i, work.told.kept.size());
-    auto& number = result.numbers[static_cast<std::size_t>(work.told.kept[i])];
-    const Unknown& unknown = number.unknown;
-    const auto k = static_cast<Index>(i);
-    const double x = work.fit.solution.x[k];
-    const double sigma = std::sqrt(result.covariance(k, k)) * result.widening;
-    number.told = number.with.empty() ? Told::kYes : Told::kWith;
-    number.value = valueAt(unknown, x);
-    number.sigma = sigma * std::abs(slopeAt(unknown, x));
-    double lower = x - 1.959964 * sigma, upper = x + 1.959964 * sigma;
-    const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
-    const double give = 1 / number.value;  // of a stiffness: its compliance
-    const bool is_tied = !number.with.empty();
-    if (work.options.intervals_by_profile && is_compliance &&
-        (is_tied ||
-         isNormalPoor(kept, work.fit.solution.x, result.covariance * result.widening * result.widening, k))) {
-      const auto profile = profileOf(work, number, static_cast<int>(k), sigma, result.widening);
+void describeNumbers(const FittedModel& model, Identification& result) {
+  const auto& unknowns = model.unknowns;
+  const VectorXd& x = model.fit.solution.x;
+  const MatrixXd& covariance = model.fit.covariance;
+  const auto identifiable = judgeIdentifiability(model.fit.residual.jacobian, covariance, unknowns, x);
+  for (std::size_t n = 0; n < unknowns.size(); ++n) {
+    tell(model.options.hooks, "intervals", n, unknowns.size());
+    const auto k = static_cast<Index>(n);
+    IdentifiedNumber number;
+    const Unknown& unknown = number.unknown = unknowns[n];
+    const double sigma = std::sqrt(covariance(k, k));
+    number.identifiable = identifiable[n].verdict;
+    for (const int other : identifiable[n].with) number.with.push_back(unknowns[static_cast<std::size_t>(other)].name);
+    number.value = valueAt(unknown, x[k]);
+    number.sigma = sigma * std::abs(slopeAt(unknown, x[k]));
+    number.prior_deviation = std::abs(x[k] - unknown.prior_mean) / unknown.prior_sigma;
+    double lower = std::max(unknown.lower, x[k] - kNormal95 * sigma);
+    double upper = std::min(unknown.upper, x[k] + kNormal95 * sigma);
+    if (model.options.intervals_by_profile && isCompliance(unknown) && isNormalPoor(unknowns, x, covariance, k)) {
+      const auto profile = profileInterval(model.start, unknowns, model.fitted, model.fit, static_cast<int>(n), sigma,
+                                           model.options.hooks.stop);
       lower = profile.lower, upper = profile.upper;
       number.is_profile = true;
     }
     std::tie(number.lower, number.upper) = valuesBetween(unknown, lower, upper);
-    number.is_at_bound = std::count(at_bound.begin(), at_bound.end(), static_cast<int>(i)) > 0;
-    number.note = noteOf(number, is_compliance && give < 2 * sigma);
+    number.is_at_bound = isAtBound(unknown, x[k]);
+    number.note = noteOf(number, isCompliance(unknown) && 1 / number.value < 2 * sigma);
+    result.numbers.push_back(std::move(number));
   }
 }
 

@@ -1,14 +1,21 @@
-// What a fit says of each number: its value with an interval, or why it is held, in one plain sentence.
+// What a fit says of each number: its value with an interval, how far the readings determine it, and a plain sentence
+// where there is something to say.
 #pragma once
 
-#include "calibration/told_fit.hpp"
+#include "calibration/fit.hpp"
 
 namespace tubeplan::calibration {
 
-/// Fills `numbers` of those that were held, and ties their partners to them.
-void sayHeld(const ToldFit& work, Identification& result);
+/// A fit of an identification, and what it was made from.
+struct FittedModel {
+  const std::vector<Measurement>& fitted;
+  const IdentificationOptions& options;
+  PlacedArm start;  ///< where the unknowns' variables are 0
+  std::vector<Unknown> unknowns;
+  Fit fit;
+};
 
-/// Fills `numbers` of those that were fitted; their covariance and its widening must be there, and sayHeld() done.
-void sayFitted(const ToldFit& work, Identification& result);
+/// Fills `numbers`, one for each unknown in their order.
+void describeNumbers(const FittedModel& model, Identification& result);
 
 }  // namespace tubeplan::calibration

@@ -22,18 +22,18 @@ void takeFit(const Identification& fit, Knowledge& knowledge) {
     knowledge.x[static_cast<Index>(knowledge.unknowns.size())] = variableAt(number.unknown, number.value);
     knowledge.unknowns.push_back(number.unknown);
   }
-  knowledge.noise = fit.widening;
+  knowledge.model_error = fit.model_error;
 }
 
 /// J^T J of the readings, by variables over their typical sizes; nothing where the model cannot be evaluated.
 MatrixXd informationOf(const Knowledge& knowledge, const std::vector<Measurement>& readings) {
   const auto n = static_cast<Index>(knowledge.unknowns.size());
-  const auto weights = weighReadings(placedAsKnown(knowledge), readings);
+  const auto weights = weighReadings(placedAsKnown(knowledge), readings, {}, knowledge.model_error);
   if (!weights) return MatrixXd::Zero(n, n);
   auto residual = whitenedResidual(knowledge.start, knowledge.unknowns, readings, *weights, knowledge.x, true);
   if (!residual.ok) return MatrixXd::Zero(n, n);
   for (Index k = 0; k < n; ++k)
-    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical / knowledge.noise;
+    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical;
   return residual.jacobian.transpose() * residual.jacobian;
 }
 

@@ -18,7 +18,7 @@ struct Knowledge {
   PlacedArm start;
   std::vector<Unknown> unknowns;
   Eigen::VectorXd x;            ///< variables of the unknowns at the fit, from `start`
-  double noise = 1;             ///< sigma of a whitened reading: above 1 where the fit is worse than the stated noise
+  double model_error = 0;       ///< m, of each coordinate beyond the readings' noise (Identification::model_error)
   Eigen::MatrixXd information;  ///< of the variables over their typical sizes
 };
 

@@ -89,11 +89,11 @@ PosedDesign poseDesign(const Knowledge& knowledge, const std::vector<ReadingCand
   posed.problem.work = tipSensitivities(knowledge, work.postures, work.load);
   posed.candidates = settled(knowledge, candidates);
   const auto readings = listReadings(knowledge, candidates, posed.candidates);
-  const auto weights = weighReadings(placedAsKnown(knowledge), readings);
+  const auto weights = weighReadings(placedAsKnown(knowledge), readings, {}, knowledge.model_error);
   if (!weights) return posed;
   auto residual = whitenedResidual(knowledge.start, knowledge.unknowns, readings, *weights, knowledge.x, true);
   for (Index k = 0; k < residual.jacobian.cols(); ++k)
-    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical / knowledge.noise;
+    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical;
   std::size_t first = 0;
   for (const int k : posed.candidates) {
     const std::size_t count = candidates[static_cast<std::size_t>(k)].readings.size();

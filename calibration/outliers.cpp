@@ -39,17 +39,17 @@ Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const Matr
   return {covariance.llt().matrixL() * error, error.dot(spread.ldlt().solve(error))};
 }
 
-std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit& fit, const MatrixXd& covariance) {
+std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit& fit) {
   const auto points = pointBlocks(fit.weights, readings.size());
   const MatrixXd& J = fit.residual.jacobian;
   std::vector<Alone> all;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const Index row = fit.weights.first_row[k], rows = rowsOf(readings[k]);
     MatrixXd H = MatrixXd::Zero(rows, rows);
-    if (J.cols()) H += J.middleRows(row, rows) * covariance * J.middleRows(row, rows).transpose();
+    if (J.cols()) H += J.middleRows(row, rows) * fit.covariance * J.middleRows(row, rows).transpose();
     if (points[k].size()) H += points[k] * points[k].transpose();
     const double factor = fit.factors.size() ? fit.factors[static_cast<Index>(k)] : 1;
-    all.push_back(judgeAlone(fit.residual.r.segment(row, rows), H, factor, fit.weights.covariance[k]));
+    all.push_back(judgeAlone(fit.residual.r.segment(row, rows), H, factor, fit.weights.covariance(k)));
   }
   return all;
 }
@@ -65,9 +65,8 @@ double usualSquare(const std::vector<Measurement>& readings, const std::vector<A
 
 }  // namespace
 
-std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, const MatrixXd& covariance,
-                                  double level) {
-  const auto all = judgeAll(readings, fit, covariance);
+std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level) {
+  const auto all = judgeAll(readings, fit);
   std::vector<Outlier> outliers;
   if (all.empty()) return outliers;
   const double usual = usualSquare(readings, all);

@@ -9,9 +9,7 @@ namespace tubeplan::calibration {
 
 /// Each reading against the fit without it, in noise sigmas; those that chance exceeds less often than `level` in the
 /// whole set are named, the worst first, as indices of `readings`. Where most readings are off by more than their noise
-/// the measure is what most are off by. `covariance` is that of the fitted variables; a robust fit's weights are taken
-/// off.
-[[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit,
-                                                const Eigen::MatrixXd& covariance, double level);
+/// the measure is what most are off by. A robust fit's weights are taken off.
+[[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level);
 
 }  // namespace tubeplan::calibration

@@ -91,6 +91,19 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
   return unknown;
 }
 
+/// Rows' numbers that say where things are.
+bool isGeometry(const std::string& name) {
+  return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
+         name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
+}
+
+double priorSigmaOf(const Unknown& unknown, const Priors& priors) {
+  if (const auto own = priors.named.find(unknown.name); own != priors.named.end()) return own->second;
+  if (unknown.owner == Unknown::Owner::kBase || !isGeometry(unknown.name)) return priors.weak * unknown.typical;
+  if (unknown.name.starts_with("tool.tip.")) return priors.tip;
+  return unknown.quantity == Quantity::kAngle ? priors.angle : priors.length;
+}
+
 void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
   static constexpr const char* kNames[] = {"base.shift.x", "base.shift.y", "base.shift.z",
                                            "base.turn.x",  "base.turn.y",  "base.turn.z"};
@@ -110,13 +123,6 @@ void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
       list.push_back(unknown);
     }
   }
-}
-
-/// Rows' numbers that say where things are, in the order in which they are kept: the tip, joint offsets, then frames.
-bool isGeometry(const Parameter& parameter) {
-  const std::string& name = parameter.name;
-  return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
-         name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
 }
 
 /// A stiffness that is rigid is no parameter yet: makes it finite, hardly giving under the arm's weight.
@@ -161,7 +167,7 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
   if (name != "geometry") return {name};
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(arm))
-    if (isGeometry(parameter)) names.push_back(parameter.name);
+    if (isGeometry(parameter.name)) names.push_back(parameter.name);
   return names;
 }
 
@@ -191,6 +197,7 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
         }
       }
     }
+  for (Unknown& unknown : result.list) unknown.prior_sigma = priorSigmaOf(unknown, choice.priors);
   return result;
 }
 
@@ -204,6 +211,7 @@ Unknown rebased(Unknown unknown, double value) {
   unknown.start = value;
   unknown.lower -= x;
   unknown.upper -= x;
+  unknown.prior_mean -= x;
   return unknown;
 }
 

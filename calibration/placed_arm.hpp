@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,9 +44,22 @@ struct Unknown {
   enum class Scale { kLinear, kCompliance };
   Scale scale = Scale::kLinear;
   bool is_geometry = false;     ///< freed by `geometry`
-  double typical = 1;           ///< how far the variable may well be from its start; the yardstick of what data tell
+  double typical = 1;           ///< how far the variable may well be from its start: the unit that solvers work in
+  double prior_sigma = 10;      ///< standard deviation of the variable's normal prior; infinite: none
+  double prior_mean = 0;        ///< the variable's value by the drawing: 0 but where the unknown was rebased
   double start = 0;             ///< of the parameter
   double lower = 0, upper = 0;  ///< of the variable x (0 at the start)
+};
+
+/// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
+/// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; all others a weak one,
+/// a multiple of what a number may well be off by (Unknown::typical), which data soon outweigh.
+struct Priors {
+  double length = 0.005;  ///< m
+  double angle = 0.02;    ///< rad
+  double tip = 0.05;      ///< m, of the tool's tip, which is mounted and measured by hand
+  double weak = 10;       ///< of the typical size of all others
+  std::map<std::string, double> named;  ///< of single numbers, in internal units; stiffnesses by their compliance
 };
 
 /// Why the names cannot be freed; empty where they can.
@@ -56,6 +70,7 @@ struct FreeProblem {
 struct FreeChoice {
   std::vector<std::string> names;  ///< dotted names, "tool.tip", "geometry"
   bool base = true;                ///< also every placing that is not known
+  Priors priors = {};
 };
 
 /// The unknowns of a choice: placings first, then names in their order, `geometry` last. Axes that are rigid and named

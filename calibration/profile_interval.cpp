@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/prior.hpp"
+
 namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::VectorXd;
@@ -24,7 +26,7 @@ struct Profile {
   const std::vector<Measurement>& readings;
   const Fit& best;
   int variable;
-  double noise;
+  double least;  ///< chi-square of readings and priors at the best
   LeastSquaresOptions solver;
 
   /// Root of the misfit's rise over what it may rise, at an offset: -1 at the best, 0 at the interval's end.
@@ -33,10 +35,10 @@ struct Profile {
     const double value = best.solution.x[variable] + offset;
     fixed[static_cast<std::size_t>(variable)].lower = fixed[static_cast<std::size_t>(variable)].upper = value;
     x[variable] = value;
-    const auto solution = minimizeOrUnwind(fitProblem(start, fixed, readings, best.weights, x), solver);
+    const auto solution = minimizeOrUnwind(fitProblem(start, fixed, readings, best.weights, x, solver.stop), solver);
     if (solution.status == LeastSquaresStatus::kFailed) return std::numeric_limits<double>::quiet_NaN();
     x = solution.x;
-    return std::sqrt(std::max(0., solution.chi2 - best.solution.chi2) / (kRise * noise * noise)) - 1;
+    return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
   }
 
   /// The offset in one direction where the rise is reached; infinite where it is not.
@@ -69,8 +71,9 @@ struct Profile {
 
 ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                 const std::vector<Measurement>& readings, const Fit& best, int variable, double sigma,
-                                double noise, const StopQuestion& stop) {
-  const Profile profile{start, unknowns, readings, best, variable, noise, nearby(stop)};
+                                const StopQuestion& stop) {
+  const double least = best.solution.chi2 + priorResiduals(unknowns, best.solution.x).squaredNorm();
+  const Profile profile{start, unknowns, readings, best, variable, least, nearby(stop)};
   const double at = best.solution.x[variable];
   return {at + profile.end(-1, sigma), at + profile.end(1, sigma)};
 }

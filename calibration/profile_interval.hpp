@@ -11,9 +11,9 @@ struct ProfileInterval {
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// `best` is a fit of all unknowns; `sigma` the variable's own at it; `noise` the sigma of a whitened residual.
+/// `best` is a fit of all unknowns; `sigma` the variable's own at it. The misfit is that of readings and priors.
 [[nodiscard]] ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                               const std::vector<Measurement>& readings, const Fit& best, int variable,
-                                              double sigma, double noise, const StopQuestion& stop = {});
+                                              double sigma, const StopQuestion& stop = {});
 
 }  // namespace tubeplan::calibration

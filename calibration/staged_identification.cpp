@@ -43,9 +43,9 @@ void countAmongAll(const StageReadings& some, Identification& stage) {
 
 /// Sigmas and intervals again, from a larger covariance.
 void widen(Identification& stage) {
-  for (std::size_t i = 0; i < stage.fitted_numbers.size(); ++i) {
-    auto& number = stage.numbers[static_cast<std::size_t>(stage.fitted_numbers[i])];
-    const double sigma = std::sqrt(stage.covariance(static_cast<Index>(i), static_cast<Index>(i))) * stage.widening;
+  for (std::size_t i = 0; i < stage.numbers.size(); ++i) {
+    auto& number = stage.numbers[i];
+    const double sigma = std::sqrt(stage.covariance(static_cast<Index>(i), static_cast<Index>(i)));
     const Unknown unknown = rebased(number.unknown, number.value);
     number.sigma = sigma * std::abs(slopeAt(unknown, 0));
     std::tie(number.lower, number.upper) = valuesBetween(unknown, -1.959964 * sigma, 1.959964 * sigma);
@@ -53,10 +53,11 @@ void widen(Identification& stage) {
   }
 }
 
-/// Errors of the held numbers move a stage's optimum by A = -(J^T J)^-1 J^T J_held: their covariance comes in by it.
+/// Errors of the held numbers move a stage's optimum by A = -C J^T J_held, C its posterior covariance: theirs comes in
+/// by it.
 void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
   auto own = fittedUnknowns(stage);
-  const auto weights = weighReadings(stage.fitted, readings);
+  const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);
   std::vector<Unknown> both = own;
   both.insert(both.end(), found.unknowns.begin(), found.unknowns.end());
   if (!weights) return;
@@ -65,13 +66,12 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   if (!residual.ok) return;
   const auto n = static_cast<Index>(own.size()), held = static_cast<Index>(found.unknowns.size());
   const MatrixXd J = residual.jacobian.leftCols(n), J_held = residual.jacobian.rightCols(held);
-  const MatrixXd A = -(J.transpose() * J).ldlt().solve(J.transpose() * J_held);
+  const MatrixXd A = -stage.covariance * (J.transpose() * J_held);
   const MatrixXd cross = found.covariance * A.transpose();
-  const double own_widening = stage.widening * stage.widening;  // what is carried has been widened by its own stage
-  stage.covariance += A * cross / own_widening;
+  stage.covariance += A * cross;
   widen(stage);
   MatrixXd whole(n + held, n + held);
-  whole << own_widening * stage.covariance, cross.transpose(), cross, found.covariance;
+  whole << stage.covariance, cross.transpose(), cross, found.covariance;
   found.covariance = whole;
   found.unknowns = both;
 }
@@ -109,7 +109,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     carried.covariance = found.covariance(arm_numbers, arm_numbers);
     if (results.size() == 1) {
       carried.unknowns = fittedUnknowns(result);
-      carried.covariance = result.covariance * result.widening * result.widening;
+      carried.covariance = result.covariance;
     } else {
       carry(fitted, carried, result);
     }

@@ -60,7 +60,8 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
 }
 
 /// How each reading changes with the joints that it was read at.
-bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints) {
+bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
+                 const StopQuestion& stop) {
   by_joints.resize(readings.size());
   const auto placing_of = placingsOf(placed, readings);
   const auto joints = deflection::jointVariables(placed.arm);
@@ -76,7 +77,7 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
   }
   PredictionRequest request;
   request.by_joints = true;
-  return predictAll(placed, readings.size(), [&](ReadingPredictor& predictor, std::size_t k) {
+  return predictAll(placed, readings.size(), stop, [&](ReadingPredictor& predictor, std::size_t k) {
     Prediction prediction =
         predictor.predict(placed.placings[static_cast<std::size_t>(placing_of[k])].X_WB, readings[k], request);
     by_joints[k] = std::move(prediction.by_joints);
@@ -86,34 +87,49 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
 
 }  // namespace
 
-std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                                            const VectorXd& factors) {
+MatrixXd ReadingWeights::covariance(std::size_t reading) const {
+  MatrixXd sum = noise[reading];
+  sum.diagonal().array() += model_error * model_error;
+  return sum;
+}
+
+ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measurement>& readings, double model_error,
+                          const VectorXd& factors) {
   assert(factors.size() == 0 || factors.size() == static_cast<Index>(readings.size()));
+  ReadingWeights other = weights;
+  other.model_error = model_error;
+  other.points.clear();
+  other.degrees_of_freedom = other.rows;
+  other.whitener.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const MatrixXd covariance = other.covariance(k);
+    other.whitener[k] = covariance.rows() == 1 ? whitenerOf<1>(covariance) : whitenerOf<3>(covariance);
+    if (factors.size()) other.whitener[k] *= std::sqrt(factors[static_cast<Index>(k)]);
+  }
+  eliminatePoints(readings, other);
+  return other;
+}
+
+std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                                            const VectorXd& factors, double model_error, const StopQuestion& stop) {
   ReadingWeights weights;
-  weights.whitener.resize(readings.size());
-  weights.covariance.resize(readings.size());
   for (const auto& reading : readings) {
     weights.first_row.push_back(weights.rows);
     weights.rows += rowsOf(reading);
   }
-  weights.degrees_of_freedom = weights.rows;
   std::vector<MatrixXd> by_joints;
-  if (!jointSlopes(placed, readings, by_joints)) return std::nullopt;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    weights.covariance[k] = readingCovariance(placed.arm, readings[k], by_joints[k]);
-    weights.whitener[k] =
-        rowsOf(readings[k]) == 1 ? whitenerOf<1>(weights.covariance[k]) : whitenerOf<3>(weights.covariance[k]);
-    if (factors.size()) weights.whitener[k] *= std::sqrt(factors[static_cast<Index>(k)]);
-  }
-  eliminatePoints(readings, weights);
-  return weights;
+  if (!jointSlopes(placed, readings, by_joints, stop)) return std::nullopt;
+  weights.noise.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    weights.noise[k] = readingCovariance(placed.arm, readings[k], by_joints[k]);
+  return reweighted(weights, readings, model_error, factors);
 }
 
 WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                                  const VectorXd& x, bool with_jacobian) {
+                                  const VectorXd& x, bool with_jacobian, const StopQuestion& stop) {
   WhitenedResidual result;
-  result.ok = CampaignResidual(start, unknowns, readings, weights)
+  result.ok = CampaignResidual(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, stop)
                   .evaluate(x, result.r, with_jacobian ? &result.jacobian : nullptr, &result.error);
   return result;
 }
@@ -127,10 +143,10 @@ VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWei
 
 double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights& weights) {
   double sum = 0;
-  for (const auto& covariance : weights.covariance) sum += covariance.trace();
+  for (const auto& noise : weights.noise) sum += noise.trace();
   for (const auto& point : weights.points)
     for (const int k : point.readings)
-      sum -= weights.covariance[static_cast<std::size_t>(k)].trace() / static_cast<double>(point.readings.size());
+      sum -= weights.noise[static_cast<std::size_t>(k)].trace() / static_cast<double>(point.readings.size());
   return std::sqrt(sum / static_cast<double>(readings.size()));
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/hooks.hpp"
 #include "calibration/measurement.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/tip_derivatives.hpp"
@@ -25,17 +26,26 @@ struct ReadingWeights {
   };
   std::vector<int> first_row;             ///< of each reading
   std::vector<Eigen::MatrixXd> whitener;  ///< L^-1 of the covariance L L^T, times the root of its weight
-  std::vector<Eigen::MatrixXd> covariance;
+  std::vector<Eigen::MatrixXd> noise;     ///< covariance of each reading by its own and the encoders' noise [m^2]
+  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, added to every covariance
   std::vector<UnknownPoint> points;
   int rows = 0;
   int degrees_of_freedom = 0;  ///< rows less those of the points
+
+  /// What a reading is weighted by: its noise and the model's own error.
+  [[nodiscard]] Eigen::MatrixXd covariance(std::size_t reading) const;
 };
 
 /// Weights at a state of the arm: the covariance of each reading with its encoders' noise. `factors`, where given, are
 /// the weights of a robust fit, one for each reading. Nothing where the model cannot be evaluated.
 [[nodiscard]] std::optional<ReadingWeights> weighReadings(const PlacedArm& placed,
                                                           const std::vector<Measurement>& readings,
-                                                          const Eigen::VectorXd& factors = {});
+                                                          const Eigen::VectorXd& factors = {}, double model_error = 0,
+                                                          const StopQuestion& stop = {});
+
+/// The same weights with another model error or other factors.
+[[nodiscard]] ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measurement>& readings,
+                                        double model_error, const Eigen::VectorXd& factors = {});
 
 struct WhitenedResidual {
   bool ok = false;
@@ -47,7 +57,8 @@ struct WhitenedResidual {
 /// The residual at variables x of the unknowns, from the state `start`.
 [[nodiscard]] WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                                 const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                                                const Eigen::VectorXd& x, bool with_jacobian);
+                                                const Eigen::VectorXd& x, bool with_jacobian,
+                                                const StopQuestion& stop = {});
 
 /// Takes what the unknown points absorb off whitened columns (rows of `weights`).
 void takePointsOff(const ReadingWeights& weights, Eigen::MatrixXd& columns);

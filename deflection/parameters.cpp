@@ -200,7 +200,9 @@ Parameter makeParameter(Arm& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields()[path.field];
   std::string name = (f.of_tool ? "tool" : arm.rows[path.row].name) + "." + f.name;
   if (f.of_lump) name.append(".").append(std::to_string(path.lump + 1));
-  return {name, f.quantity, path, locateIn(arm, path), f.lower, f.upper};
+  const bool slides = !f.of_tool && arm.rows[path.row].joint.type == JointType::kPrismatic &&
+                      std::string_view(f.name) == "joint.offset";
+  return {name, slides ? Quantity::kLength : f.quantity, path, locateIn(arm, path), f.lower, f.upper};
 }
 
 void appendRowParameters(Arm& arm, int row, std::vector<Parameter>& out) {

@@ -230,10 +230,8 @@ std::string withArmParameters(const std::string& text, const YamlNode& arm, cons
   for (const auto& [name, value] : parameters) {
     const auto parameter = deflection::findParameter(source.arm, name);
     assert(parameter.has_value());
-    const bool slides =
-        name.ends_with("joint.offset") && source.arm.rows.at(parameter->path.row).joint.type == JointType::kPrismatic;
-    const Dimension unit = slides ? dimension::kLength : dimensionOf(parameter->quantity);
-    out = withYamlValue(out, armPath(arm, name), formatNumber(source.units.toFile(value, unit)));
+    out = withYamlValue(out, armPath(arm, name),
+                        formatNumber(source.units.toFile(value, dimensionOf(parameter->quantity))));
   }
   return out;
 }

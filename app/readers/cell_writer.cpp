@@ -65,13 +65,9 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
 
 /// The numbers of the fitted arm that are others than the cell's, whichever stage found them.
 std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const calibration::Identification& result) {
-  const auto is_held = [&](const std::string& name) {
-    return std::any_of(result.numbers.begin(), result.numbers.end(),
-                       [&](const auto& number) { return number.is_held && number.unknown.name == name; });
-  };
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
-    if (parameter.path.effect >= 0 || is_held(parameter.name)) continue;
+    if (parameter.path.effect >= 0) continue;
     const auto before = deflection::findParameter(cell.arm, parameter.name);
     if (!before || before->value != parameter.value) numbers.emplace_back(parameter.name, parameter.value);
   }
@@ -106,17 +102,15 @@ std::string withoutIdentifying(const std::string& text, const Cell& cell, const 
 std::optional<Matrix6d> baseCovariance(const calibration::Identification& result, int placing) {
   Matrix6d covariance = Matrix6d::Zero();
   int found = 0;
-  for (std::size_t i = 0; i < result.fitted_numbers.size(); ++i)
-    for (std::size_t j = 0; j < result.fitted_numbers.size(); ++j) {
-      const auto& a = result.numbers[static_cast<std::size_t>(result.fitted_numbers[i])].unknown;
-      const auto& b = result.numbers[static_cast<std::size_t>(result.fitted_numbers[j])].unknown;
+  for (std::size_t i = 0; i < result.numbers.size(); ++i)
+    for (std::size_t j = 0; j < result.numbers.size(); ++j) {
+      const auto &a = result.numbers[i].unknown, &b = result.numbers[j].unknown;
       const auto is_its = [&](const calibration::Unknown& unknown) {
         return unknown.owner == calibration::Unknown::Owner::kBase && unknown.placing == placing;
       };
       if (!is_its(a) || !is_its(b)) continue;
       covariance(a.component, b.component) =
-          result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * result.widening *
-          result.widening;
+          result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       ++found;
     }
   return found == 36 ? std::optional(covariance) : std::nullopt;

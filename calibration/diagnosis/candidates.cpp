@@ -140,6 +140,7 @@ std::vector<Unknown> effectUnknowns(const deflection::Arm& arm, const Candidate&
     unknown.path.value = value;
     unknown.start = arm.effects[static_cast<std::size_t>(effect)].values[static_cast<std::size_t>(value)];
     unknown.typical = candidate.unit[static_cast<std::size_t>(value)];
+    unknown.prior_sigma = 10 * unknown.typical;
     unknown.lower = candidate.lower[static_cast<std::size_t>(value)] - unknown.start;
     unknown.upper = candidate.upper[static_cast<std::size_t>(value)] - unknown.start;
     unknowns.push_back(unknown);

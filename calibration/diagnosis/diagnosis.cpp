@@ -202,10 +202,10 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
 /// Of the model as it is with every outlier's rows as numbers of their own.
 double criterionOf(const Identification& rest, const Diagnosis& whole, const std::vector<Measurement>& readings,
                    const std::vector<int>& outliers) {
-  auto numbers = static_cast<double>(rest.fitted_numbers.size());
+  auto numbers = static_cast<double>(rest.numbers.size());
   for (const int k : outliers) numbers += rowsOf(readings[static_cast<std::size_t>(k)]);
   const auto rows =
-      static_cast<double>(whole.degrees_of_freedom) + static_cast<double>(whole.baseline.fitted_numbers.size());
+      static_cast<double>(whole.degrees_of_freedom) + static_cast<double>(whole.baseline.numbers.size());
   return rest.chi2 + numbers * std::log(std::max(2., rows));
 }
 

@@ -33,7 +33,7 @@ const deflection::EffectKind& kindOf(const deflection::Effect& effect) {
 std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, int effect) {
   std::vector<const IdentifiedNumber*> numbers;
   for (const auto& number : with.numbers)
-    if (!number.is_held && number.unknown.owner == Unknown::Owner::kArm && number.unknown.path.effect == effect)
+    if (number.unknown.owner == Unknown::Owner::kArm && number.unknown.path.effect == effect)
       numbers.push_back(&number);
   return numbers;
 }
@@ -90,7 +90,7 @@ Without fitWithout(const Case& c, int effect) {
 
 double logReadings(const Identification& with) {
   return std::log(
-      std::max(2., static_cast<double>(with.degrees_of_freedom) + static_cast<double>(with.fitted_numbers.size())));
+      std::max(2., static_cast<double>(with.degrees_of_freedom) + static_cast<double>(with.numbers.size())));
 }
 
 bool isAtNeutral(const deflection::Effect& effect, const std::vector<const IdentifiedNumber*>& numbers) {
@@ -179,7 +179,7 @@ std::optional<EffectWarning> findBetter(const Case& c, int effect, const Diagnos
   const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
   const auto fits = explainBySingles(withoutEffect(c.start, effect), c.readings, bare);
   goOn(bare.hooks.stop);
-  double own = c.with.chi2 + static_cast<double>(c.with.fitted_numbers.size()) * logReadings(c.with);
+  double own = c.with.chi2 + static_cast<double>(c.with.numbers.size()) * logReadings(c.with);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
   for (const auto& fit : fits) {
     warning.better = fit.effects.front();

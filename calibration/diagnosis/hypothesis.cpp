@@ -5,6 +5,7 @@
 
 #include "calibration/diagnosis/smooth_misfit.hpp"
 #include "calibration/held_out.hpp"
+#include "calibration/prior.hpp"
 #include "calibration/span.hpp"
 
 namespace tubeplan::calibration {
@@ -74,6 +75,7 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
       shape.sizes = {shape.shape};
       auto unknown = effectUnknowns(model.placed.arm, shape, effect, {0}).front();
       unknown.typical = std::max(1e-3, 0.3 * part.shape);
+      unknown.prior_sigma = 10 * unknown.typical;
       own.push_back(unknown);
       start.conservativeResize(start.size() + 1);
       start[start.size() - 1] = 0;
@@ -98,7 +100,7 @@ Explanation fitParts(const DiagnosisBasis& basis, const std::vector<Part>& parts
   result.p_value = chiSquareTail(result.chi2, freedom);
   result.smooth_p_value = findSmoothMisfit(result.fitted, basis.readings, basis.weights, residual).p_value;
   result.criterion = result.chi2 + numbers * std::log(std::max(2, basis.weights.degrees_of_freedom));
-  const VectorXd sigma = covarianceOf(residual.jacobian).diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd sigma = posteriorCovariance(residual.jacobian, model.unknowns).diagonal().cwiseMax(0).cwiseSqrt();
   for (std::size_t p = 0; p < parts.size(); ++p) {
     FoundEffect found{parts[p].candidate->effect,
                       parts[p].candidate->at,
@@ -168,6 +170,7 @@ ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explana
       unknown.quantity = number.quantity;
       unknown.start = found.fitted.values[v];
       unknown.typical = kind.parameters[v].plausible;
+      unknown.prior_sigma = 10 * unknown.typical;
       unknown.lower = number.lower - unknown.start;
       unknown.upper = number.upper - unknown.start;
       model.unknowns.push_back(unknown);
