@@ -109,7 +109,7 @@ TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   const auto unknowns = chooseUnknowns(placed, {{"tool.tip"}, false}).list;
   const auto folds = foldsOf(maker.readings, 4, 1);
   const Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
-  const ErrorSize cross = crossValidate(placed, unknowns, maker.readings, x, folds, {}, RobustLoss::kNone);
+  const ErrorSize cross = crossValidate(placed, unknowns, maker.readings, x, folds, {});
   double squares = 0;
   for (int fold = 0; fold < 4; ++fold) {
     std::vector<Measurement> kept, out;

@@ -164,7 +164,7 @@ TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const int k : point.readings) {
       const auto row = weights->first_row[static_cast<std::size_t>(k)];
-      sum += weights->covariance[static_cast<std::size_t>(k)].inverse() * residual.error.segment(row, 3);
+      sum += weights->covariance(static_cast<std::size_t>(k)).inverse() * residual.error.segment(row, 3);
     }
     // The weighted errors about the estimate balance.
     EXPECT_LE(sum.norm(), 1e-6 / maker.readings.front().sigma);
@@ -209,28 +209,25 @@ TEST(WhitenedResidual, SaysWhenTheModelCannotBeEvaluated) {
   EXPECT_FALSE(weighReadings(cobra(), maker.readings).has_value());
 }
 
-// A compliance in rad/(N m) beside a force in N: their scales must not reach the sigmas.
-TEST(Covariance, DoesNotHangOnUnits) {
-  ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
-  maker.add(MeasurementKind::kPosition, 12);
-  PlacedArm placed = cobra();
-  const auto unknowns =
-      chooseUnknowns(placed, {{"tool.joint_stiffness.z", "forearm.weight.end", "forearm.dh.a"}, true}).list;
-  const auto weights = weighReadings(placed, maker.readings);
-  const auto n = static_cast<Eigen::Index>(unknowns.size());
-  const Eigen::MatrixXd J =
-      whitenedResidual(placed, unknowns, maker.readings, *weights, Eigen::VectorXd::Zero(n), true).jacobian;
-  const Eigen::VectorXd sigma = covarianceOf(J).diagonal().cwiseSqrt();
-  Eigen::VectorXd units(n);
-  for (Eigen::Index k = 0; k < n; ++k) units[k] = std::pow(10., 3. * static_cast<double>(k % 5) - 6);
-  const Eigen::VectorXd in_units = covarianceOf(J * units.asDiagonal()).diagonal().cwiseSqrt();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::MatrixXd others =
-        (Eigen::MatrixXd(J.rows(), n - 1) << J.leftCols(k), J.rightCols(n - 1 - k)).finished();
-    const Eigen::VectorXd own = J.col(k) - others * others.colPivHouseholderQr().solve(J.col(k));
-    EXPECT_NEAR(sigma[k], 1 / own.norm(), 1e-6 / own.norm()) << unknowns[static_cast<std::size_t>(k)].name;
-    EXPECT_NEAR(in_units[k] * units[k], sigma[k], 1e-6 * sigma[k]) << unknowns[static_cast<std::size_t>(k)].name;
+TEST(WhitenedResidual, AModelErrorIsOneMoreVarianceOfEveryCoordinate) {
+  ReadingMaker maker(cobra(), 10, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 2);
+  const double model_error = 2 * maker.readings.front().sigma;
+  const auto plain = weighReadings(cobra(), maker.readings);
+  const auto whole = weighReadings(cobra(), maker.readings, {}, model_error);
+  const auto again = reweighted(*plain, maker.readings, model_error);
+  for (std::size_t k = 0; k < maker.readings.size(); ++k) {
+    MatrixXd expected = plain->covariance(k);
+    expected.diagonal().array() += model_error * model_error;
+    EXPECT_LE((whole->covariance(k) - expected).norm(), 1e-12 * expected.norm());
+    EXPECT_LE((whole->whitener[k] * expected * whole->whitener[k].transpose() -
+               MatrixXd::Identity(expected.rows(), expected.rows()))
+                  .norm(),
+              1e-9);
+    EXPECT_EQ(again.whitener[k], whole->whitener[k]);
   }
+  EXPECT_EQ(noiseFloor(maker.readings, *whole), noiseFloor(maker.readings, *plain));
+  EXPECT_EQ(whole->degrees_of_freedom, plain->degrees_of_freedom);
 }
 
 }  // namespace

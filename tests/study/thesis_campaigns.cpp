@@ -86,7 +86,7 @@ struct Tally {
   int runs = 0, same_optimum = 0, not_converged = 0;
   double error = 0, chi2 = 0, freedom = 0, evaluations = 0;
   struct Number {
-    int told = 0, covered = 0;
+    int identifiable = 0, covered = 0;
     double sigma = 0;
   };
   std::map<std::string, Number> numbers;
@@ -102,9 +102,9 @@ IdentificationOptions identificationOptions(const Campaign& campaign) {
 void count(const Identification& result, deflection::Arm& true_arm, Tally& tally) {
   for (const auto& number : result.numbers) {
     auto& entry = tally.numbers[number.unknown.name];
-    if (number.is_held) continue;
+    if (number.identifiable != calibration::Identifiability::kYes) continue;
     const double value = numberOf(true_arm, number.unknown.name);
-    ++entry.told;
+    ++entry.identifiable;
     entry.covered += number.lower <= value && value <= number.upper;
     entry.sigma += number.sigma / value;
   }
@@ -145,16 +145,16 @@ void print(const Campaign& campaign, const Tally& tally, const StudyOptions& opt
       "  mean touch error {:.4f} in (the thesis: {:.4f}); chi-square {:.3f} per degree of freedom; {:.0f} "
       "evaluations a fit\n",
       tally.error / done, campaign.printed_error, tally.chi2 / tally.freedom, tally.evaluations / done);
-  int told = 0, covered = 0;
+  int identifiable = 0, covered = 0;
   for (const auto& [name, number] : tally.numbers) {
-    fmt::print("  {:<38} told {:>4} of {}", name, number.told, tally.runs);
-    if (number.told)
-      fmt::print("  covered {:5.1f} %  sigma {:.3g} of it", 100. * number.covered / number.told,
-                 number.sigma / number.told);
+    fmt::print("  {:<38} identifiable {:>4} of {}", name, number.identifiable, tally.runs);
+    if (number.identifiable)
+      fmt::print("  covered {:5.1f} %  sigma {:.3g} of it", 100. * number.covered / number.identifiable,
+                 number.sigma / number.identifiable);
     fmt::print("\n");
-    told += number.told, covered += number.covered;
+    identifiable += number.identifiable, covered += number.covered;
   }
-  if (told) fmt::print("  all intervals: {:.1f} % of {}\n", 100. * covered / told, told);
+  if (identifiable) fmt::print("  all intervals: {:.1f} % of {}\n", 100. * covered / identifiable, identifiable);
 }
 
 void run(const StudyOptions& options) {
