@@ -2,7 +2,7 @@
 
 namespace tubeplan::app {
 
-calibration::FreeChoice freeNumbersOf(const Cell& cell) { return {cell.identify, !cell.base_known}; }
+calibration::FreeChoice freeNumbersOf(const Cell& cell) { return {cell.identify, !cell.base_known, cell.priors}; }
 
 calibration::PlacedArm startOf(const Cell& cell, const std::vector<calibration::Measurement>& readings) {
   return calibration::placeForReadings(cell.arm, cell.X_WB, cell.base_known, readings);

@@ -16,8 +16,7 @@ calibration::Knowledge knowledgeOf(const Cell& cell, const std::vector<calibrati
   auto knowledge = calibration::learnFrom(cell.arm, cell.X_WB, cell.base_known, readings, free);
   if (knowledge.problems.empty()) return knowledge;
   const auto& problem = knowledge.problems.front();
-  std::vector<std::string> known{"geometry", "tool.tip"};
-  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  const auto known = calibration::freeableNames(cell.arm);
   throw InputError(where, problem.found, problem.expected, suggestion(problem.name, known));
 }
 

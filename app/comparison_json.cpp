@@ -162,7 +162,8 @@ std::string misfitLine(const char* title, const ModelMisfit& misfit, const Units
   return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
                      lengthText(misfit.errors.rms, units, 3), lengthText(misfit.errors.mean, units, 3),
                      lengthText(misfit.errors.max, units, 3), misfit.chi2 / std::max(1, misfit.degrees_of_freedom),
-                     chanceText(misfit.p_value), nameOf(misfit.adequacy));
+                     misfit.degrees_of_freedom > 0 ? chanceText(misfit.p_value) : "no degree of freedom",
+                     nameOf(misfit.adequacy));
 }
 
 std::string equivalentsText(const Comparison& result, const Units& units) {
@@ -190,6 +191,8 @@ const char* nameOf(Adequacy adequacy) {
       return "adequate";
     case Adequacy::kFallsShort:
       return "falls-short";
+    case Adequacy::kInconclusive:
+      return "inconclusive";
   }
   return "";
 }
@@ -201,6 +204,8 @@ std::string comparisonSentence(const Comparison& result, const Units& units) {
                   lengthText(result.as_it_stands.errors.rms, units, 3), lengthText(after.errors.rms, units, 3),
                   lengthText(after.noise_floor, units, 3));
   if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", sizes);
+  if (result.verdict == Adequacy::kInconclusive)
+    return fmt::format("No verdict is possible: {}; {}.", fmt::join(result.grounds, ", and "), sizes);
   return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), sizes);
 }
 

@@ -48,8 +48,7 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
     throw InputError(cell.path, result.reason, "something to find",
                      "`tubeplan identify --help` says what may be freed");
   const auto& problem = result.problems.front();
-  std::vector<std::string> known{"geometry", "tool.tip"};
-  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  const auto known = calibration::freeableNames(cell.arm);
   throw InputError(request.free.empty() ? cell.path + " (identify)" : "--free", problem.found, problem.expected,
                    suggestion(problem.name, known));
 }

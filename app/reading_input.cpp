@@ -8,6 +8,7 @@
 
 #include "app/input_error.hpp"
 #include "app/readers/measurements_reader.hpp"
+#include "app/readers/priors_reader.hpp"
 #include "app/readers/text_file.hpp"
 #include "app/touch_input.hpp"
 #include "calibration/reading_prediction.hpp"
@@ -141,9 +142,11 @@ std::vector<Measurement> readReadings(const std::string& file, const Cell& cell,
   return asFitsWant(readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
 }
 
-CellReadings readCellReadings(const std::string& cell, const std::string& measurements, double sigma) {
+CellReadings readCellReadings(const std::string& cell, const std::string& measurements,
+                              const MeasurementOptions& options) {
   CellReadings read{readCell(cell), measurements, {}};
-  read.readings = readReadings(measurements, read.cell, sigma);
+  takePriors(options.priors, read.cell);
+  read.readings = readReadings(measurements, read.cell, options.sigma);
   return read;
 }
 

@@ -32,8 +32,15 @@ struct CellReadings {
   std::vector<calibration::Measurement> readings;
 };
 
+/// What a user may say of readings and of what is known beforehand, beside their files.
+struct MeasurementOptions {
+  double sigma = 0;                 ///< in the cell's length unit; 0: not given
+  std::vector<std::string> priors;  ///< as takePriors() wants them
+};
+
 /// Both from their files, the readings as by readReadings. Throws InputError.
-[[nodiscard]] CellReadings readCellReadings(const std::string& cell, const std::string& measurements, double sigma = 0);
+[[nodiscard]] CellReadings readCellReadings(const std::string& cell, const std::string& measurements,
+                                            const MeasurementOptions& options = {});
 
 /// Readings from text.
 [[nodiscard]] std::vector<calibration::Measurement> parseReadings(const std::string& text, const std::string& file,

@@ -241,7 +241,7 @@ void note(const Knowledge& knowledge, const Units& units, std::vector<std::strin
 void learn(Job& job, const std::string& named_by) {
   auto& outcome = job.outcome;
   if (wants(job, "parameters")) {
-    job.of_numbers = knowledgeOf(outcome.cell, job.readings, {job.request.free, !outcome.cell.base_known}, named_by);
+    job.of_numbers = knowledgeOf(outcome.cell, job.readings, {job.request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
     note(*job.of_numbers, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*job.of_numbers);
     outcome.cell = cellAsKnown(outcome.cell, *job.of_numbers);

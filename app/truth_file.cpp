@@ -25,12 +25,6 @@ std::string inYamlQuotes(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-bool isGeometry(const std::string& name) {
-  const std::string_view rest = std::string_view(name).substr(name.find('.') + 1);
-  return rest.starts_with("dh.") || rest.starts_with("origin.") || rest == "joint.offset" ||
-         name.starts_with("tool.tip.");
-}
-
 std::string headText(const TruthFile& file) {
   const Units& units = file.cell.units;
   std::vector<std::string> encoders;
@@ -98,16 +92,12 @@ std::string listUnder(const std::string& key, const std::string& items) {
 }  // namespace
 
 std::vector<deflection::Parameter> identifiedParameters(const Cell& cell) {
-  const auto isNamed = [&](const std::string& name) {
-    return std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end();
-  };
+  std::vector<std::string> named;
+  for (const auto& name : cell.identify)
+    for (const auto& behind : calibration::namesBehind(cell.arm, name)) named.push_back(behind);
   std::vector<deflection::Parameter> parameters;
-  for (const auto& parameter : deflection::parametersOf(cell.arm)) {
-    const bool is_tip = parameter.path.row < 0;
-    if (isNamed(parameter.name) || (is_tip && isNamed("tool.tip")) ||
-        (isNamed("geometry") && isGeometry(parameter.name)))
-      parameters.push_back(parameter);
-  }
+  for (const auto& parameter : deflection::parametersOf(cell.arm))
+    if (std::find(named.begin(), named.end(), parameter.name) != named.end()) parameters.push_back(parameter);
   return parameters;
 }
 

@@ -9,19 +9,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-bool isStiffness(deflection::Quantity quantity) {
-  using deflection::Quantity;
-  return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
-         quantity == Quantity::kLengthToTheFourth;
-}
-
 }  // namespace
 
 CampaignTruth drawTruth(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const TruthOptions& options) {
   CampaignRandom random(options.seed, CampaignRandom::Stream::kTruth);
   CampaignTruth truth{arm, {}};
   for (const auto& parameter : options.parameters)
-    if (isStiffness(parameter.quantity))
+    if (deflection::isStiffness(parameter.quantity))
       deflection::locate(truth.arm, parameter.path) *= std::exp(random.normal(options.spread));
   for (int k = 0; k < options.setups; ++k) {
     BaseStep step;

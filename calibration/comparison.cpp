@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/evidence.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -35,6 +36,12 @@ bool fallsShort(const ModelMisfit& misfit, double level) {
   return (by_repeats ? misfit.repeats.lack_of_fit_p_value : misfit.p_value) < level;
 }
 
+std::string inconclusiveSince(const ModelMisfit& misfit, const std::vector<Measurement>& readings, int numbers) {
+  auto problem = findLackOfFreedom(readings, misfit.degrees_of_freedom, numbers);
+  if (!problem) problem = findOverstatedNoise(misfit.chi2, misfit.degrees_of_freedom);
+  return problem ? problem->what + " (needed: " + problem->needed + ")" : "";
+}
+
 ModelMisfit misfitOf(const Evaluation& model, int fitted_numbers, double level) {
   ModelMisfit misfit;
   misfit.errors = errorSize(model.scene.readings, model.weights, model.residual.error);
@@ -44,7 +51,10 @@ ModelMisfit misfitOf(const Evaluation& model, int fitted_numbers, double level) 
   misfit.p_value = chiSquareTail(misfit.chi2, misfit.degrees_of_freedom);
   misfit.repeats =
       judgeRepeats(model.scene.readings, model.weights, model.residual.error, misfit.chi2, misfit.degrees_of_freedom);
-  misfit.adequacy = fallsShort(misfit, level) ? Adequacy::kFallsShort : Adequacy::kAdequate;
+  misfit.inconclusive = inconclusiveSince(misfit, model.scene.readings, fitted_numbers);
+  misfit.adequacy = fallsShort(misfit, level)      ? Adequacy::kFallsShort
+                    : misfit.inconclusive.empty() ? Adequacy::kAdequate
+                                                  : Adequacy::kInconclusive;
   return misfit;
 }
 
@@ -138,7 +148,8 @@ void giveVerdict(Comparison& result, double level) {
     result.grounds.push_back(first.trend.size() == 1 ? "a part of the error is the same everywhere"
                                                      : "the error follows " + first.variable);
   }
-  result.verdict = result.grounds.empty() ? Adequacy::kAdequate : Adequacy::kFallsShort;
+  result.verdict = result.grounds.empty() ? misfit.adequacy : Adequacy::kFallsShort;
+  if (result.verdict == Adequacy::kInconclusive) result.grounds.push_back(misfit.inconclusive);
 }
 
 Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
@@ -166,7 +177,9 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
     return result;
   }
   if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;
-  result.after_refit = misfitOf(after, static_cast<int>(after.residual.jacobian.cols()), options.level);
+  const bool is_refitted = result.refit.status != IdentificationStatus::kNotRun;
+  const int numbers = is_refitted ? after.weights.degrees_of_freedom - result.refit.degrees_of_freedom : 0;
+  result.after_refit = misfitOf(after, numbers, options.level);
   result.joints_after = equivalentJoints(result.fitted, fitted, after.residual.error);
   describeReadings(before, after, result.used, result);
   describeHeldOut(start, readings, result);

@@ -19,15 +19,17 @@ struct ComparisonOptions {
 
 enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
-enum class Adequacy { kNotRun, kAdequate, kFallsShort };
+/// Inconclusive: the readings are too few, or their noise is stated too large, for a verdict.
+enum class Adequacy { kNotRun, kAdequate, kFallsShort, kInconclusive };
 
 /// A model against the readings that a fit may use.
 struct ModelMisfit {
   ErrorSize errors;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  int degrees_of_freedom = 0;
+  int degrees_of_freedom = 0;  ///< less the numbers that the readings determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();  ///< against the stated noise
+  std::string inconclusive;  ///< why the readings can bear no verdict, and what would be needed; empty where they can
   Repeats repeats;
   Adequacy adequacy = Adequacy::kNotRun;
 };
@@ -56,7 +58,7 @@ struct Comparison {
   JointEquivalents joints_before, joints_after;  ///< columns in the order of `used`
   std::vector<int> used;                         ///< readings that are not held out
   Adequacy verdict = Adequacy::kNotRun;          ///< after the refit
-  std::vector<std::string> grounds;              ///< of a verdict that it falls short, one plain clause each
+  std::vector<std::string> grounds;              ///< of any other verdict than adequate, one plain clause each
   bool noise_disagrees = false;                  ///< repeats say that the stated noise is wrong: they judge
 };
 

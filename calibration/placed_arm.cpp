@@ -11,18 +11,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-using deflection::Parameter, deflection::Quantity;
+using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStiffest = 1e4;      // a fit may make an axis that much stiffer than its start ...
 constexpr double kSoftest = 100;       // ... or give that often what it may well give
 constexpr double kHardlyGives = 1e-5;  // rad under the arm's whole weight at its reach: the start of a rigid axis
 constexpr double kMayGive = 0.02;      // rad under the same: what a rigid axis may typically turn out to give
-
-bool isStiffness(Quantity quantity) {
-  return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
-         quantity == Quantity::kLengthToTheFourth;
-}
 
 double weightOf(const deflection::Arm& arm) {
   double weight = 0;
@@ -163,11 +158,23 @@ int placingOf(const PlacedArm& placed, const Measurement& reading) {
 }
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
-  if (name == "tool.tip") return {"tool.tip.x", "tool.tip.y", "tool.tip.z"};
-  if (name != "geometry") return {name};
+  const bool is_part = name.find('.') != std::string::npos;
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(arm))
-    if (isGeometry(parameter.name)) names.push_back(parameter.name);
+    if (name == "geometry" ? isGeometry(parameter.name) : is_part && parameter.name.starts_with(name + "."))
+      names.push_back(parameter.name);
+  return names.empty() && name != "geometry" ? std::vector<std::string>{name} : names;
+}
+
+std::vector<std::string> freeableNames(const deflection::Arm& arm) {
+  std::vector<std::string> names{"geometry"};
+  for (const auto& parameter : deflection::parametersOf(arm)) {
+    std::string name = parameter.name;
+    for (std::size_t dot = name.rfind('.'); dot != std::string::npos; dot = name.rfind('.')) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      name.resize(dot);
+    }
+  }
   return names;
 }
 

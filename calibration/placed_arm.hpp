@@ -68,7 +68,7 @@ struct FreeProblem {
 };
 
 struct FreeChoice {
-  std::vector<std::string> names;  ///< dotted names, "tool.tip", "geometry"
+  std::vector<std::string> names;  ///< as namesBehind() has them
   bool base = true;                ///< also every placing that is not known
   Priors priors = {};
 };
@@ -81,8 +81,12 @@ struct Unknowns {
 };
 [[nodiscard]] Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice);
 
-/// Adds a prefix-free list of dotted names that stand for `name`: itself, the three of "tool.tip", all of "geometry".
+/// The dotted names that `name` stands for: itself, all below it ("tool.tip", "forearm.origin.rpy", "forearm.dh"), or
+/// every number that says where things are ("geometry").
 [[nodiscard]] std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name);
+
+/// Every name that may be freed: "geometry", the arm's numbers, and what they stand below.
+[[nodiscard]] std::vector<std::string> freeableNames(const deflection::Arm& arm);
 
 /// The placed arm with these variables applied to its start.
 [[nodiscard]] PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x);

@@ -4,6 +4,9 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include "calibration/reading_prediction.hpp"
 
@@ -38,13 +41,24 @@ double scatterOf(const std::vector<int>& members, const ReadingWeights& weights,
 }  // namespace
 
 std::vector<int> groupRepeats(const std::vector<Measurement>& readings) {
+  // Only those whose first joint reads nearly the same can be alike: looked for among neighbouring cells.
+  std::map<std::tuple<std::string, std::string, long>, std::vector<int>> firsts;
   std::vector<int> groups;
-  std::vector<const Measurement*> firsts;
-  for (const auto& reading : readings) {
-    const auto at =
-        std::find_if(firsts.begin(), firsts.end(), [&](const Measurement* m) { return areAlike(*m, reading); });
-    groups.push_back(static_cast<int>(at - firsts.begin()));
-    if (at == firsts.end()) firsts.push_back(&reading);
+  int count = 0;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Measurement& reading = readings[k];
+    const long cell = reading.q.size() ? std::lround(reading.q[0] / (2 * kSameJoint)) : 0;
+    int found = -1;
+    for (const long near : {cell - 1, cell, cell + 1})
+      for (const int first : firsts[{reading.setup, reading.point, near}])
+        if (areAlike(readings[static_cast<std::size_t>(first)], reading) &&
+            (found < 0 || groups[static_cast<std::size_t>(first)] < found))
+          found = groups[static_cast<std::size_t>(first)];
+    if (found < 0) {
+      found = count++;
+      firsts[{reading.setup, reading.point, cell}].push_back(static_cast<int>(k));
+    }
+    groups.push_back(found);
   }
   return groups;
 }

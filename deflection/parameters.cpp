@@ -255,6 +255,11 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
 template ArmOf<Dual> castArm<Dual, double>(const ArmOf<double>&);
 template ArmOf<double> castArm<double, Dual>(const ArmOf<Dual>&);
 
+bool isStiffness(Quantity quantity) {
+  return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
+         quantity == Quantity::kLengthToTheFourth;
+}
+
 double& locate(Arm& arm, const ParameterPath& path) { return locateIn(arm, path); }
 Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path) { return locateIn(arm, path); }
 

@@ -28,6 +28,9 @@ enum class Quantity {
   kTime,
 };
 
+/// E, G, I, J and joint stiffnesses: what a part's compliance is the inverse of.
+[[nodiscard]] bool isStiffness(Quantity quantity);
+
 /// Where a parameter lives: `row` -1 is the tool; `field` indexes parameterFields(); `lump` counts the row's lumps. A
 /// number of an effect has only the effect's index in the arm and the value's index in the effect.
 struct ParameterPath {

@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/comparison_job.hpp"
 #include "app/comparison_json.hpp"
 #include "app/planning_hooks.hpp"
@@ -18,12 +19,12 @@ namespace {
 
 struct CompareOptions {
   std::string cell, measurements, json, report;
-  double sigma = 0;
+  MeasurementOptions given;
   ComparisonRequest request;
 };
 
 int run(const CompareOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
+  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
   const auto [comparison, figures] = compareModel(input, options.request, terminalWorkHooks());
@@ -43,8 +44,7 @@ Run configureCompare(CLI::App& cli) {
   const auto options = std::make_shared<CompareOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
-  cli.add_option("--sigma", options->sigma,
-                 "noise of a coordinate where the file states none, in the cell's length unit");
+  addMeasurementOptions(cli, options->given);
   cli.add_option("--report", options->report, "write a page with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));

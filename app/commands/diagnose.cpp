@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/diagnosis_job.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/effect_warnings_json.hpp"
@@ -20,12 +21,12 @@ namespace {
 
 struct DiagnoseOptions {
   std::string cell, measurements, json, report;
-  double sigma = 0;
+  MeasurementOptions given;
   DiagnosisRequest request;
 };
 
 int run(const DiagnoseOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
+  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
   const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
@@ -51,8 +52,7 @@ Run configureDiagnose(CLI::App& cli) {
                  "how many further readings to propose where the verdict leaves something open")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
-  cli.add_option("--sigma", options->sigma,
-                 "noise of a coordinate where the file states none, in the cell's length unit");
+  addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
   cli.add_option("--report", options->report, "write a self-contained page about it (HTML) to this file");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");

@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/effect_warnings_json.hpp"
 #include "app/identification_job.hpp"
 #include "app/identification_json.hpp"
@@ -23,12 +24,12 @@ using calibration::IdentificationStatus;
 
 struct IdentifyOptions {
   std::string cell, measurements, out, json;
-  double sigma = 0;
+  MeasurementOptions given;
   IdentificationRequest request;
 };
 
 int run(const IdentifyOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
+  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   const auto& [cell, file, readings] = input;
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
@@ -39,7 +40,7 @@ int run(const IdentifyOptions& options) {
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
-    for (const auto& written : identifiedCell(cell, outcome.fit, options.out))
+    for (const auto& written : identifiedCell(cell, outcome.fit, readings, options.out).inOrder())
       writeFileAtomically(written.path, written.text, "--out");
   writeJson(options.json, outcome.figures);
   if (printsText(options.json)) {
@@ -62,8 +63,7 @@ Run configureIdentify(CLI::App& cli) {
                  "(tool.joint_stiffness.z), tool.tip, geometry")
       ->delimiter(',');
   cli.add_option("--out", options->out, "write the cell with what was found to this file, its arm beside it");
-  cli.add_option("--sigma", options->sigma,
-                 "noise of a coordinate where the file states none, in the cell's length unit");
+  addMeasurementOptions(cli, options->given);
   cli.add_option("--robust", options->request.robust, "loss that weakens outliers")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;

@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/improvement_job.hpp"
 #include "app/planning_hooks.hpp"
@@ -19,16 +20,16 @@ namespace {
 
 struct ImproveOptions {
   std::string cell, measurements, out, json;
-  double sigma = 0;
+  MeasurementOptions given;
   ImprovementRequest request;
 };
 
 int run(const ImproveOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.sigma);
+  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   checkWritableFile(options.out, "--out");
   const auto result = improveModel(input, options.request, terminalWorkHooks());
-  for (const auto& file : improvedCell(input.cell, result.cell, result.last, options.out))
+  for (const auto& file : improvedCell(input.cell, result.cell, result.last, input.readings, options.out).inOrder())
     writeFileAtomically(file.path, file.text, "--out");
   writeJson(options.json, improvementJson(result));
   if (!printsText(options.json)) return kDone;
@@ -47,7 +48,7 @@ Run configureImprove(CLI::App& cli) {
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
   cli.add_option("--steps", options->request.steps, "the most rounds of diagnosing and adding")
       ->check(CLI::Range(1, 20));
-  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none");
+  addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

@@ -8,6 +8,7 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/ladder_job.hpp"
 #include "app/planning_hooks.hpp"
 
@@ -18,18 +19,19 @@ namespace {
 struct LadderOptions {
   std::string measurements, json, report;
   std::vector<std::string> cells;
-  double sigma = 0;
+  MeasurementOptions given;
   LadderStepOptions steps;
   bool with_rigid = false;
 };
 
 std::vector<LadderModel> modelsOf(const LadderOptions& options) {
   std::vector<LadderModel> models;
-  for (const auto& path : options.cells) models.push_back({path, {readCell(path), options.measurements, {}}});
+  for (const auto& path : options.cells)
+    models.push_back({path, readCellReadings(path, options.measurements, options.given)});
   if (options.with_rigid)
     models.insert(models.begin(),
-                  {models.front().name + ", rigid", {rigidOf(models.front().input.cell), options.measurements, {}}});
-  for (auto& model : models) model.input.readings = readReadings(options.measurements, model.input.cell, options.sigma);
+                  {models.front().name + ", rigid",
+                   {rigidOf(models.front().input.cell), options.measurements, models.front().input.readings}});
   return models;
 }
 
@@ -54,7 +56,7 @@ Run configureLadder(CLI::App& cli) {
   const auto options = std::make_shared<LadderOptions>();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
   cli.add_option("CELL", options->cells, "models, one cell file each, in the order of the ladder")->required();
-  cli.add_option("--sigma", options->sigma, "noise of a coordinate where the file states none");
+  addMeasurementOptions(cli, options->given);
   cli.add_option("--report", options->report, "write the ladder as a page to this file (HTML)");
   cli.add_flag("--rigid", options->with_rigid, "begin with the first model's arm taken as rigid");
   cli.add_option("--truth", options->steps.truth,

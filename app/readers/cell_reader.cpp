@@ -7,6 +7,7 @@
 
 #include "app/input_error.hpp"
 #include "app/readers/effects_reader.hpp"
+#include "app/readers/priors_reader.hpp"
 #include "app/readers/quantities.hpp"
 #include "app/readers/scene_reader.hpp"
 #include "app/readers/sheet_reader.hpp"
@@ -62,8 +63,7 @@ void readPark(const YamlNode& node, Cell& cell) {
 }
 
 void readIdentify(const YamlNode& node, Cell& cell) {
-  std::vector<std::string> known{"geometry", "tool.tip"};
-  for (const auto& parameter : deflection::parametersOf(cell.arm)) known.push_back(parameter.name);
+  const auto known = calibration::freeableNames(cell.arm);
   for (const YamlNode& item : node.list()) {
     const std::string name = item.text();
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -113,7 +113,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance", "park", "gravity"});
+                                    "link_shapes", "clearance", "park", "gravity", "prior"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;
@@ -122,6 +122,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   readBase(root.at("base"), cell);
   if (const YamlNode* effects = root.find("effects")) cell.arm.effects = readEffects(*effects, cell.arm, cell.units);
   if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);
+  if (const YamlNode* prior = root.find("prior")) readPriors(*prior, cell);
   const auto folder = std::filesystem::path(path).parent_path();
   if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);
   if (const YamlNode* tool = root.find("calibration_tool")) {

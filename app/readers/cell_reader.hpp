@@ -11,6 +11,7 @@
 #include "app/readers/scene_reader.hpp"
 #include "app/readers/strict_yaml.hpp"
 #include "app/readers/units.hpp"
+#include "calibration/placed_arm.hpp"
 #include "deflection/arm.hpp"
 #include "planner/scene.hpp"
 #include "tubesheets/sheet.hpp"
@@ -38,6 +39,7 @@ struct Cell {
   std::vector<SceneMesh> meshes;      ///< that the scene names
   std::vector<std::string> warnings;  ///< of the scene, a sentence each
   std::vector<std::string> identify;  ///< dotted names, or `geometry`
+  calibration::Priors priors;         ///< of what a fit frees
 
   YamlFile source;      ///< as read, for writing it again with changes
   YamlFile arm_source;  ///< the same of the arm's file; empty where it stands inline

@@ -9,8 +9,10 @@
 #include <iterator>
 #include <vector>
 
+#include "app/input_error.hpp"
 #include "app/readers/effects_reader.hpp"
 #include "app/readers/yaml_edit.hpp"
+#include "calibration/held_out.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
@@ -140,9 +142,32 @@ std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
   return files;
 }
 
-}  // namespace
+/// Where the files say that the arm stands, for every placing of the fit.
+calibration::PlacedArm rereadPlacings(const CellFiles& files, const calibration::PlacedArm& fitted) {
+  const Cell cell = files.reread();
+  calibration::PlacedArm placed{cell.arm, fitted.placings};
+  std::size_t next = 0;
+  for (auto& placing : placed.placings)
+    placing.X_WB = placing.is_known || files.of_setups.empty() ? cell.X_WB : files.reread(files.of_setups[next++]).X_WB;
+  return placed;
+}
 
-std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
+void requireReproduced(const CellFiles& files, const calibration::Identification& result,
+                       const std::vector<calibration::Measurement>& readings, const Units& units) {
+  constexpr double kAlike = 0.01, kLeast = 1e-9;  // of the error; m
+  std::vector<calibration::Measurement> used;
+  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  const double rms = calibration::judge(rereadPlacings(files, result.fitted), used).rms;
+  if (std::abs(rms - result.after.rms) <= kAlike * result.after.rms + kLeast) return;
+  const auto length = [&](double metres) {
+    return fmt::format("{:.6g} {}", metres / units.factor(dimension::kLength), units.length().name);
+  };
+  throw InputError(files.cell.path.string(), "an error of " + length(rms) + " by the cell as it would be written",
+                   "the reported " + length(result.after.rms), "nothing was written; please report this");
+}
+
+/// Everything but whether it gives the reported error.
+CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
   const auto rigid = givenUp(cell, result);
   const bool is_inline = cell.arm_source.text.empty();
@@ -151,23 +176,44 @@ std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identi
   source.arm = result.fitted.arm;
   source.units = cell.units;
   std::string text = withoutIdentifying(cellTextAt(cell, out), cell, rigid);
-  std::vector<TextFile> files;
+  CellFiles files;
   if (is_inline) {
     text = withoutArmParameters(withArmParameters(text, arm_node, source, numbers), arm_node, rigid);
   } else {
     fs::path arm_path = out;
     arm_path.replace_filename(out.stem().string() + "-arm.yaml");
     const std::string found = withArmParameters(cell.arm_source.text, arm_node, source, numbers);
-    files.push_back({arm_path, withoutArmParameters(found, arm_node, rigid)});
+    files.arm = {arm_path, withoutArmParameters(found, arm_node, rigid)};
     text = withYamlValue(text, "arm", '"' + arm_path.filename().string() + '"');
   }
   if (!result.fitted.arm.effects.empty())
     text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
   if (result.fitted.placings.size() > 1)
-    for (auto& file : cellsOfSetups(text, cell, result, out)) files.push_back(std::move(file));
+    files.of_setups = cellsOfSetups(text, cell, result, out);
   else if (!result.fitted.placings.front().is_known)
     text = withBase(text, cell, {result.fitted.placings.front().X_WB, baseCovariance(result, 0), cell.base_known});
-  files.push_back({out, text});
+  files.cell = {out, text};
+  return files;
+}
+
+}  // namespace
+
+std::vector<TextFile> CellFiles::inOrder() const {
+  std::vector<TextFile> files;
+  if (arm) files.push_back(*arm);
+  files.insert(files.end(), of_setups.begin(), of_setups.end());
+  files.push_back(cell);
+  return files;
+}
+
+Cell CellFiles::reread(const TextFile& of) const {
+  return parseCell(of.text, of.path.string(), arm ? std::optional(arm->text) : std::nullopt);
+}
+
+CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
+                         const std::vector<calibration::Measurement>& readings, const fs::path& out) {
+  CellFiles files = filesOf(cell, result, out);
+  requireReproduced(files, result, readings, cell.units);
   return files;
 }
 
@@ -187,13 +233,14 @@ std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, co
   return withYamlValue(text, "identify", identifyList(identify));
 }
 
-std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
-                                   const calibration::Identification& result, const fs::path& out) {
-  auto files = identifiedCell(original, result, out);
-  if (improved.identify.empty()) return files;
-  const bool has_arm_file = !original.arm_source.text.empty();
-  for (std::size_t k = has_arm_file ? 1 : 0; k < files.size(); ++k)
-    files[k].text = withYamlValue(files[k].text, "identify", identifyList(improved.identify));
+CellFiles improvedCell(const Cell& original, const Cell& improved, const calibration::Identification& result,
+                       const std::vector<calibration::Measurement>& readings, const fs::path& out) {
+  CellFiles files = filesOf(original, result, out);
+  if (!improved.identify.empty()) {
+    files.cell.text = withYamlValue(files.cell.text, "identify", identifyList(improved.identify));
+    for (auto& file : files.of_setups) file.text = withYamlValue(file.text, "identify", identifyList(improved.identify));
+  }
+  requireReproduced(files, result, readings, original.units);
   return files;
 }
 

@@ -26,12 +26,28 @@ struct TextFile {
   std::string text;
 };
 
+/// A cell to be written, with all that goes with it.
+struct CellFiles {
+  std::optional<TextFile> arm;      ///< where the arm stands in a file of its own
+  std::vector<TextFile> of_setups;  ///< a cell for each set-up whose base was found, where there are several
+  TextFile cell;
+
+  /// The arm first, the cell last: what names others is there after them.
+  [[nodiscard]] std::vector<TextFile> inOrder() const;
+
+  /// As it will be read again.
+  [[nodiscard]] Cell reread() const { return reread(cell); }
+  [[nodiscard]] Cell reread(const TextFile& of) const;
+};
+
 /// The cell with the numbers that were found, to be written at `out`. Where its arm stands in a file of its own that
-/// file is written too, first, beside the cell under the cell's name and "-arm". A base that was not known is written
-/// where there is one set-up; of several, each has a cell of its own beside it, under the name and "-setup-" and the
-/// set-up's, and the cell itself keeps the base it has.
-[[nodiscard]] std::vector<TextFile> identifiedCell(const Cell& cell, const calibration::Identification& result,
-                                                   const std::filesystem::path& out);
+/// file is written too, beside the cell under the cell's name and "-arm". A base that was not known is written where
+/// there is one set-up; of several, each has a cell of its own beside it, under the name and "-setup-" and the
+/// set-up's, and the cell itself keeps the base it has. What is written is read back: throws InputError, and nothing is
+/// to be written, where it does not give the error of `readings` that the identification reports.
+[[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
+                                       const std::vector<calibration::Measurement>& readings,
+                                       const std::filesystem::path& out);
 
 /// Names of an effect's numbers that a fit may free: all but a step's time, which has no derivative.
 [[nodiscard]] std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect);
@@ -41,9 +57,10 @@ struct TextFile {
                                               const std::vector<std::string>& freed, const std::filesystem::path& out);
 
 /// An improved cell: what it was read from, with the effects and freed names it has gained and the numbers of a fit.
-[[nodiscard]] std::vector<TextFile> improvedCell(const Cell& original, const Cell& improved,
-                                                 const calibration::Identification& result,
-                                                 const std::filesystem::path& out);
+[[nodiscard]] CellFiles improvedCell(const Cell& original, const Cell& improved,
+                                     const calibration::Identification& result,
+                                     const std::vector<calibration::Measurement>& readings,
+                                     const std::filesystem::path& out);
 
 /// The cell's text unchanged but for the names of its files, relative to `out`.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);

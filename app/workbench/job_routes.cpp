@@ -64,10 +64,8 @@ Cell rereadCell(const Cell& cell, const std::string& text) {
   return parseCell(text, cell.path, arm.empty() ? std::nullopt : std::optional(arm));
 }
 
-Cell fittedCell(const Cell& cell, const calibration::Identification& fit) {
-  const auto files = identifiedCell(cell, fit, cell.path);
-  return parseCell(files.back().text, cell.path,
-                   files.size() > 1 ? std::optional(files.front().text) : std::optional<std::string>());
+Cell fittedCell(const CellReadings& input, const calibration::Identification& fit) {
+  return identifiedCell(input.cell, fit, input.readings, input.cell.path).reread();
 }
 
 }  // namespace tubeplan::app

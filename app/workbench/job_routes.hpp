@@ -35,7 +35,7 @@ void finishJob(Workbench& workbench, const Situation& began, const std::function
 
 /// The cell as an export would leave it after a fit, or with other effects: written and read again, so that what
 /// follows is what the commands would give on the files.
-[[nodiscard]] Cell fittedCell(const Cell& cell, const calibration::Identification& fit);
+[[nodiscard]] Cell fittedCell(const CellReadings& input, const calibration::Identification& fit);
 [[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
 
 }  // namespace tubeplan::app

@@ -112,7 +112,7 @@ Answer identify(Workbench& workbench, const Request& request) {
     const CellReadings input = inputOf(began);
     const auto outcome = identifyModel(input, asked, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, "fitted", "fit", fittedCell(input.cell, outcome.fit), outcome.figures, asked.seed,
+    finishFit(workbench, began, "fitted", "fit", fittedCell(input, outcome.fit), outcome.figures, asked.seed,
               context);
     return "identify";
   });
@@ -159,7 +159,7 @@ Answer add(Workbench& workbench, const Request& request) {
     fit.seed = seed;
     const auto outcome = identifyModel(input, fit, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, name, is_formula ? "formula" : "effect", fittedCell(input.cell, outcome.fit),
+    finishFit(workbench, began, name, is_formula ? "formula" : "effect", fittedCell(input, outcome.fit),
               outcome.figures, seed, context);
     return "identify";
   });
@@ -173,10 +173,8 @@ Answer improve(Workbench& workbench, const Request& request) {
                     const Situation began = workbench.situation();
                     const CellReadings input = inputOf(began);
                     const auto outcome = improveModel(input, asked, hooksOf(context));
-                    const auto files = improvedCell(input.cell, outcome.cell, outcome.last, input.cell.path);
                     const Cell improved =
-                        parseCell(files.back().text, input.cell.path,
-                                  files.size() > 1 ? std::optional(files.front().text) : std::optional<std::string>());
+                        improvedCell(input.cell, outcome.cell, outcome.last, input.readings, input.cell.path).reread();
                     finishJob(workbench, began, [&](Situation& situation) {
                       const int id = pushModel(situation, "improved", "effect", improved);
                       putResult(situation, "improve", id, improvementJson(outcome));

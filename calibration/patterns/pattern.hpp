@@ -32,7 +32,7 @@ struct Variable {
   std::string name;  ///< "theta3", "moment forearm.z"
   VariableUnit unit = VariableUnit::kNone;
   Eigen::VectorXd value;  ///< of each reading, internal units; NaN where not stated; of groups: the group's number
-  Eigen::MatrixXd basis;  ///< readings x functions; zero where not stated
+  Eigen::MatrixXd basis;  ///< readings x functions; zero where not stated; empty of groups
   std::vector<std::string> groups;  ///< names of the groups, where the variable is the group a reading belongs to
 };
 

@@ -152,28 +152,81 @@ struct Question {
 
 bool isConstant(const Variable& variable) { return variable.groups.empty() && !varies(variable.value); }
 
+/// What of the residual a variable follows, and how many numbers that takes.
+struct Followed {
+  VectorXd part;
+  int numbers = 0;
+};
+
+Followed followFunctions(const Search& search, const Question& question, const MatrixXd& beside, const VectorXd& r) {
+  const MatrixXd columns = search.columnsOf(question.variable->basis, question.frame, beside);
+  return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
+}
+
+/// The readings of each group.
+std::vector<std::vector<int>> membersOf(const Variable& variable) {
+  std::vector<std::vector<int>> members(variable.groups.size());
+  for (Index k = 0; k < variable.value.size(); ++k)
+    members[static_cast<std::size_t>(variable.value[k])].push_back(static_cast<int>(k));
+  return members;
+}
+
+/// Analysis of variance by groups: each group's mean is a number of its own. With B the projection on the groups' means
+/// and Q what is fitted, r^T B r has tr B - tr Q^T B Q degrees of freedom. Group by group, so that a group for every
+/// point costs no more than one for all.
+Followed followGroups(const Search& search, const Variable& variable, const MatrixXd& beside, const VectorXd& r) {
+  Followed followed{VectorXd::Zero(r.size()), 0};
+  double numbers = 0;
+  for (const auto& group : membersOf(variable)) {
+    Index rows = 0;
+    for (const int k : group) rows += rowsOf(search.scene.readings[static_cast<std::size_t>(k)]);
+    MatrixXd columns(rows, 3), fitted(rows, beside.cols());
+    VectorXd own(rows);
+    Index at = 0;
+    for (const int k : group) {
+      const auto n = static_cast<std::size_t>(k);
+      const MatrixXd along = search.weights.whitener[n] * seenOf(search.scene, n);
+      columns.middleRows(at, along.rows()) = along;
+      fitted.middleRows(at, along.rows()) = beside.middleRows(search.rowOf(k), along.rows());
+      own.segment(at, along.rows()) = r.segment(search.rowOf(k), along.rows());
+      at += along.rows();
+    }
+    const MatrixXd mean = orthonormal(columns, columns.colwise().norm());
+    numbers += static_cast<double>(mean.cols()) - (mean.transpose() * fitted).squaredNorm();
+    const VectorXd part = mean * (mean.transpose() * own);
+    at = 0;
+    for (const int k : group) {
+      const Index count = rowsOf(search.scene.readings[static_cast<std::size_t>(k)]);
+      followed.part.segment(search.rowOf(k), count) = part.segment(at, count);
+      at += count;
+    }
+  }
+  followed.numbers = static_cast<int>(std::lround(numbers));
+  return followed;
+}
+
 /// `test.numbers` stays 0 where nothing is left to ask or nothing to ask it against.
 PatternTest ask(const Search& search, const Question& question, const MatrixXd& others) {
   PatternTest test;
+  const Variable& variable = *question.variable;
   test.kind = question.kind->name;
-  test.variable = question.variable->name;
-  test.unit = question.variable->unit;
+  test.variable = variable.name;
+  test.unit = variable.unit;
   test.frame = question.frame;
   MatrixXd beside = others;
-  if (!isConstant(*question.variable))
-    beside =
-        joined(others, search.columnsOf(MatrixXd::Ones(question.variable->value.size(), 1), question.frame, others));
-  const MatrixXd columns = search.columnsOf(question.variable->basis, question.frame, beside);
-  test.rest = search.freedom - static_cast<int>(beside.cols() - search.absorbed.cols() + columns.cols());
-  if (columns.cols() == 0 || test.rest < 1) return test;
+  if (!isConstant(variable))
+    beside = joined(others, search.columnsOf(MatrixXd::Ones(variable.value.size(), 1), question.frame, others));
   const VectorXd r = search.r - beside * (beside.transpose() * search.r);
-  const VectorXd weight = columns.transpose() * r;
-  test.numbers = static_cast<int>(columns.cols());
-  test.fall = weight.squaredNorm();
+  const Followed followed = variable.groups.empty() ? followFunctions(search, question, beside, r)
+                                                    : followGroups(search, variable, beside, r);
+  test.rest = search.freedom - static_cast<int>(beside.cols() - search.absorbed.cols()) - followed.numbers;
+  if (followed.numbers <= 0 || test.rest < 1) return test;
+  test.numbers = followed.numbers;
+  test.fall = followed.part.squaredNorm();
   test.share = test.fall / std::max(1e-300, search.r.squaredNorm());
   test.F = test.fall / test.numbers / std::max(1e-300, (r.squaredNorm() - test.fall) / test.rest);
   test.p_value = tailOfF(test.F, test.numbers, test.rest);
-  describeTrend(*question.variable, followedErrors(search, question.frame, columns * weight), test);
+  describeTrend(variable, followedErrors(search, question.frame, followed.part), test);
   return test;
 }
 
@@ -202,7 +255,7 @@ std::vector<PatternTest> distinctFindings(const Search& search, const std::vecto
     const PatternTest again = findings.size() == 1 ? test : ask(search, *question, beside);
     if (again.p_value * static_cast<double>(tests.size()) > level)
       findings.back().goes_with = findings.front().variable;
-    else
+    else if (question->variable->groups.empty())
       beside = joined(beside, search.columnsOf(question->variable->basis, question->frame, beside));
   }
   return findings;

@@ -1,6 +1,10 @@
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "calibration/patterns/constant.hpp"
 #include "calibration/patterns/joint_reading.hpp"
@@ -58,19 +62,26 @@ const std::vector<PatternKind>& patternKinds() {
 ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   ReadingScene scene{true, placed, readings, {}, {}, {}, {}};
   scene.tips.resize(3, static_cast<Index>(readings.size()));
-  for (std::size_t k = 0; k < readings.size(); ++k) {
+  scene.tools.resize(readings.size());
+  scene.radials.resize(readings.size());
+  scene.moments_L.resize(readings.size());
+  std::atomic<bool> ok = true;
+  tbb::parallel_for(std::size_t{0}, readings.size(), [&](std::size_t k) {
     const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
     const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
-    if (shape.status != deflection::KinematicsStatus::kConverged) scene.ok = false;
-    if (!scene.ok) return scene;
+    if (shape.status != deflection::KinematicsStatus::kConverged) {
+      ok = false;
+      return;
+    }
     const Vector3d tip = X_WB * shape.X_BD.p;
     scene.tips.col(static_cast<Index>(k)) = tip;
-    scene.tools.push_back(X_WB.linear() * shape.X_BD.R);
-    scene.radials.push_back(radialAxes(tip - X_WB.translation(), placed.arm.gravity_W));
-    Eigen::Matrix3Xd moments(3, static_cast<Index>(shape.rows.size()));
-    for (std::size_t i = 0; i < shape.rows.size(); ++i) moments.col(static_cast<Index>(i)) = shape.rows[i].moment_L;
-    scene.moments_L.push_back(std::move(moments));
-  }
+    scene.tools[k] = X_WB.linear() * shape.X_BD.R;
+    scene.radials[k] = radialAxes(tip - X_WB.translation(), placed.arm.gravity_W);
+    scene.moments_L[k].resize(3, static_cast<Index>(shape.rows.size()));
+    for (std::size_t i = 0; i < shape.rows.size(); ++i)
+      scene.moments_L[k].col(static_cast<Index>(i)) = shape.rows[i].moment_L;
+  });
+  scene.ok = ok;
   return scene;
 }
 
@@ -102,13 +113,12 @@ MatrixXd slowWaves(const VectorXd& value) {
 
 Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading) {
   Variable variable{name, VariableUnit::kNone, VectorXd(static_cast<Index>(group_of_reading.size())), {}, {}};
+  std::map<std::string, std::size_t> index;
   for (std::size_t k = 0; k < group_of_reading.size(); ++k) {
-    const auto at = std::find(variable.groups.begin(), variable.groups.end(), group_of_reading[k]);
-    variable.value[static_cast<Index>(k)] = static_cast<double>(at - variable.groups.begin());
-    if (at == variable.groups.end()) variable.groups.push_back(group_of_reading[k]);
+    const auto [at, is_new] = index.emplace(group_of_reading[k], index.size());
+    variable.value[static_cast<Index>(k)] = static_cast<double>(at->second);
+    if (is_new) variable.groups.push_back(group_of_reading[k]);
   }
-  variable.basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
-  for (Index k = 0; k < variable.value.size(); ++k) variable.basis(k, static_cast<Index>(variable.value[k])) = 1;
   return variable;
 }
 

@@ -7,10 +7,8 @@ namespace tubeplan::deflection::hinges {
 namespace {
 
 bool isStiffness(const ParameterPath& path) {
-  if (path.effect >= 0 || path.row < 0) return false;
-  const Quantity quantity = parameterFields()[static_cast<std::size_t>(path.field)].quantity;
-  return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
-         quantity == Quantity::kLengthToTheFourth;
+  return path.effect < 0 && path.row >= 0 &&
+         deflection::isStiffness(parameterFields()[static_cast<std::size_t>(path.field)].quantity);
 }
 
 /// Every stiffness stands alone in the denominator of its terms: what is left of the compliance without them tells how
