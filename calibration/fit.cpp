@@ -18,6 +18,8 @@ namespace {
 constexpr int kMaxRounds = 3;
 constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that asks for another round
 constexpr double kLackOfFit = 0.01;    // p below which the stated noise is refused
+constexpr double kMedianOfMeanSquare = 0.79;  // of chi-square of three, over three
+constexpr double kGrossErrorLevel = 0.01;     // chance of taking any reading for a gross error where there is none
 constexpr int kMaxModelErrorRounds = 8;
 constexpr double kModelErrorConverged = 0.01;  // relative change that asks for no further round
 
@@ -40,6 +42,12 @@ VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWe
     factors[k] = loss == RobustLoss::kHuber ? (s > 1.6 ? 1.6 / s : 1) : 1 / (1 + s * s / 6);
   }
   return factors;
+}
+
+/// Mean square of a reading's three whitened rows that none of so many exceeds but by chance.
+double grossErrorLimit(std::size_t readings) {
+  const boost::math::chi_squared chance(3);
+  return boost::math::quantile(boost::math::complement(chance, kGrossErrorLevel / static_cast<double>(readings))) / 3;
 }
 
 }  // namespace
@@ -189,28 +197,75 @@ Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, co
   return Fitting(start, unknowns, readings, x, options).run();
 }
 
+namespace {
+
+/// Errors of readings against their noise and a further variance of every coordinate.
+class ErrorVariance {
+ public:
+  ErrorVariance(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(weights.noise[k]);
+      noise_.push_back(axes.eigenvalues().cwiseMax(0));
+      squares_.push_back((axes.eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k])))
+                             .cwiseAbs2());
+    }
+  }
+
+  /// The square of a reading's error in units of its variance, over its rows.
+  [[nodiscard]] double meanSquare(std::size_t reading, double variance) const {
+    return (squares_[reading].array() / (noise_[reading].array() + variance)).mean();
+  }
+
+  /// The variance at which `size(variance)`, which falls with it, comes down to nothing.
+  template <class Size>
+  [[nodiscard]] double solve(const Size& size) const {
+    if (!(size(0.) > 0)) return 0;
+    double low = 0, high = 0;
+    for (const auto& squares : squares_) high = std::max(high, squares.maxCoeff());
+    for (high *= 4; size(high) > 0; high *= 4) low = high;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (size(middle) > 0 ? low : high) = middle;
+    }
+    return high;
+  }
+
+  [[nodiscard]] double medianOfMeans(double variance) const {
+    std::vector<double> means;
+    for (std::size_t k = 0; k < squares_.size(); ++k) means.push_back(meanSquare(k, variance));
+    const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
+    std::nth_element(means.begin(), middle, means.end());
+    return *middle;
+  }
+
+ private:
+  std::vector<VectorXd> noise_, squares_;
+};
+
+}  // namespace
+
 double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error,
                     int degrees_of_freedom) {
   if (degrees_of_freedom <= 0) return 0;
-  std::vector<Eigen::SelfAdjointEigenSolver<MatrixXd>> noise;
-  std::vector<VectorXd> along;  // each error in the axes of its noise
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    noise.emplace_back(weights.noise[k]);
-    along.push_back(noise.back().eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k])));
-  }
-  const auto excess = [&](double variance) {
+  const ErrorVariance errors(readings, weights, error);
+  // What most readings are off by says which are gross errors: those are no error of the model.
+  const double usual = errors.solve([&](double v) { return errors.medianOfMeans(v) - kMedianOfMeanSquare; });
+  const double limit = grossErrorLimit(readings.size());
+  std::vector<std::size_t> kept;
+  int freedom = degrees_of_freedom;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (errors.meanSquare(k, usual) <= limit)
+      kept.push_back(k);
+    else
+      freedom -= rowsOf(readings[k]);
+  if (freedom <= 0) return 0;
+  const auto chi2At = [&](double variance) {
     double chi2 = 0;
-    for (std::size_t k = 0; k < readings.size(); ++k)
-      chi2 += (along[k].array().square() / (noise[k].eigenvalues().array().max(0.) + variance)).sum();
-    return chi2 - degrees_of_freedom;
+    for (const std::size_t k : kept) chi2 += rowsOf(readings[k]) * errors.meanSquare(k, variance);
+    return chi2;
   };
-  if (!(excess(0) > 0)) return 0;
-  double low = 0, high = error.squaredNorm() / degrees_of_freedom;  // chi-square there is no more than expected
-  for (int k = 0; k < 60; ++k) {
-    const double middle = (low + high) / 2;
-    (excess(middle) > 0 ? low : high) = middle;
-  }
-  return std::sqrt(high);
+  if (!(chiSquareTail(chi2At(0), freedom) < kLackOfFit)) return 0;
+  return std::sqrt(errors.solve([&](double v) { return chi2At(v) - freedom; }));
 }
 
 void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) {

@@ -54,7 +54,8 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings);
                                   const Eigen::VectorXd& error);
 
 /// Standard deviation of each coordinate [m] that, beside the readings' noise, makes chi-square of these errors what
-/// `degrees_of_freedom` expect; 0 where the noise is enough. `error` as in WhitenedResidual.
+/// `degrees_of_freedom` expect; 0 where the noise is enough (p >= 0.01). Gross errors of single readings are left out.
+/// `error` as in WhitenedResidual.
 [[nodiscard]] double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error, int degrees_of_freedom);
 
