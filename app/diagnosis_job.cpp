@@ -32,7 +32,7 @@ calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const Diagnosis
   calibration::DiagnosisOptions options;
   options.baseline.free = freeNumbersOf(cell);
   options.seed = request.seed;
-  options.most_effects = request.effects;
+  options.most_causes = request.effects;
   return options;
 }
 

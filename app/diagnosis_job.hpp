@@ -16,7 +16,7 @@
 namespace tubeplan::app {
 
 struct DiagnosisRequest {
-  int effects = 2;  ///< the most in one explanation
+  int effects = 3;  ///< the most in one explanation
   int next = 6;     ///< readings to propose
   std::uint64_t seed = 1;
 };

@@ -30,9 +30,14 @@ nlohmann::json effectJson(const FoundEffect& effect, const Units& units) {
   nlohmann::json parameters = nlohmann::json::object();
   for (const auto& number : effect.numbers) {
     parameters[number.name] = numberJson(number, units);
+    if (number.is_beyond_usual) parameters[number.name]["beyond_usual"] = true;
     parameters[number.name].erase("name");
   }
-  return {{"effect", effect.effect}, {"at", effect.at}, {"parameters", parameters}};
+  nlohmann::json also = nlohmann::json::array();
+  for (const auto& [name, at] : effect.also) also.push_back({{"effect", name}, {"at", at}});
+  nlohmann::json json = {{"effect", effect.effect}, {"at", effect.at}, {"parameters", parameters}, {"also", also}};
+  if (!effect.frees.empty()) json["frees"] = effect.frees;
+  return json;
 }
 
 nlohmann::json rankedJson(const RankedEffect& entry, const Units& units) {
@@ -43,7 +48,6 @@ nlohmann::json rankedJson(const RankedEffect& entry, const Units& units) {
           {"chi2_fall", finiteJson(entry.fall)},
           {"size", numberJson(entry.size, units)},
           {"kept_fraction", finiteJson(entry.kept_fraction)},
-          {"correlation_with_leader", finiteJson(entry.correlation)},
           {"heldout_rms",
            {{"before", lengthJson(entry.heldout_before.rms, units)},
             {"after", lengthJson(entry.heldout_after.rms, units)}}}};
@@ -71,26 +75,35 @@ std::string explanationText(const Explanation& explanation, const Units& units) 
   return fmt::format("{}", fmt::join(effects, " with "));
 }
 
-/// What is known explains some of it, most of it, or nothing worth a word.
-std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
-  const std::string none = "Something is missing, and it is none of the effects that are known.";
-  if (result.closest.empty()) return none;
-  const double excess = result.chi2 - result.degrees_of_freedom;
-  const double share = (result.chi2 - result.closest.front().chi2) / std::max(1., excess);
+std::string namesText(const Explanation& explanation) {
   std::vector<std::string> names;
-  for (const auto& explanation : result.closest)
-    if (explanation.is_near_best) names.push_back(explanationText(explanation, units));
-  const std::string rest =
-      fmt::format("leaves {} where noise leaves {}", lengthText(result.closest.front().after.rms, units),
-                  lengthText(result.noise_floor, units));
-  if (share < 0.5 || names.empty())
-    return fmt::format("{} The closest, {}, explains {:.0f} % of it and {}.", none,
-                       explanationText(result.closest.front(), units), 100 * std::max(0., share), rest);
-  return fmt::format(
-      "Missing first of all: {}{}, which explains {:.0f} % of the misfit but {}: the rest is none of the effects that "
-      "are "
-      "known, or the noise is larger than stated.",
-      fmt::join(names, "; or "), names.size() > 1 ? " (these readings cannot tell which)" : "", 100 * share, rest);
+  for (const auto& effect : explanation.effects) names.push_back(effect.effect + "@" + effect.at);
+  return fmt::format("{}", fmt::join(names, " with "));
+}
+
+std::string followsText(const calibration::Remainder& remainder) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < remainder.follows.size() && k < 2; ++k) names.push_back(remainder.follows[k].first);
+  return names.empty() ? "" : fmt::format(", mostly with {}", fmt::join(names, " and "));
+}
+
+std::string remainderText(const Diagnosis& result, const Units& units) {
+  const auto& remainder = result.remainder;
+  if (!std::isfinite(remainder.size)) return "";
+  return fmt::format("{} remains that no known effect explains{}", lengthText(remainder.size, units),
+                     followsText(remainder));
+}
+
+std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
+  const std::string rest = remainderText(result, units);
+  return fmt::format("Something is missing, and no known effect is sure to be part of it{}.",
+                     rest.empty() ? "" : ": " + rest);
+}
+
+std::string inconclusiveSentence(const Diagnosis& result) {
+  if (!result.reason.empty()) return "No verdict is possible: " + result.reason + ".";
+  return fmt::format("The readings hint at something missing (probability {:.0f} %), but not enough to say what.",
+                     100 * (1 - result.nothing_probability));
 }
 
 /// The explanations that are shown, with what they leave.
@@ -101,7 +114,7 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
     for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
     list.push_back({{"effects", effects},
                     {"chi2", finiteJson(explanation.chi2)},
-                    {"criterion", finiteJson(explanation.criterion)},
+                    {"probability", finiteJson(explanation.probability)},
                     {"p_value", finiteJson(explanation.p_value)},
                     {"rms", lengthJson(explanation.after.rms, units)},
                     {"heldout_rms", lengthJson(explanation.heldout.rms, units)},
@@ -120,6 +133,8 @@ const char* nameOf(Verdict verdict) {
       return "adequate";
     case Verdict::kExplained:
       return "explained";
+    case Verdict::kPartlyExplained:
+      return "partly-explained";
     case Verdict::kAmbiguous:
       return "ambiguous";
     case Verdict::kUnexplained:
@@ -146,15 +161,33 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
       return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; noise alone leaves {}.",
                          names.front(), lengthText(result.heldout_before.rms, units),
                          lengthText(result.heldout_after.rms, units), lengthText(result.noise_floor, units));
+    case Verdict::kPartlyExplained:
+      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; {}.", names.front(),
+                         lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
+                         remainderText(result, units));
     case Verdict::kAmbiguous:
-      return fmt::format("Missing: {}. These readings cannot tell which.", fmt::join(names, "; or "));
+      return fmt::format("One of {} explanations is missing, which these readings cannot tell apart; first {}.",
+                         result.alternatives.size(), namesText(result.alternatives.front()));
     case Verdict::kUnexplained:
       return unexplainedSentence(result, units);
     case Verdict::kInconclusive:
-      return "The readings hint at something missing, but are too few or too noisy to say what.";
+      return inconclusiveSentence(result);
   }
   return "";
 }
+
+namespace {
+
+nlohmann::json remainderJson(const calibration::Remainder& remainder, const Units& units) {
+  nlohmann::json follows = nlohmann::json::array();
+  for (const auto& [name, share] : remainder.follows) follows.push_back({{"variable", name}, {"share", share}});
+  return {{"probability", finiteJson(remainder.probability)},
+          {"size", lengthJson(remainder.size, units)},
+          {"floor", lengthJson(remainder.floor, units)},
+          {"follows", follows}};
+}
+
+}  // namespace
 
 nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
   nlohmann::json json = {
@@ -171,8 +204,8 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
     for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
     json["closest"].push_back({{"effects", effects},
                                {"chi2", finiteJson(explanation.chi2)},
-                               {"near_best", explanation.is_near_best},
-                               {"criterion", finiteJson(explanation.criterion)},
+                               {"probability", finiteJson(explanation.probability)},
+                               {"remainder_probability", finiteJson(explanation.remainder_probability)},
                                {"p_value", finiteJson(explanation.p_value)},
                                {"rms", lengthJson(explanation.after.rms, units)},
                                {"heldout_rms", lengthJson(explanation.heldout.rms, units)}});
@@ -187,7 +220,10 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["p_value"] = finiteJson(result.p_value);
-  json["evidence"] = {{"best", finiteJson(result.evidence)}, {"noise_reaches", finiteJson(result.threshold)}};
+  json["probability"] = {{"nothing_missing", finiteJson(result.nothing_probability)},
+                         {"unknown_alone", finiteJson(result.unknown_probability)}};
+  json["model_error"] = lengthJson(result.model_error, units);
+  if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result.remainder, units);
   json["detectable"] = nlohmann::json::array();
   for (const auto& entry : result.detectable)
     json["detectable"].push_back({{"effect", entry.effect},
@@ -206,12 +242,36 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   return json;
 }
 
+namespace {
+
+/// One alternative with its other names.
+std::string alternativeText(const Explanation& alternative, const Units& units) {
+  std::string text = fmt::format("  {:.3f}  {}\n", alternative.probability, explanationText(alternative, units));
+  for (const auto& effect : alternative.effects) {
+    std::vector<std::string> also;
+    for (const auto& [name, at] : effect.also) also.push_back(name + "@" + at);
+    if (!also.empty())
+      text += fmt::format("         {}@{} is the same all over the arm's range as {}\n", effect.effect, effect.at,
+                          fmt::join(also, ", "));
+    for (const auto& number : effect.numbers)
+      if (number.is_beyond_usual)
+        text += fmt::format("         {} of {}@{} is larger than real machines have\n", number.name, effect.effect, effect.at);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
   if (result.verdict == Verdict::kNotRun) return text;
   text +=
-      fmt::format("chi-square {:.1f} for {} degrees of freedom (p = {:.3g}); evidence {:.1f}, noise reaches {:.1f}\n",
-                  result.chi2, result.degrees_of_freedom, result.p_value, result.evidence, result.threshold);
+      fmt::format("chi-square {:.1f} for {} degrees of freedom; nothing missing has probability {:.3g}\n", result.chi2,
+                  result.degrees_of_freedom, result.nothing_probability);
+  if (result.model_error > 0)
+    text += fmt::format("about {} in each coordinate beyond the stated noise is no function of the readings\n",
+                        lengthText(result.model_error, units));
+  for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
   text += "  effect                                  probability   chi-square falls by   size\n";
   for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
     const auto& entry = result.ranking[k];
@@ -219,9 +279,9 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
                         entry.fall, numberText(entry.size, units));
   }
   for (std::size_t k = 0; k < result.closest.size() && k < 6; ++k)
-    text +=
-        fmt::format("  fitted: {}: chi-square {:.1f}, p = {:.3g}, rms {}\n", explanationText(result.closest[k], units),
-                    result.closest[k].chi2, result.closest[k].p_value, lengthText(result.closest[k].after.rms, units));
+    text += fmt::format("  fitted: {}: probability {:.3f}, chi-square {:.1f}, rms {}\n",
+                        explanationText(result.closest[k], units), result.closest[k].probability,
+                        result.closest[k].chi2, lengthText(result.closest[k].after.rms, units));
   for (const int reading : result.set_aside)
     text += fmt::format("  set aside as an outlier: reading {}\n", readings.at(static_cast<std::size_t>(reading)).id);
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";

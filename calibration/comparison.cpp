@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/evidence.hpp"
+#include "calibration/fit.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {

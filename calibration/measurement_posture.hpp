@@ -13,6 +13,7 @@ namespace tubeplan::calibration {
   posture.senses = reading.senses;
   posture.temperature = reading.temperature;
   posture.time = reading.time;
+  posture.setup = reading.setup;
   return posture;
 }
 

@@ -13,6 +13,7 @@ constexpr double kRank = 1e-8;  // of columns of unit length
 }  // namespace
 
 MatrixXd spanOf(MatrixXd columns) {
+  if (columns.size() == 0) return MatrixXd(columns.rows(), 0);
   for (auto column : columns.colwise())
     if (column.norm() > 0) column.normalize();
   Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);

@@ -49,6 +49,7 @@ struct Joint {
   double max_speed = std::numeric_limits<double>::infinity();
   double max_acceleration = std::numeric_limits<double>::infinity();
   double encoder_sigma = 0;  ///< one standard deviation of a reading
+  double gear_ratio = 0;     ///< turns of the drive's input for one of the joint; 0: not stated
 };
 
 /// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. An I of infinity does not bend;

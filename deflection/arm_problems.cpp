@@ -49,6 +49,8 @@ void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
   if (!(joint.max_speed > 0)) out.push_back({path + ".max_speed", text(joint.max_speed), "more than zero"});
   if (!(joint.max_acceleration > 0))
     out.push_back({path + ".max_acceleration", text(joint.max_acceleration), "more than zero"});
+  if (!(joint.gear_ratio >= 0 && std::isfinite(joint.gear_ratio)))
+    out.push_back({path + ".gear_ratio", text(joint.gear_ratio), "zero or more"});
   if (!(joint.encoder_sigma >= 0)) out.push_back({path + ".encoder_sigma", text(joint.encoder_sigma), "zero or more"});
 }
 

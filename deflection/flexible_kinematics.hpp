@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "deflection/arm.hpp"
@@ -20,6 +21,7 @@ struct PostureOf {
   std::vector<int> senses = {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN: the arm's reference temperature
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN: now, after any slip and without drift
+  std::string_view setup = {};  ///< of the base; what it views must outlive the posture
 };
 using Posture = PostureOf<double>;
 

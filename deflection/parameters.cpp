@@ -182,8 +182,8 @@ Row<To> castRow(const Row<From>& row) {
     out.placement = Origin<To>{castVector<To>(origin.position), castVector<To>(origin.rpy)};
   }
   const auto& j = row.joint;
-  out.joint = {j.name,  j.type,      castScalar<To>(j.offset), j.lower,
-               j.upper, j.max_speed, j.max_acceleration,       j.encoder_sigma};
+  out.joint = {j.name,      j.type,           castScalar<To>(j.offset), j.lower,     j.upper,
+               j.max_speed, j.max_acceleration, j.encoder_sigma,        j.gear_ratio};
   out.joint_stiffness = castVector<To>(row.joint_stiffness);
   if (row.beam)
     out.beam = Beam<To>{castScalar<To>(row.beam->E), castVector<To>(row.beam->I), castScalar<To>(row.beam->G),

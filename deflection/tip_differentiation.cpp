@@ -186,6 +186,7 @@ void TipDifferentiation::castPosture(const Posture& posture) {
   dual_posture_.gravity_B = posture.gravity_B.cast<Dual>();
   dual_posture_.senses = posture.senses;
   dual_posture_.temperature = posture.temperature;
+  dual_posture_.setup = posture.setup;
   dual_posture_.time = posture.time;
 }
 

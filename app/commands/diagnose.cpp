@@ -47,7 +47,7 @@ Run configureDiagnose(CLI::App& cli) {
   const auto options = std::make_shared<DiagnoseOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
-  cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(CLI::Range(1, 2));
+  cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(CLI::Range(1, 4));
   cli.add_option("--next", options->request.next,
                  "how many further readings to propose where the verdict leaves something open")
       ->check(CLI::Range(1, 50))

@@ -50,8 +50,10 @@ std::size_t sizeClassOf(double share) {
 }
 
 bool isTruth(const calibration::Explanation& explanation, const std::string& effect, const std::string& at) {
-  return explanation.effects.size() == 1 && explanation.effects.front().effect == effect &&
-         explanation.effects.front().at == at;
+  if (explanation.effects.size() != 1) return false;
+  const auto& found = explanation.effects.front();
+  return (found.effect == effect && found.at == at) ||
+         std::find(found.also.begin(), found.also.end(), std::pair{effect, at}) != found.also.end();
 }
 
 DiagnosisOutcomeKind outcomeOf(const calibration::Diagnosis& diagnosis, const std::string& effect,

@@ -31,7 +31,7 @@ JointType readJointType(const YamlNode& node) {
 
 // Speeds and accelerations are per second in every file.
 Joint<double> readJoint(const YamlNode& node, const Units& units) {
-  node.expectKeys({"name", "type"}, {"offset", "limits", "max_speed", "max_acceleration", "encoder_sigma"});
+  node.expectKeys({"name", "type"}, {"offset", "limits", "max_speed", "max_acceleration", "encoder_sigma", "gear_ratio"});
   Joint<double> joint;
   joint.name = node.at("name").text();
   joint.type = readJointType(node.at("type"));
@@ -39,6 +39,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
   joint.offset = readQuantityOr(node, "offset", units, unit, 0);
   joint.max_speed = readQuantityOr(node, "max_speed", units, unit, joint.max_speed);
   joint.max_acceleration = readQuantityOr(node, "max_acceleration", units, unit, joint.max_acceleration);
+  joint.gear_ratio = readQuantityOr(node, "gear_ratio", units, dimension::kNone, 0);
   joint.encoder_sigma = readQuantityOr(node, "encoder_sigma", units, unit, 0);
   if (const YamlNode* limits = node.find("limits")) {
     const auto& ends = limits->list(2, "a list of two numbers: lowest, highest");

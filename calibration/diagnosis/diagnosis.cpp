@@ -4,21 +4,19 @@
 #include <cmath>
 #include <map>
 
-#include "calibration/diagnosis/ranking.hpp"
-#include "calibration/diagnosis/smooth_misfit.hpp"
+#include "calibration/diagnosis/posterior.hpp"
+#include "calibration/evidence.hpp"
 #include "calibration/held_out.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 
-using Eigen::Index, Eigen::VectorXd;
-
 namespace {
 
-constexpr int kMostAlternatives = 8;
+constexpr std::size_t kMostClosest = 8;
+constexpr std::size_t kMostJudged = 3;
 constexpr std::size_t kFewOutliers = 20;  // one reading in that many, at most
-constexpr double kMuchLess = 0.75;        // of the chi-square that one effect leaves: what a second must get below
-constexpr double kHardlyMore = 1.1;       // of the least chi-square: errors within 5 % of each other
+constexpr double kOutlier = 14.8;         // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
@@ -28,83 +26,126 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   return baseline;
 }
 
-/// Everything linearised about a baseline; `basis.residual.ok` is false where that is not possible.
-DiagnosisWork linearize(Identification baseline, const std::vector<Measurement>& readings,
-                        const DiagnosisOptions& options) {
-  DiagnosisWork work{options, std::move(baseline), {}, {}, {}, 0};
-  const auto status = work.baseline.status;
-  if (status != IdentificationStatus::kDone && status != IdentificationStatus::kNotConverged) return work;
-  if (work.baseline.fitted.arm.rows.empty()) return work;
-  work.basis = basisOf(work.baseline, readings);
-  work.basis.stop = options.hooks.stop;
-  if (!work.basis.residual.ok) return work;
-  work.log_n = std::log(std::max(2, work.basis.weights.degrees_of_freedom));
-  work.catalogue =
-      linearizeCatalogue(work.basis.fitted, work.basis.readings, work.basis.weights, options.catalogue, options.hooks);
-  work.space = ScoreSpace(work.catalogue, work.basis.residual.jacobian, work.basis.residual.r);
-  return work;
+Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& readings,
+                           const DiagnosisOptions& options) {
+  tell(options.hooks, "fit");
+  Identification baseline = identify(start, readings, baselineOptions(options));
+  goOn(options.hooks.stop);
+  return baseline;
 }
 
-/// Where no model is enough, statistics of the noise no longer tell models apart: what is left does. Of as many
-/// effects, those that leave hardly more than the best are near it; more effects come first only where they leave much
-/// less.
-void sortByWhatIsLeft(std::vector<Explanation>& fits) {
-  const auto least = [&](bool of_pairs) {
-    double chi2 = std::numeric_limits<double>::infinity();
-    for (const auto& fit : fits)
-      if ((fit.effects.size() > 1) == of_pairs) chi2 = std::min(chi2, fit.chi2);
-    return chi2;
-  };
-  const double singles = least(false), pairs = least(true);
-  const bool pairs_first = pairs < kMuchLess * singles;
-  std::stable_sort(fits.begin(), fits.end(), [&](const Explanation& a, const Explanation& b) {
-    const bool is_a_first = (a.effects.size() > 1) == pairs_first, is_b_first = (b.effects.size() > 1) == pairs_first;
-    return is_a_first != is_b_first ? is_a_first : a.chi2 < b.chi2;
-  });
-  for (auto& fit : fits)
-    fit.is_near_best =
-        (fit.effects.size() > 1) == pairs_first && fit.chi2 <= kHardlyMore * (pairs_first ? pairs : singles);
+/// An answer with what it was found by: errors kept out, powers and views are worked out for the one that is given.
+struct Answer {
+  explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}} {}
+
+  Diagnosis result;
+  DiagnosisWork work;
+  std::vector<Measurement> held_out;
+  bool is_found = false;  ///< whether models compete in `work`
+};
+
+void describeBaseline(const DiagnosisWork& work, Diagnosis& result) {
+  const auto& residual = work.basis.residual;
+  result.chi2 = residual.r.squaredNorm();
+  result.degrees_of_freedom = result.baseline.degrees_of_freedom;
+  result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
+  result.noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
+  result.before = errorSize(work.basis.readings, work.basis.weights, residual.error);
 }
 
-void decide(const DiagnosisWork& work, Finding finding, Diagnosis& result) {
-  const bool is_seen = result.evidence > result.threshold;
-  if (finding.good.empty()) sortByWhatIsLeft(finding.fits);
-  const bool is_off = result.p_value < work.options.misfit || result.smooth_p_value < work.options.misfit;
-  result.closest = finding.fits;
-  if (result.closest.size() > kMostAlternatives) result.closest.resize(kMostAlternatives);
-  if (!is_seen && !is_off) {
-    result.verdict = result.evidence > result.hint_threshold ? Verdict::kInconclusive : Verdict::kAdequate;
-    return;
-  }
-  if (finding.good.empty()) {
-    result.verdict = Verdict::kUnexplained;
-    return;
-  }
-  const double without = result.chi2 + static_cast<double>(work.basis.unknowns.size()) * work.log_n;
-  if (!is_seen || finding.good.front().criterion > without - work.options.gap) {
+/// Why no verdict is possible; empty where one is.
+std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result) {
+  const int numbers = work.basis.weights.degrees_of_freedom - result.degrees_of_freedom;
+  auto problem = findLackOfFreedom(work.basis.readings, result.degrees_of_freedom, numbers);
+  if (!problem) problem = findOverstatedNoise(result.chi2, result.degrees_of_freedom);
+  return problem ? problem->what + "; needed: " + problem->needed : "";
+}
+
+void answer(const DiagnosisOptions& options, Answer& answer) {
+  DiagnosisWork& work = answer.work;
+  Diagnosis& result = answer.result;
+  result.reason = inconclusiveSince(work, result);
+  if (!result.reason.empty()) {
     result.verdict = Verdict::kInconclusive;
     return;
   }
-  if (finding.good.size() > kMostAlternatives) finding.good.resize(kMostAlternatives);
-  result.alternatives = std::move(finding.good);
-  result.verdict = result.alternatives.size() == 1 ? Verdict::kExplained : Verdict::kAmbiguous;
+  if (!linearize(work)) {
+    result.reason = "the model cannot be evaluated at the readings";
+    return;
+  }
+  answer.is_found = true;
+  result.not_tried = work.causes.not_tried;
+  findCompetingModels(work);
+  const Posterior posterior = posteriorOf(work);
+  for (const ModelClass& one : posterior.classes)
+    if (result.closest.size() < kMostClosest) result.closest.push_back(one.explanation);
+  decide(options, posterior, result);
+  rankCauses(work, result);
+  for (const CompetingModel& model : work.models)
+    if (model.terms.empty()) result.nothing_criterion = -2 * model.logWeight();
+  const CompetingModel& best = work.models.front();
+  result.model_error = best.model_error;
+  if (result.verdict == Verdict::kPartlyExplained || result.verdict == Verdict::kUnexplained)
+    result.remainder = remainderOf(work, posterior.classes.empty() || result.verdict == Verdict::kUnexplained
+                                             ? best
+                                             : *posterior.classes.front().model);
 }
 
-void judgeAll(const DiagnosisWork& work, const std::vector<Measurement>& held_out, Diagnosis& result) {
+Answer answerBy(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
+                const DiagnosisOptions& options) {
+  Answer found(options);
+  found.result.set_aside = set_aside;
+  std::vector<Measurement> used;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool is_set_aside = std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+    if (!is_set_aside) (all[k].is_held_out ? found.held_out : used).push_back(all[k]);
+  }
+  found.result.baseline = std::move(baseline);
+  const auto status = found.result.baseline.status;
+  const bool is_usable = (status == IdentificationStatus::kDone || status == IdentificationStatus::kNotConverged) &&
+                         !found.result.baseline.fitted.arm.rows.empty();
+  if (is_usable) found.work.basis = basisOf(found.result.baseline, used, options.hooks.stop);
+  goOn(options.hooks.stop);
+  if (!found.work.basis.residual.ok) {
+    found.result.reason = found.result.baseline.reason.empty() ? "the model cannot be evaluated at the readings"
+                                                               : found.result.baseline.reason;
+    return found;
+  }
+  describeBaseline(found.work, found.result);
+  answer(options, found);
+  return found;
+}
+
+/// What does not lower the error on readings kept out explains nothing.
+void dropWhatDoesNotHelp(Diagnosis& result) {
+  std::erase_if(result.alternatives, [&](const Explanation& explanation) {
+    return std::isfinite(explanation.heldout.rms) && explanation.heldout.rms >= result.heldout_before.rms;
+  });
+  if (result.alternatives.empty()) {
+    result.verdict = Verdict::kInconclusive;
+    result.reason = "what explains the fitted readings does not lower the error of readings kept out; needed: more readings";
+  } else if (result.verdict == Verdict::kAmbiguous && result.alternatives.size() == 1) {
+    result.verdict = Verdict::kExplained;
+  }
+}
+
+void judgeAll(const Answer& found, Diagnosis& result) {
+  const DiagnosisWork& work = found.work;
   const auto folds = foldsOf(work.basis.readings, work.options.folds, work.options.seed);
   const ExplanationModel bare{work.basis.fitted, work.basis.unknowns};
-  const auto judged = [&](const ExplanationModel& model) {
-    return held_out.empty() ? judgeOnFolds(work.basis, model, folds) : judge(model.placed, held_out);
+  const auto judged = [&](const ExplanationModel& model, double model_error) {
+    return found.held_out.empty() ? judgeOnFolds(work.basis, model, folds, model_error)
+                                  : judge(model.placed, found.held_out);
   };
   tell(work.options.hooks, "readings kept out");
-  result.heldout_before = judged(bare);
+  result.heldout_before = judged(bare, result.baseline.model_error);
   result.heldout_after = result.heldout_before;
   result.after = result.before;
   auto& explanations = result.alternatives.empty() ? result.closest : result.alternatives;
-  const std::size_t most = std::min<std::size_t>(explanations.size(), 3);
+  const std::size_t most = std::min(explanations.size(), kMostJudged);
   for (std::size_t k = 0; k < most; ++k) {
     tell(work.options.hooks, "readings kept out", k + 1, most + 1);
-    explanations[k].heldout = judged(modelOf(work.basis, explanations[k]));
+    explanations[k].heldout = judged(modelOf(work.basis, explanations[k]), explanations[k].model_error);
   }
   for (auto& entry : result.ranking) {
     entry.heldout_before = result.heldout_before;
@@ -114,66 +155,19 @@ void judgeAll(const DiagnosisWork& work, const std::vector<Measurement>& held_ou
         entry.heldout_after = explanation.heldout;
   }
   if (result.alternatives.empty()) return;
+  dropWhatDoesNotHelp(result);
+  if (result.alternatives.empty()) return;
   result.after = result.alternatives.front().after;
   result.heldout_after = result.alternatives.front().heldout;
 }
 
-/// An answer with what it was found by: errors kept out, powers and views are worked out for the one that is given.
-struct Answer {
-  Diagnosis result;
-  DiagnosisWork work;
-  std::vector<Measurement> held_out;
-};
-
-Answer answerBy(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
-                const DiagnosisOptions& options) {
-  Answer answer{{}, {options, {}, {}, {}, {}, 0}, {}};
-  Diagnosis& result = answer.result;
-  result.set_aside = set_aside;
-  std::vector<Measurement> used;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const bool is_set_aside = std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
-    if (!is_set_aside) (all[k].is_held_out ? answer.held_out : used).push_back(all[k]);
-  }
-  result.baseline = std::move(baseline);
-  answer.work = linearize(result.baseline, used, options);
-  const DiagnosisWork& work = answer.work;
-  if (!work.basis.residual.ok) {
-    result.reason =
-        result.baseline.reason.empty() ? "the model cannot be evaluated at the readings" : result.baseline.reason;
-    return answer;
-  }
-  result.not_tried = work.catalogue.not_tried;
-  result.chi2 = work.basis.residual.r.squaredNorm();
-  result.degrees_of_freedom = work.basis.weights.degrees_of_freedom - static_cast<int>(work.basis.unknowns.size());
-  result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
-  result.smooth_p_value = findSmoothMisfit(work.basis.fitted, used, work.basis.weights, work.basis.residual).p_value;
-  result.noise_floor = noiseFloor(used, work.basis.weights);
-  result.before = errorSize(used, work.basis.weights, work.basis.residual.error);
-  const auto singles = bestVariants(work);
-  for (int v = 0; v < static_cast<int>(work.space.variants().size()); ++v)
-    result.evidence = std::max(result.evidence, work.space.evidence(v, work.space.score({v})));
-  tell(options.hooks, "simulated noise");
-  const auto thresholds = work.space.familyThresholds({options.false_alarm, options.hint}, options.draws, options.seed);
-  result.threshold = thresholds[0];
-  result.hint_threshold = thresholds[1];
-  Finding finding;
-  if (result.evidence > result.threshold || std::min(result.p_value, result.smooth_p_value) < options.misfit)
-    finding = findExplanations(work, singles);
-  else if (result.evidence > result.hint_threshold)
-    finding.fits = plausibleSingles(work, singles);
-  rank(work, singles, finding.fits, result);
-  decide(work, std::move(finding), result);
-  return answer;
-}
-
-Diagnosis completed(Answer answer, const std::vector<Measurement>& all) {
-  Diagnosis& result = answer.result;
-  if (!answer.work.basis.residual.ok) return result;
-  listDetectable(answer.work, result.threshold, result);
-  judgeAll(answer.work, answer.held_out, result);
-  goOn(answer.work.options.hooks.stop);
-  result.views = viewsOf(answer.work.basis, result, all);
+Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
+  Diagnosis& result = found.result;
+  if (!found.work.basis.residual.ok || !found.is_found) return std::move(result);
+  listDetectable(found.work, result);
+  judgeAll(found, result);
+  goOn(found.work.options.hooks.stop);
+  result.views = viewsOf(found.work.basis, result, all);
   return std::move(result);
 }
 
@@ -182,7 +176,7 @@ std::vector<Measurement> without(std::vector<Measurement> readings, const std::v
   return readings;
 }
 
-/// With the touches that are then left alone at a point of unknown place: they tell nothing.
+/// With the touches that are then left alone at a point of unknown place: they determine nothing.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
@@ -199,26 +193,17 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
   return all;
 }
 
-/// Of the model as it is with every outlier's rows as numbers of their own.
-double criterionOf(const Identification& rest, const Diagnosis& whole, const std::vector<Measurement>& readings,
-                   const std::vector<int>& outliers) {
-  auto numbers = static_cast<double>(rest.numbers.size());
-  for (const int k : outliers) numbers += rowsOf(readings[static_cast<std::size_t>(k)]);
-  const auto rows =
-      static_cast<double>(whole.degrees_of_freedom) + static_cast<double>(whole.baseline.numbers.size());
-  return rest.chi2 + numbers * std::log(std::max(2., rows));
-}
-
-bool isAnswered(const Diagnosis& result) {
-  return result.verdict == Verdict::kExplained || result.verdict == Verdict::kAmbiguous;
-}
-
-Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& readings,
-                           const DiagnosisOptions& options) {
-  tell(options.hooks, "fit");
-  Identification baseline = identify(start, readings, baselineOptions(options));
-  goOn(options.hooks.stop);
-  return baseline;
+/// Log of the best model's weight; the readings that were set aside count as outliers, each at its odds.
+double bestWeight(const Answer& found) {
+  if (!found.is_found) return -std::numeric_limits<double>::infinity();
+  const auto& best = found.work.models.front();
+  // Readings that are set aside have no density of their own: that of an outlier stands for it, against one of noise.
+  const double outliers = static_cast<double>(found.result.set_aside.size());
+  const auto& weights = found.work.noise.front().weights;
+  const double density = found.work.basis.readings.empty()
+                             ? 0
+                             : logDensityOf(weights) / static_cast<double>(found.work.basis.readings.size());
+  return best.logWeight() + outliers * (density - kOutlier);
 }
 
 Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
@@ -229,16 +214,14 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
   std::sort(outliers.begin(), outliers.end());
   const bool are_few = outliers.size() <= readings.size() / kFewOutliers;
   Answer whole = answerBy(std::move(baseline), readings, {}, options);
-  if (outliers.empty() || !are_few) return completed(std::move(whole), readings);
-  // What an effect moves is mostly spread too widely to be among a few outliers, but a base that slips between touches
-  // of one point is not: an effect that explains every reading in fewer numbers goes before setting some aside.
+  if (outliers.empty() || !are_few || !whole.is_found) return completed(std::move(whole), readings);
+  // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before
+  // setting some aside.
   const auto set_aside = withOrphans(outliers, readings);
   Identification rest = fitBaseline(start, without(readings, set_aside), options);
-  const bool is_possible = rest.status != IdentificationStatus::kRefused;
-  if (!is_possible || (isAnswered(whole.result) && whole.result.alternatives.front().criterion <
-                                                       criterionOf(rest, whole.result, readings, outliers)))
-    return completed(std::move(whole), readings);
-  return completed(answerBy(std::move(rest), readings, set_aside, options), readings);
+  if (rest.status == IdentificationStatus::kRefused) return completed(std::move(whole), readings);
+  Answer fewer = answerBy(std::move(rest), readings, set_aside, options);
+  return completed(bestWeight(fewer) > bestWeight(whole) ? std::move(fewer) : std::move(whole), readings);
 }
 
 }  // namespace
@@ -254,14 +237,17 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   }
 }
 
-std::vector<Explanation> explainBySingles(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                          const DiagnosisOptions& options) {
+std::vector<Explanation> competingExplanations(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                               const DiagnosisOptions& options) {
   std::vector<Measurement> used = readings;
   std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
   try {
-    const DiagnosisWork work = linearize(fitBaseline(start, used, options), used, options);
-    if (!work.basis.residual.ok) return {};
-    return plausibleSingles(work, bestVariants(work));
+    Answer found = answerBy(fitBaseline(start, used, options), used, {}, options);
+    if (!found.is_found) return {};
+    std::vector<Explanation> explanations;
+    for (const CompetingModel& model : found.work.models)
+      if (model.is_fitted) explanations.push_back(model.fit);
+    return explanations;
   } catch (const WorkStopped&) {
     return {};
   }

@@ -1,71 +1,81 @@
-// Which effect a model lacks: named where the readings can tell it, and said so where they cannot.
+// Which physical effect a model lacks: named where the readings can tell it, and said so where they cannot.
 //
-// One linearisation scores every effect at every place (score_space.hpp); the leaders are fitted with the rest of the
-// model; the misfit that remains says whether any of them is enough; those the readings cannot tell apart are named
-// together (detection, identification, adaptation: Teunissen 2018).
+// One idea: every hypothesis (nothing missing; a cause at its place; several; each with an unknown remainder or without;
+// the unknown alone) has a prior and an evidence, the probability of the readings with its numbers integrated over their
+// priors (Laplace's approximation about a fit of its own). The posterior decides the verdict (Bayesian model class
+// selection: Beck and Yuen 2004, J. Eng. Mech. 130:192).
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "calibration/diagnosis/cause.hpp"
 #include "calibration/diagnosis/diagnosis_views.hpp"
-#include "calibration/diagnosis/score_space.hpp"
 #include "calibration/identification.hpp"
 
 namespace tubeplan::calibration {
 
 struct DiagnosisOptions {
-  IdentificationOptions baseline;  ///< what is free beside the effect
-  CatalogueOptions catalogue;
-  double false_alarm = 0.04;  ///< chance of naming anything where nothing is missing, by the best candidate
-  double hint = 0.12;         ///< chance of calling readings inconclusive, or worse, where nothing is missing
-  double misfit = 0.003;      ///< the same by what remains, over all readings or smooth in the joints
-  double lack_of_fit = 0.01;  ///< chance of refusing a model that is right
-  double gap = 8;             ///< in the information criterion: models within it cannot be told apart
-  int leaders = 5;            ///< candidates that are fitted, at least
-  int most_effects = 2;
-  int draws = 2000;  ///< of noise, for the best of the catalogue
+  IdentificationOptions baseline;  ///< what is free beside the causes
+  CauseOptions causes;
+  double sure = 0.9;       ///< probability from which a cause, or a set of alternatives, is named
+  double nothing = 0.5;    ///< probability of nothing missing from which the model is adequate
+  int most_causes = 3;     ///< in one explanation
+  int most_leaders = 14;   ///< models that are fitted
   int folds = 5;
-  std::uint64_t seed = 1;
-  WorkHooks hooks;  ///< of the baseline too
+  std::uint64_t seed = 1;  ///< of the folds, and of the postures at which causes are held to be the same
+  WorkHooks hooks;         ///< of the baseline too
 };
 
-enum class Verdict { kNotRun, kAdequate, kExplained, kAmbiguous, kUnexplained, kInconclusive, kStopped };
+enum class Verdict {
+  kNotRun,
+  kAdequate,         ///< nothing is missing
+  kExplained,        ///< one cause, or one set of them
+  kPartlyExplained,  ///< sure causes, and a remainder that no cause explains
+  kAmbiguous,        ///< one of several, which these readings cannot tell apart
+  kUnexplained,      ///< something is missing, and no cause is sure
+  kInconclusive,     ///< too few readings, or too weak a hint
+  kStopped,
+};
 
 struct FoundNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< NaN for a shape that was scanned
+  bool is_beyond_usual = false;  ///< larger than real machines have, by more than its doubt
 };
 
 struct FoundEffect {
   std::string effect, at;
-  deflection::Effect fitted;
+  deflection::Effect fitted;       ///< kind -1 of freed numbers
+  std::vector<std::string> frees;  ///< numbers of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
+  std::vector<std::pair<std::string, std::string>> also;  ///< effect and place of others that no reading could tell from it
 };
 
-/// A model with one effect or more, fitted with everything that is free.
+/// A model with causes added, fitted with everything that is free.
 struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
-  double chi2 = std::numeric_limits<double>::quiet_NaN();
-  double criterion = std::numeric_limits<double>::quiet_NaN();       ///< chi2 + numbers ln n (BIC)
-  double p_value = std::numeric_limits<double>::quiet_NaN();         ///< of the misfit that remains, over all readings
-  double smooth_p_value = std::numeric_limits<double>::quiet_NaN();  ///< the same of what follows the joints smoothly
+  double probability = 0;  ///< of these causes and no others, with a remainder or without
+  double chi2 = std::numeric_limits<double>::quiet_NaN();     ///< by the stated noise
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of it
+  double criterion = std::numeric_limits<double>::quiet_NaN();  ///< -2 log of prior times evidence: differences count
+  double remainder_probability = 0;                           ///< that something unnamed is missing beside
+  double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
   ErrorSize after, heldout;
-  bool is_near_best = false;  ///< of models none of which is enough: this one does as well as the best
 };
 
-/// One effect at one place as the readings see it.
+/// One cause as the readings see it.
 struct RankedEffect {
   std::string effect, at;
-  double probability = 0;
-  double p_value = 1;        ///< of its fall of chi-square by noise, alone
-  double fall = 0;           ///< of chi-square, to first order or as fitted
-  FoundNumber size;          ///< its first or largest size
+  double probability = 0;  ///< of all models that it is part of
+  double p_value = 1;      ///< of its fall of chi-square by noise, alone
+  double fall = 0;         ///< of chi-square, to first order or as fitted
+  FoundNumber size;        ///< its first or largest number
   double kept_fraction = 0;  ///< of its signature that the free numbers do not absorb
-  double correlation = 0;    ///< of its signature with the leader's
   ErrorSize heldout_before, heldout_after;
 };
 
@@ -77,34 +87,44 @@ struct DetectableEffect {
   bool is_beyond_plausible = false;  ///< no machine has one that large: the readings cannot show it
 };
 
+/// What is left once the sure causes are in.
+struct Remainder {
+  double probability = 0;  ///< that there is one
+  double size = std::numeric_limits<double>::quiet_NaN();   ///< m, root mean square over the readings
+  double floor = std::numeric_limits<double>::quiet_NaN();  ///< m, the same of noise and what follows nothing
+  std::vector<std::pair<std::string, double>> follows;      ///< what it follows, and its share of it; largest first
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::kNotRun;
-  std::string reason;                     ///< why not run; else what decided
+  std::string reason;                     ///< why not run, or why no verdict is possible; what would be needed
   Identification baseline;                ///< the model as it is, with what is free fitted
-  std::vector<Explanation> alternatives;  ///< as the verdict says
-  std::vector<Explanation> closest;       ///< best models where none is enough, best first
+  std::vector<Explanation> alternatives;  ///< as the verdict says, most probable first
+  std::vector<Explanation> closest;       ///< the most probable models that were fitted, whatever the verdict
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;
   std::vector<std::string> not_tried;
   std::vector<int> set_aside;  ///< readings left out as outliers
+  Remainder remainder;
   ErrorSize before, after, heldout_before, heldout_after;
-  double noise_floor = std::numeric_limits<double>::quiet_NaN();
-  double chi2 = 0, p_value = 1;  ///< of the baseline
-  double smooth_p_value = 1;     ///< of what of it follows the joints smoothly
+  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that the stated noise leaves [m]
+  double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
+  double chi2 = 0;         ///< of the baseline, by the stated noise
+  double p_value = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;
-  double evidence = 0, threshold = 0;  ///< of the best candidate, and what noise alone reaches: -log10 p
-  double hint_threshold = 0;           ///< what it reaches more often: below it nothing is hinted at
+  double nothing_probability = std::numeric_limits<double>::quiet_NaN();  ///< that nothing is missing
+  double nothing_criterion = std::numeric_limits<double>::quiet_NaN();    ///< Explanation::criterion of nothing missing
+  double unknown_probability = std::numeric_limits<double>::quiet_NaN();  ///< that something is, and no cause is part of it
   DiagnosisViews views;
 };
 
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const DiagnosisOptions& options);
 
-/// The leading single effects, each fitted with everything that is free and of a plausible size, best first by the
-/// criterion; without verdict, pairs or judgement on readings kept out. Empty where the model cannot be fitted, or
-/// where it was asked to stop.
-[[nodiscard]] std::vector<Explanation> explainBySingles(const PlacedArm& start,
-                                                        const std::vector<Measurement>& readings,
-                                                        const DiagnosisOptions& options);
+/// The models that compete, each fitted with everything that is free, most probable first, and nothing missing among
+/// them; without a verdict. Empty where the model cannot be fitted, or where it was asked to stop.
+[[nodiscard]] std::vector<Explanation> competingExplanations(const PlacedArm& start,
+                                                             const std::vector<Measurement>& readings,
+                                                             const DiagnosisOptions& options);
 
 }  // namespace tubeplan::calibration

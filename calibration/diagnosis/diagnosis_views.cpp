@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -63,9 +63,12 @@ std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::ve
 }
 
 /// What an effect at its found size would do to the whitened readings of the model without any.
-VectorXd signatureOf(const DiagnosisBasis& basis, const FoundEffect& found) {
+VectorXd signatureOf(const DiagnosisBasis& basis, const FoundEffect& found, const PlacedArm& fitted) {
   PlacedArm with = basis.fitted;
-  with.arm.effects.push_back(found.fitted);
+  if (found.frees.empty()) with.arm.effects.push_back(found.fitted);
+  for (const auto& name : found.frees)
+    if (const auto freed = deflection::findParameter(fitted.arm, name))
+      deflection::locate(with.arm, freed->path) = freed->value;
   const WhitenedResidual residual = residualOf(basis, with);
   return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
 }
@@ -101,7 +104,7 @@ std::vector<AddedVariablePoint> pointsOf(const DiagnosisBasis& basis, const std:
 void addVariables(const DiagnosisBasis& basis, const Explanation& explanation, int index, const std::vector<int>& given,
                   int most_points, std::vector<AddedVariable>& added) {
   std::vector<VectorXd> signatures;
-  for (const auto& effect : explanation.effects) signatures.push_back(signatureOf(basis, effect));
+  for (const auto& effect : explanation.effects) signatures.push_back(signatureOf(basis, effect, explanation.fitted));
   for (std::size_t e = 0; e < signatures.size(); ++e) {
     if (signatures[e].size() == 0) continue;
     MatrixXd columns = basis.residual.jacobian;

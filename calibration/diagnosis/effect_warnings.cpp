@@ -5,8 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "calibration/diagnosis/hypothesis.hpp"
-#include "calibration/diagnosis/smooth_misfit.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/held_out.hpp"
 
 namespace tubeplan::calibration {
@@ -88,11 +87,6 @@ Without fitWithout(const Case& c, int effect) {
   return {fit.chi2, fit.heldout};
 }
 
-double logReadings(const Identification& with) {
-  return std::log(
-      std::max(2., static_cast<double>(with.degrees_of_freedom) + static_cast<double>(with.numbers.size())));
-}
-
 bool isAtNeutral(const deflection::Effect& effect, const std::vector<const IdentifiedNumber*>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [&](const IdentifiedNumber* number) {
     const auto& parameter = deflection::numbersOf(effect)[static_cast<std::size_t>(number->unknown.path.value)];
@@ -122,17 +116,15 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   return warning;
 }
 
-/// What taking an effect out does, as a warning that it is not needed; nothing where it is.
-std::optional<EffectWarning> findUnneeded(const Case& c, int effect, const Without& without) {
-  if (std::isnan(without.chi2)) return std::nullopt;
+/// What taking an effect out does, as a warning that it is not needed.
+EffectWarning unneeded(const Case& c, int effect, double gain) {
+  const Without without = fitWithout(c, effect);
   const auto numbers = fittedNumbers(c.with, effect);
   const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   EffectWarning warning = named(c, effect, EffectWarningKind::kNotNeeded);
   warning.fall = without.chi2 - c.with.chi2;
-  const double better = warning.fall - static_cast<double>(numbers.size()) * logReadings(c.with);
-  if (better >= c.limits.gap) return std::nullopt;
   warning.p_value = chanceOfFall(warning.fall, c.start.arm, carried, numbers);
-  warning.is_within_noise = better <= 0;
+  warning.is_within_noise = gain <= 0;
   warning.is_at_neutral = isAtNeutral(carried, numbers);
   warning.heldout_with = c.heldout;
   warning.heldout_without = without.heldout;
@@ -152,48 +144,43 @@ void findBeyondPlausible(const Case& c, int effect, std::vector<EffectWarning>& 
   }
 }
 
-/// The smaller p-value of what remains: over all readings, and of what follows the joints smoothly.
-double chanceOfMisfit(const Case& c) {
-  std::vector<Measurement> fitted = c.readings;
-  std::erase_if(fitted, [](const Measurement& reading) { return reading.is_held_out; });
-  const DiagnosisBasis basis = basisOf(c.with, fitted);
-  if (!basis.residual.ok) return c.with.p_value;
-  return std::min(c.with.p_value, findSmoothMisfit(basis.fitted, fitted, basis.weights, basis.residual).p_value);
-}
-
 bool hasShape(const deflection::Effect& effect) {
   const auto& parameters = deflection::numbersOf(effect);
   return std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.is_shape; });
 }
 
-bool isItself(const EffectWarning& warning) {
-  return warning.better.effect == warning.effect && warning.better.at == warning.at;
+const FoundEffect* find(const Explanation& explanation, const EffectWarning& warning) {
+  for (const FoundEffect& found : explanation.effects)
+    if (found.effect == warning.effect && found.at == warning.at) return &found;
+  return nullptr;
 }
 
-/// The effect with the shape that suits the readings best, or another in its place: what does better by the gap. Fewer
-/// of its own sizes are no other explanation: they only make the criterion that others must beat.
-std::optional<EffectWarning> findBetter(const Case& c, int effect, const DiagnosisOptions& options,
-                                        double criterion_with_more) {
+/// The effect taken out and everything that could stand in its place weighed, itself among them.
+void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
   bare.baseline.free.names = otherNames(c.start.arm, options.baseline.free.names, effect);
-  const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
-  const auto fits = explainBySingles(withoutEffect(c.start, effect), c.readings, bare);
+  const auto models = competingExplanations(withoutEffect(c.start, effect), c.readings, bare);
   goOn(bare.hooks.stop);
-  double own = c.with.chi2 + static_cast<double>(c.with.numbers.size()) * logReadings(c.with);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
-  for (const auto& fit : fits) {
-    warning.better = fit.effects.front();
-    if (isItself(warning) && !(may_reshape && fit.chi2 + c.limits.gap < c.with.chi2))
-      own = std::min(own, fit.criterion);
+  const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
+  for (const Explanation& model : models) {  // most probable first
+    const Explanation*& of = model.effects.empty() ? nothing : find(model, warning) ? own : other;
+    if (!of) of = &model;
   }
-  for (const auto& fit : fits) {
-    if (fit.criterion + c.limits.gap > own) break;  // best first
-    if (criterion_with_more + c.limits.gap < fit.criterion) continue;
-    warning.better = fit.effects.front();
-    warning.by = own - fit.criterion;
-    return warning;
+  if (!nothing) return;
+  const double gain = own ? nothing->criterion - own->criterion : -std::numeric_limits<double>::infinity();
+  if (gain < c.limits.gap) warnings.push_back(unneeded(c, effect, gain));
+  if (!own || gain < c.limits.gap) return;
+  const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
+  if (may_reshape && own->effects.size() == 1 && own->chi2 + c.limits.gap < c.with.chi2) {
+    warning.better = *find(*own, warning);
+    warning.by = c.with.chi2 - own->chi2;
+    warnings.push_back(warning);
+  } else if (other && other->criterion + c.limits.gap < own->criterion) {
+    warning.better = other->effects.front();
+    warning.by = own->criterion - other->criterion;
+    warnings.push_back(warning);
   }
-  return std::nullopt;
 }
 
 EffectWarning remaining(const Case& c, int effect, double p_value) {
@@ -202,20 +189,15 @@ EffectWarning remaining(const Case& c, int effect, double p_value) {
   return warning;
 }
 
-/// `with_more` is the least criterion of the model with another effect beside those it has.
 std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& effects, const DiagnosisOptions& options,
-                                      const WorkHooks& hooks, double with_more) {
+                                      const WorkHooks& hooks) {
   std::vector<EffectWarning> warnings;
-  const double misfit = effects.empty() ? 1 : chanceOfMisfit(c);
   std::size_t done = 0;
   for (const int e : effects) {
     tell(hooks, "effects of the cell", done++, effects.size());
-    const auto better = findBetter(c, e, options, with_more);
-    const auto unneeded = findUnneeded(c, e, fitWithout(c, e));
-    if (unneeded && !(better && isItself(*better))) warnings.push_back(*unneeded);
-    if (better) warnings.push_back(*better);
+    judgeEffect(c, e, options, warnings);
     findBeyondPlausible(c, e, warnings);
-    if (misfit < c.limits.misfit) warnings.push_back(remaining(c, e, misfit));
+    if (c.with.p_value < c.limits.misfit) warnings.push_back(remaining(c, e, c.with.p_value));
   }
   return warnings;
 }
@@ -228,12 +210,6 @@ std::vector<EffectWarning> unlessStopped(Work work) {
   } catch (const WorkStopped&) {
     return {};
   }
-}
-
-double leastCriterion(const std::vector<Explanation>& explanations) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& explanation : explanations) least = std::min(least, explanation.criterion);
-  return least;
 }
 
 }  // namespace
@@ -255,8 +231,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   const Case c{start, readings, quiet, fitted, fitted.heldout, limits};
   return unlessStopped([&] {
     tell(options.hooks, "effects of the cell");
-    const auto more = explainBySingles(start, readings, look);
-    return warningsOf(c, freed, look, options.hooks, leastCriterion(more));
+    return warningsOf(c, freed, look, options.hooks);
   });
 }
 
@@ -278,7 +253,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   std::vector<int> all(start.arm.effects.size());
   std::iota(all.begin(), all.end(), 0);
   const Case c{start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits};
-  return unlessStopped([&] { return warningsOf(c, all, look, options.hooks, leastCriterion(diagnosis.closest)); });
+  return unlessStopped([&] { return warningsOf(c, all, look, options.hooks); });
 }
 
 }  // namespace tubeplan::calibration

@@ -1,7 +1,8 @@
 // Whether the readings need the effects that a model carries: each is taken out, and the rest fitted anew.
 //
-// An effect that brings the information criterion down by less than the gap is one that no diagnosis would name. Where
-// another effect in its place does better by the gap, and both together do not do better still, the other is the one.
+// All that could stand in its place competes with it, itself and nothing among them (competing_models.hpp): one that brings
+// -2 log of the posterior down by less than the gap is one that no diagnosis would name; where another does better by the
+// gap, the other is the one.
 #pragma once
 
 #include <limits>
@@ -25,12 +26,12 @@ struct EffectWarning {
   FoundNumber number;  ///< the one beyond what any machine has
   double plausible = std::numeric_limits<double>::quiet_NaN();
   FoundEffect better;                                    ///< what explains better, perhaps itself with another shape
-  double by = std::numeric_limits<double>::quiet_NaN();  ///< in the information criterion
+  double by = std::numeric_limits<double>::quiet_NaN();  ///< of -2 log of the posterior
 };
 
 struct EffectWarningOptions {
-  double gap = 8;         ///< in the information criterion
-  double misfit = 0.003;  ///< p of the misfit, over all readings or smooth in the joints, below which more is missing
+  double gap = 8;         ///< of -2 log of the posterior
+  double misfit = 0.003;  ///< p of the lack of fit below which more is missing
 };
 
 /// Of the effects that an identification fitted. `options` and `start` are those it was made with. Empty unless it was

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/next_readings.hpp"
 
 namespace tubeplan::calibration {

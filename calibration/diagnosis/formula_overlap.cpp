@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calibration/diagnosis/candidates.hpp"
+#include "calibration/diagnosis/signatures.hpp"
 #include "calibration/span.hpp"
 #include "deflection/effects/formula.hpp"
 
@@ -49,7 +49,9 @@ struct Setting {
   const std::vector<Measurement>& readings;
   const ReadingWeights& weights;
   const std::vector<Unknown>& fitted;
-  const Catalogue& catalogue;
+  const std::vector<Cause>& causes;
+  const Signatures& signatures;
+  const MatrixXd& columns;  ///< of the signatures
 
   [[nodiscard]] MatrixXd jacobianBy(const std::vector<Unknown>& unknowns) const {
     const VectorXd zero = VectorXd::Zero(static_cast<Index>(unknowns.size()));
@@ -59,18 +61,20 @@ struct Setting {
 
 std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, const MatrixXd& left) {
   std::vector<EffectShare> shares;
-  for (const CandidateColumns& entry : at.catalogue.columns) {
-    const MatrixXd columns = without(others, entry.columns);
-    if (!(columns.norm() > kAbsorbed * entry.columns.norm())) continue;
-    const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
-    const Candidate& candidate = at.catalogue.candidates[static_cast<std::size_t>(entry.candidate)];
-    const auto same = std::find_if(shares.begin(), shares.end(), [&](const EffectShare& s) {
-      return s.effect == candidate.effect && s.at == candidate.at;
-    });
-    if (same != shares.end())
-      same->share = std::max(same->share, share);
-    else if (share > kLeastShare)
-      shares.push_back({candidate.effect, candidate.at, share});
+  for (std::size_t c = 0; c < at.causes.size(); ++c) {
+    const Cause& cause = at.causes[c];
+    for (int level = 0; level < static_cast<int>(cause.levels.size()); ++level) {
+      const MatrixXd own = at.columns(Eigen::all, at.signatures.columnsOf(static_cast<int>(c), level));
+      const MatrixXd columns = without(others, own);
+      if (!(columns.norm() > kAbsorbed * own.norm())) continue;
+      const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
+      const auto same = std::find_if(shares.begin(), shares.end(),
+                                     [&](const EffectShare& s) { return s.effect == cause.effect && s.at == cause.at; });
+      if (same != shares.end())
+        same->share = std::max(same->share, share);
+      else if (share > kLeastShare)
+        shares.push_back({cause.effect, cause.at, share});
+    }
   }
   std::stable_sort(shares.begin(), shares.end(),
                    [](const EffectShare& a, const EffectShare& b) { return a.share > b.share; });
@@ -104,11 +108,15 @@ std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
   const auto weights = weighReadings(result.fitted, used);
   if (!weights) return {};
   const auto fitted = fittedUnknowns(result);
-  const auto catalogue = linearizeCatalogue(result.fitted, used, *weights);
+  auto causes = listCauses(result.fitted, used, fitted).causes;
+  std::erase_if(causes, [](const Cause& cause) { return cause.effects.size() != 1; });
+  const Signatures signatures(result.fitted, causes);
+  const MatrixXd columns = signatures.columnsAt(used, *weights);
+  if (columns.rows() != weights->rows) return {};
   std::vector<FormulaOverlap> overlaps;
   for (int k = 0; k < static_cast<int>(effects.size()); ++k)
     if (effects[static_cast<std::size_t>(k)].formula)
-      overlaps.push_back(overlapOf({result.fitted, used, *weights, fitted, catalogue}, k));
+      overlaps.push_back(overlapOf({result.fitted, used, *weights, fitted, causes, signatures, columns}, k));
   return overlaps;
 }
 

@@ -137,6 +137,7 @@ std::vector<std::vector<Foretold>> foretellFrames(const std::vector<Rival>& riva
 
 /// How an effect shows when what it acts on is looked at by itself.
 std::string directCheck(const FoundEffect& found) {
+  if (!found.frees.empty()) return "measure " + found.at + " by itself";
   switch (deflection::effectKinds()[static_cast<std::size_t>(found.fitted.kind)].stage) {
     case EffectStage::kReading:
       return "check the reading of " + found.at + " by itself (a level or an index on the joint)";

@@ -26,8 +26,7 @@ Explanation nothingMissing(const Diagnosis& diagnosis) {
   Explanation nothing;
   nothing.fitted = diagnosis.baseline.fitted;
   nothing.chi2 = diagnosis.chi2;
-  const auto numbers = static_cast<double>(diagnosis.baseline.numbers.size());
-  nothing.criterion = diagnosis.chi2 + numbers * std::log(std::max(2., diagnosis.degrees_of_freedom + numbers));
+  nothing.criterion = diagnosis.nothing_criterion;
   return nothing;
 }
 

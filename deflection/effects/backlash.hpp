@@ -33,6 +33,8 @@ inline EffectKind kind() {
           .source = "complementarity; Harmonic Drive catalogues, backlash",
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,
+          .odds = 1.5,
+          .odds_reason = "couplings, latches and pins have clearance",
           .needs = {},
           .parameters = {{"gap", Quantity::kAngle, 0, 0, 1.6, 0.02}},
           .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },

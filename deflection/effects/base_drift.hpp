@@ -26,6 +26,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kBase,
           .at = PlaceRule::kWord,
           .word = "base",
+          .odds = 0.5,
+          .odds_reason = "creep of a mount is slow",
           .needs = {.time = true},
           .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5},
                          {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5},

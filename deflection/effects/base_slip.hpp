@@ -25,6 +25,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kBase,
           .at = PlaceRule::kWord,
           .word = "base",
+          .odds = 1,
+          .odds_reason = "clamps yield once",
           .needs = {.time = true},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},

@@ -23,6 +23,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kWord,
           .word = "tip",
+          .odds = 1,
+          .odds_reason = "a tool that touches pushes",
           .needs = {},
           .parameters = {{"force", Quantity::kForce, 0, -kUnbounded, kUnbounded, 200}},
           .places = places::theOnly,

@@ -28,12 +28,14 @@ struct EffectParameter {
 /// What an effect acts on.
 enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasurement };
 
-/// How a place is written: `theta2`, `theta3<-theta2`, `forearm`, `tool.z`, or the kind's fixed word.
-enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kWord };
+/// How a place is written: `theta2`, `theta3<-theta2`, `forearm`, `tool.z`, the name of a set-up of the base, or the
+/// kind's fixed word.
+enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
-/// What measurements must hold for an effect to be seen: columns of them, or a hung load.
+/// What there must be for an effect to be seen: columns of the measurements, a hung load, moments at all (weights of the
+/// arm, or a load), or an arm whose weights nobody stated.
 struct EffectNeeds {
-  bool senses = false, temperature = false, time = false, load = false;
+  bool senses = false, temperature = false, time = false, load = false, moments = false, no_weights = false;
 };
 
 /// One row of the effect table.
@@ -45,6 +47,8 @@ struct EffectKind {
   EffectStage stage;
   PlaceRule at;
   const char* word = "";  ///< the only place's name, for PlaceRule::kWord
+  double odds = 1;        ///< prior odds of the kind against others, shared by its places; 0: never tried unasked ...
+  const char* odds_reason = "";  ///< ... and why
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< every place of an arm where the effect can be

@@ -23,6 +23,7 @@ bool fits(const Arm& arm, const Formula& formula) {
 
 bool isWhereItCanBe(const Arm& arm, const EffectKind& kind, const Effect& effect) {
   if (effect.formula) return kind.name == std::string_view(user_formula::kName) && fits(arm, *effect.formula);
+  if (kind.at == PlaceRule::kSetup) return !effect.place.setup.empty();
   const auto all = kind.places(arm);
   return std::find(all.begin(), all.end(), effect.place) != all.end();
 }

@@ -4,8 +4,11 @@
 #include "deflection/effects/backlash.hpp"
 #include "deflection/effects/base_drift.hpp"
 #include "deflection/effects/base_slip.hpp"
+#include "deflection/effects/cable_stretch.hpp"
 #include "deflection/effects/contact_force.hpp"
 #include "deflection/effects/encoder_eccentricity.hpp"
+#include "deflection/effects/gear_wave.hpp"
+#include "deflection/effects/gravity_sag.hpp"
 #include "deflection/effects/gravity_tilt.hpp"
 #include "deflection/effects/hose_pull.hpp"
 #include "deflection/effects/hysteresis.hpp"
@@ -20,9 +23,11 @@
 #include "deflection/effects/link_weight.hpp"
 #include "deflection/effects/payload_offset.hpp"
 #include "deflection/effects/scale_error.hpp"
+#include "deflection/effects/slide_bending.hpp"
 #include "deflection/effects/stiffening.hpp"
 #include "deflection/effects/thermal_growth.hpp"
 #include "deflection/effects/tool_offset.hpp"
+#include "deflection/effects/tool_remount.hpp"
 #include "deflection/effects/tool_weight.hpp"
 #include "deflection/effects/transmission_error.hpp"
 #include "deflection/effects/user_formula.hpp"
@@ -39,7 +44,8 @@ const std::vector<EffectKind>& effectKinds() {
       contact_force::kind(),      joint_compliance::kind(), link_bending::kind(),
       link_torsion::kind(),       stiffening::kind(),       backlash::kind(),
       base_slip::kind(),          base_drift::kind(),       scale_error::kind(),
-      user_formula::kind(),
+      gravity_sag::kind(),        slide_bending::kind(),    cable_stretch::kind(),
+      gear_wave::kind(),          tool_remount::kind(),     user_formula::kind(),
   };
   return kKinds;
 }

@@ -28,6 +28,8 @@ inline EffectKind kind() {
       .source = "Wallace, TPOINT: centring errors",
       .stage = EffectStage::kReading,
       .at = PlaceRule::kJoint,
+      .odds = 1,
+      .odds_reason = "every code disc is off centre by some micrometres",
       .needs = {},
       .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}, {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
       .places = places::ofRevoluteJoints,

@@ -24,6 +24,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kWord,
           .word = "base",
+          .odds = 0.5,
+          .odds_reason = "a floor is level to a milliradian, and that hardly shows",
           .needs = {},
           .parameters = {{"x", Quantity::kAngle, 0, -0.5, 0.5, 0.05}, {"y", Quantity::kAngle, 0, -0.5, 0.5, 0.05}},
           .places = places::theOnly,

@@ -23,6 +23,8 @@ inline EffectKind kind() {
           .source = "statics",
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kLink,
+          .odds = 1,
+          .odds_reason = "hoses and cables drag",
           .needs = {},
           .parameters = {{"x", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100},
                          {"y", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100},

@@ -28,6 +28,8 @@ inline EffectKind kind() {
           .source = "Coulomb friction; Harmonic Drive catalogues, lost motion",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
+          .odds = 1.5,
+          .odds_reason = "every gear and seal has friction before a spring",
           .needs = {.senses = true},
           .parameters = {{"half_width", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
           .places = places::ofJoints,

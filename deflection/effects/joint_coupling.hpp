@@ -24,6 +24,8 @@ inline EffectKind kind() {
           .source = "Craig, Introduction to Robotics: actuator and joint space",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJointPair,
+          .odds = 0.5,
+          .odds_reason = "only where drives run through other joints",
           .needs = {},
           .parameters = {{"share", Quantity::kNone, 0, -1, 1, 0.05}},
           .places = places::ofJointPairs,

@@ -22,6 +22,8 @@ inline EffectKind kind() {
           .source = "Klimchik et al., arXiv 1211.5739",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
+          .odds = 2,
+          .odds_reason = "homing and drawing errors of joints are the commonest geometric error (Klimchik et al., arXiv 1211.5739)",
           .needs = {},
           .parameters = {{"offset", Quantity::kAngle, 0, -3.2, 3.2, 0.035}},
           .places = places::ofJoints,

@@ -23,6 +23,8 @@ inline EffectKind kind() {
           .source = "Mooring, Roth and Driels 1991",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
+          .odds = 0.5,
+          .odds_reason = "gear ratios are counted teeth: only a wrong number or a belt is off",
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.01}},
           .places = places::ofJoints,

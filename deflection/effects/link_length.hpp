@@ -39,6 +39,8 @@ inline EffectKind kind() {
           .source = "Denavit and Hartenberg 1955; Klimchik et al., arXiv 1211.5739",
           .stage = EffectStage::kGeometry,
           .at = PlaceRule::kLink,
+          .odds = 1,
+          .odds_reason = "a drawing is right to tenths of a millimetre",
           .needs = {},
           .parameters = {{"length", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.005}},
           .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },

@@ -26,6 +26,8 @@ inline EffectKind kind() {
           .source = "Denavit and Hartenberg 1955; Klimchik et al., arXiv 1211.5739",
           .stage = EffectStage::kGeometry,
           .at = PlaceRule::kLink,
+          .odds = 1,
+          .odds_reason = "machined faces are square to tenths of a milliradian",
           .needs = {},
           .parameters = {{"twist", Quantity::kAngle, 0, -3.2, 3.2, 0.02}},
           .places =

@@ -30,6 +30,8 @@ inline EffectKind kind() {
           .source = "Calkins 1994, section 2.3",
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kLink,
+          .odds = 1,
+          .odds_reason = "cables and fittings are seldom in the weights of a drawing",
           .needs = {},
           .parameters = {{.name = "weight",
                           .quantity = Quantity::kForce,

@@ -24,6 +24,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kWord,
           .word = "payload",
+          .odds = 1,
+          .odds_reason = "loads hang where a hook is, not at the tip",
           .needs = {.load = true},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tubeplan::deflection {
@@ -13,6 +14,7 @@ struct Place {
   int row = -1;
   int axis = -1;   ///< 0, 1, 2: x, y, z of the row
   int other = -1;  ///< the row of the second joint, where a place is a pair
+  std::string setup = {};  ///< of the base, where a place is a set-up
   bool operator==(const Place&) const = default;
 };
 

@@ -61,6 +61,8 @@ std::string textOf(const Arm& arm, const EffectKind& kind, const Place& place) {
       return arm.rows.at(place.row).name;
     case PlaceRule::kRowAxis:
       return arm.rows.at(place.row).name + "." + "xyz"[place.axis];
+    case PlaceRule::kSetup:
+      return place.setup;
     case PlaceRule::kWord:
       return kind.word;
   }
@@ -74,6 +76,8 @@ std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind) {
 }
 
 std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text) {
+  if (kind.at == PlaceRule::kSetup)  // set-ups are the readings', not the arm's
+    return text.empty() ? std::nullopt : std::optional(Place{.setup = std::string(text)});
   for (const Place& place : kind.places(arm))
     if (textOf(arm, kind, place) == text) return place;
   return std::nullopt;

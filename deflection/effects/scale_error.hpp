@@ -23,6 +23,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kMeasurement,
           .at = PlaceRule::kWord,
           .word = "measurement",
+          .odds = 0.5,
+          .odds_reason = "instruments are calibrated far better than arms",
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.005}},
           .places = places::theOnly,

@@ -47,6 +47,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kGeometry,
           .at = PlaceRule::kWord,
           .word = "arm",
+          .odds = 1,
+          .odds_reason = "halls warm up by degrees in a shift",
           .needs = {.temperature = true},
           .parameters = {{"expansion", Quantity::kPerTemperature, 0, -0.01, 0.01, 1e-4}},
           .places = places::theOnly,

@@ -23,6 +23,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kGeometry,
           .at = PlaceRule::kWord,
           .word = "tool",
+          .odds = 2,
+          .odds_reason = "the tool is mounted and measured by hand",
           .needs = {},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},

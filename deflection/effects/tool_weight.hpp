@@ -28,6 +28,8 @@ inline EffectKind kind() {
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kWord,
           .word = "tool",
+          .odds = 1,
+          .odds_reason = "tools are changed and seldom weighed",
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -1, kUnbounded, 0.5}},
           .places = places::theOnly,

@@ -27,6 +27,8 @@ inline EffectKind kind() {
           .source = "Ghorbel, Gandhi and Alpeter 2001",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
+          .odds = 1,
+          .odds_reason = "gears err twice per turn of a strain wave generator",
           .needs = {},
           .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
                          {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},

@@ -81,6 +81,8 @@ inline EffectKind kind() {
           .source = "the user",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
+          .odds = 0,
+          .odds_reason = "a user's own law is never tried unasked",
           .needs = {},
           .parameters = {},
           .places = [](const Arm&) { return std::vector<Place>(); },

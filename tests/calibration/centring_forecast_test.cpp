@@ -42,7 +42,6 @@ TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   covariance.diagonal().head<3>().setConstant(kSigma * kSigma);
   CentringForecastOptions options;
-  options.draws = 20000;
   const auto forecast = forecastCentring(baseFit(covariance), somePostures(12), options);
   ASSERT_EQ(forecast.status, CentringForecastStatus::kDone);
   EXPECT_EQ(forecast.numbers, 6);
@@ -74,7 +73,6 @@ TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
     radii.push_back((tipInWorld(fit.fitted.arm, X_WB, q, 0).p_WT - X_WB.translation()).head<2>().norm());
   }
   CentringForecastOptions options;
-  options.draws = 20000;
   const auto forecast = forecastCentring(fit, postures, options);
   const auto furthest = std::max_element(radii.begin(), radii.end());
   EXPECT_EQ(forecast.worst_posture, furthest - radii.begin());

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -26,7 +26,7 @@ Diagnosed diagnosed(const std::string& effect, const std::vector<double>& values
   all.readings[4].is_held_out = true;
   DiagnosisOptions options;
   options.baseline.free = {all.cell.identify, !all.cell.base_known};
-  options.most_effects = 1;
+  options.most_causes = 1;
   all.result = diagnose(benchStart(all.cell, all.readings), all.readings, options);
   return all;
 }

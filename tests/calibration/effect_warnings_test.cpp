@@ -38,7 +38,6 @@ struct WithEffects {
   [[nodiscard]] std::vector<EffectWarning> diagnosed(const std::vector<Measurement>& readings) const {
     DiagnosisOptions options;
     options.baseline.free = {free, false};
-    options.draws = 200;
     const auto start = benchStart(cell, readings);
     return warnOfEffects(start, readings, options, diagnose(start, readings, options));
   }

@@ -19,7 +19,6 @@ TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
     readings[10].q[0] += 0.2 * deflection::kDegree;
     DiagnosisOptions options;
     options.baseline.free.names = {"tool.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
-    options.draws = 200;
     const auto diagnosis = diagnose(cobra(), readings, options);
     EXPECT_NE(diagnosis.verdict, Verdict::kNotRun) << diagnosis.reason;
     std::map<std::string, int> left;

@@ -56,7 +56,6 @@ struct Bench {
   [[nodiscard]] Diagnosis diagnosed() const {
     DiagnosisOptions options;
     options.baseline.free = {cell.identify, false};
-    options.draws = 300;
     return diagnose(benchStart(cell, readings), readings, options);
   }
 
@@ -160,6 +159,7 @@ TEST(SplittingReadings, OfOnePostureCannotSplitWhatDiffersElsewhere) {
   EXPECT_FALSE(next.never.empty());
   EXPECT_FALSE(next.other_means.empty());
 }
+
 
 TEST(SplittingReadings, AreNoneWhereNothingIsOpen) {
   Diagnosis diagnosis;

@@ -62,7 +62,6 @@ class Stopping : public testing::Test {
   [[nodiscard]] DiagnosisOptions diagnosis(const WorkHooks& hooks) const {
     DiagnosisOptions options;
     options.baseline.free = {cell.identify, false};
-    options.draws = 300;
     options.hooks = hooks;
     return options;
   }

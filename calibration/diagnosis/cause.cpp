@@ -1,0 +1,243 @@
+#include "calibration/diagnosis/cause.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
+
+namespace {
+
+constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawings seldom state them well
+constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
+constexpr double kAlikeShare = 0.3;  // of a kind's odds: that it acts at all joints rather than at one
+
+const EffectKind& kindOf(const Cause& cause) {
+  return deflection::effectKinds()[static_cast<std::size_t>(cause.effects.front().kind)];
+}
+
+bool hasWeights(const deflection::Arm& arm) {
+  return std::any_of(arm.rows.begin(), arm.rows.end(), [](const auto& row) {
+    return row.weight.distributed > 0 || row.weight.end > 0 || !row.weight.lumps.empty();
+  });
+}
+
+/// What the readings and the arm lack for an effect to be seen; empty where nothing.
+std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+  const auto any = [&](auto&& holds) { return std::any_of(readings.begin(), readings.end(), holds); };
+  const bool has_load = any([](const Measurement& m) { return m.load > 0; });
+  if (kind.needs.senses && !any([](const Measurement& m) {
+        return std::any_of(m.senses.begin(), m.senses.end(), [](int s) { return s != 0; });
+      }))
+    return "the readings do not say the direction of the joints' last motion (<joint>_dir)";
+  if (kind.needs.temperature && !any([](const Measurement& m) { return std::isfinite(m.temperature); }))
+    return "the readings do not say the temperature";
+  if (kind.needs.time && !any([](const Measurement& m) { return std::isfinite(m.time); }))
+    return "the readings do not say the time";
+  if (kind.needs.load && !has_load) return "no reading is under a load";
+  if (kind.needs.moments && !has_load && !hasWeights(arm))
+    return "the arm file states no weights and no reading is under a load";
+  if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances say it";
+  return "";
+}
+
+/// Evenly spread quantiles of the inner part of a sample, doubles once.
+std::vector<double> quantiles(std::vector<double> sample, int count, double from, double to) {
+  if (sample.empty()) return {};
+  std::sort(sample.begin(), sample.end());
+  std::set<double> levels;
+  for (int k = 0; k < count; ++k) {
+    const double share = from + (to - from) * (count > 1 ? static_cast<double>(k) / (count - 1) : 0.5);
+    levels.insert(sample[static_cast<std::size_t>(share * static_cast<double>(sample.size() - 1))]);
+  }
+  return {levels.begin(), levels.end()};
+}
+
+/// Moments about an axis at readings evenly spread over all [N m].
+std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                              const deflection::Place& place) {
+  constexpr std::size_t kMost = 200;
+  const std::size_t step = std::max<std::size_t>(1, readings.size() / kMost);
+  std::vector<double> moments;
+  for (std::size_t k = 0; k < readings.size(); k += step) {
+    const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
+    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
+    if (shape.status == deflection::KinematicsStatus::kConverged)
+      moments.push_back(std::abs(shape.rows[static_cast<std::size_t>(place.row)].moment_L[place.axis]));
+  }
+  return moments;
+}
+
+/// Midpoints between the times of readings: a step between two readings looks the same wherever it is.
+std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
+  std::set<double> times;
+  for (const auto& reading : readings)
+    if (std::isfinite(reading.time)) times.insert(reading.time);
+  std::vector<double> between;
+  for (auto at = times.begin(); at != times.end() && std::next(at) != times.end(); ++at)
+    between.push_back((*at + *std::next(at)) / 2);
+  return between;
+}
+
+std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings,
+                             const CauseOptions& options) {
+  if (cause.shape < 0) return {0};
+  const auto& parameter = kindOf(cause).parameters[static_cast<std::size_t>(cause.shape)];
+  if (parameter.quantity == Quantity::kTorque)
+    return quantiles(momentsAt(placed, readings, cause.effects.front().place), options.knee_levels, 0.04, 0.9);
+  if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), options.time_levels, 0.05, 0.95);
+  return {parameter.neutral};
+}
+
+bool isThereAlready(const deflection::Arm& arm, const deflection::Effect& effect) {
+  return std::any_of(arm.effects.begin(), arm.effects.end(), [&](const deflection::Effect& present) {
+    return present.kind == effect.kind && present.place == effect.place;
+  });
+}
+
+std::vector<std::string> placesOf(const EffectKind& kind, const PlacedArm& placed) {
+  if (kind.at != PlaceRule::kSetup) return deflection::placeTexts(placed.arm, kind);
+  std::vector<std::string> setups;
+  for (std::size_t p = 1; p < placed.placings.size(); ++p) setups.push_back(placed.placings[p].setup);
+  return setups;
+}
+
+int shapeOf(const EffectKind& kind) {
+  for (std::size_t v = 0; v < kind.parameters.size(); ++v)
+    if (kind.parameters[v].is_shape) return static_cast<int>(v);
+  return -1;
+}
+
+/// The effect at every joint alike: about the axis that each joint turns about, where its places are axes.
+Cause atAllJoints(const EffectKind& kind, const std::vector<Cause>& at_places, const deflection::Arm& arm) {
+  Cause alike{kind.name, "all joints", {}, {}};
+  for (const Cause& cause : at_places) {
+    const auto& place = cause.effects.front().place;
+    const bool turns = arm.rows[static_cast<std::size_t>(place.row)].joint.type == deflection::JointType::kRevolute;
+    if (turns && (kind.at == PlaceRule::kJoint || place.axis == 2)) alike.effects.push_back(cause.effects.front());
+  }
+  return alike;
+}
+
+bool mayActAlike(const EffectKind& kind) {
+  if (shapeOf(kind) >= 0) return false;
+  if (kind.at == PlaceRule::kJoint)
+    return kind.stage == deflection::EffectStage::kFlexibility || kind.needs.senses;
+  return kind.at == PlaceRule::kRowAxis && kind.stage == deflection::EffectStage::kFlexibility && kind.parameters.size() == 1;
+}
+
+/// Adds a kind's causes, its odds shared out.
+void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
+             const CauseOptions& options, CauseList& list) {
+  std::vector<Cause> at_places;
+  for (const std::string& at : placesOf(kind, placed)) {
+    const auto made = deflection::makeEffect(placed.arm, kind.name, at);
+    if (isThereAlready(placed.arm, made.effect)) continue;
+    Cause cause{kind.name, at, {made.effect}, {}, shapeOf(kind)};
+    cause.levels = levelsOf(cause, placed, readings, options);
+    if (!cause.levels.empty()) at_places.push_back(std::move(cause));
+  }
+  if (at_places.empty()) return;
+  Cause alike = mayActAlike(kind) ? atAllJoints(kind, at_places, placed.arm) : Cause{};
+  const bool has_alike = alike.effects.size() > 1;
+  for (Cause& cause : at_places)
+    cause.prior = kind.odds * (has_alike ? 1 - kAlikeShare : 1) / static_cast<double>(at_places.size());
+  list.causes.insert(list.causes.end(), at_places.begin(), at_places.end());
+  if (!has_alike) return;
+  alike.prior = kind.odds * kAlikeShare;
+  list.causes.push_back(std::move(alike));
+}
+
+bool isFree(const std::vector<Unknown>& free, const std::string& name) {
+  return std::any_of(free.begin(), free.end(), [&](const Unknown& unknown) { return unknown.name == name; });
+}
+
+/// Numbers of the arm's file that the fit holds: each stiffness, and the drawing's geometry as a whole.
+void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
+  std::vector<Cause> stiffnesses;
+  Cause geometry{kFreedNumbers, "geometry", {}, {}};
+  const auto of_geometry = namesBehind(placed.arm, "geometry");
+  for (const auto& parameter : deflection::parametersOf(placed.arm)) {
+    if (parameter.path.effect >= 0 || isFree(free, parameter.name)) continue;
+    if (deflection::isStiffness(parameter.quantity))
+      stiffnesses.push_back({kFreedNumbers, parameter.name, {}, {parameter.name}});
+    else if (std::find(of_geometry.begin(), of_geometry.end(), parameter.name) != of_geometry.end())
+      geometry.frees.push_back(parameter.name);
+  }
+  for (Cause& cause : stiffnesses) cause.prior = kFreedOdds / static_cast<double>(stiffnesses.size());
+  list.causes.insert(list.causes.end(), stiffnesses.begin(), stiffnesses.end());
+  if (geometry.frees.size() < 2) return;
+  geometry.prior = kGeometryOdds;
+  list.causes.push_back(std::move(geometry));
+}
+
+}  // namespace
+
+bool isStep(const Cause& cause) {
+  return cause.shape >= 0 &&
+         kindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
+}
+
+namespace {
+
+Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
+  const auto& placed = arm.effects[static_cast<std::size_t>(effect)];
+  const auto& parameter = deflection::effectKinds()[static_cast<std::size_t>(placed.kind)]
+                              .parameters[static_cast<std::size_t>(value)];
+  const auto number = deflection::numberOf(arm, placed, value);
+  Unknown unknown;
+  unknown.name = deflection::textOf(arm, placed) + "." + parameter.name;
+  unknown.quantity = number.quantity;
+  unknown.path.effect = effect;
+  unknown.path.value = value;
+  unknown.start = placed.values[static_cast<std::size_t>(value)];
+  unknown.typical = parameter.plausible;
+  unknown.lower = number.lower - unknown.start;
+  unknown.upper = number.upper - unknown.start;
+  return unknown;
+}
+
+}  // namespace
+
+std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level) {
+  if (!cause.frees.empty()) return chooseUnknowns(placed, {cause.frees, false}).list;
+  std::vector<Unknown> unknowns;
+  for (const auto& neutral : cause.effects) {
+    placed.arm.effects.push_back(neutral);
+    if (cause.shape >= 0) placed.arm.effects.back().values[static_cast<std::size_t>(cause.shape)] = level;
+    const int effect = static_cast<int>(placed.arm.effects.size()) - 1;
+    for (int value = 0; value < static_cast<int>(neutral.values.size()); ++value)
+      if (value != cause.shape) unknowns.push_back(numberUnknown(placed.arm, effect, value));
+  }
+  return unknowns;
+}
+
+Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level) {
+  Unknown unknown = numberUnknown(arm, effect, cause.shape);
+  unknown.typical = std::max(1e-3, 0.3 * std::abs(level));
+  return unknown;
+}
+
+CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                     const std::vector<Unknown>& free, const CauseOptions& options, const WorkHooks& hooks) {
+  CauseList list;
+  for (const auto& kind : deflection::effectKinds()) {
+    goOn(hooks.stop);
+    if (kind.odds <= 0) continue;
+    if (const std::string lack = lackOf(kind, placed.arm, readings); !lack.empty())
+      list.not_tried.push_back(std::string(kind.name) + ": " + lack);
+    else
+      addKind(kind, placed, readings, options, list);
+  }
+  addHeldNumbers(placed, free, list);
+  double total = 0;
+  for (const Cause& cause : list.causes) total += cause.prior;
+  for (Cause& cause : list.causes) cause.prior /= total;
+  return list;
+}
+
+}  // namespace tubeplan::calibration

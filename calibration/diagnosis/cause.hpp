@@ -1,0 +1,53 @@
+// What may be behind a lack of fit: effects of the catalogue at their places, one effect at all joints alike, or numbers
+// of the arm's file that the fit holds at their drawing's values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibration/hooks.hpp"
+#include "calibration/placed_arm.hpp"
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::calibration {
+
+/// The name that freed numbers have in the place of an effect's.
+inline constexpr const char* kFreedNumbers = "free";
+
+struct Cause {
+  std::string effect, at;                   ///< "backlash", "tool.z"; "free", "latch-link.beam.Iz"
+  std::vector<deflection::Effect> effects;  ///< at neutral values; several of one kind at all joints alike
+  std::vector<std::string> frees;           ///< dotted names of the arm's file
+  int shape = -1;                           ///< the value of its effect that is scanned, -1: none
+  std::vector<double> levels{0};            ///< of that value, in internal units
+  double prior = 0;                         ///< its share of the probability that exactly one cause is missing
+};
+
+/// Whether the shape of a cause is the time of a step, before which it does nothing.
+[[nodiscard]] bool isStep(const Cause& cause);
+
+/// Puts the cause into the arm, its shape at `level`; the numbers that it frees, 0 where they do nothing. Their typical
+/// size is the largest that a real machine has.
+[[nodiscard]] std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level);
+
+/// The unknown of a scanned shape that has a derivative (a knee), for a fit that begins at `level`; `effect` is the
+/// index that the cause's effect got in the arm.
+[[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
+
+struct CauseOptions {
+  int knee_levels = 7;   ///< tried moments of a knee
+  int time_levels = 64;  ///< tried times of a step
+};
+
+struct CauseList {
+  std::vector<Cause> causes;
+  std::vector<std::string> not_tried;  ///< what was left out and what it would need: "hysteresis: no column <joint>_dir"
+};
+
+/// Every cause that these readings could show of an arm, beside what `free` names. Effects that the arm already has at a
+/// place are left out. Unwinds where it was stopped.
+[[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                                   const std::vector<Unknown>& free, const CauseOptions& options = {},
+                                   const WorkHooks& hooks = {});
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,489 @@
+#include "calibration/diagnosis/competing_models.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "calibration/diagnosis/model_fit.hpp"
+#include "calibration/fit.hpp"
+#include "calibration/prior.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+// Probabilities beforehand: of so many causes, of an unknown discrepancy, of more noise than stated.
+constexpr std::array<double, 5> kCount{0.5, 0.35, 0.11, 0.03, 0.01};
+constexpr double kDiscrepancy = 0.1;
+constexpr double kMoreNoise = 0.1;
+// A size is as real machines have it, or now and then far beyond.
+constexpr std::array<std::array<double, 2>, 2> kSizes{{{0.5, 0.9}, {4, 0.1}}};  // sigma over the largest usual, share
+constexpr double kMisfit = 0.01;           // p of what the richest model leaves, below which the noise is doubted
+constexpr std::size_t kBlock = 1024;       // readings whose columns are in memory at once
+constexpr double kHopeless = 5;            // of log weight below nothing missing: from no such cause pairs are made
+constexpr std::size_t kMostSeeds = 20;     // models that are extended by another cause
+constexpr std::size_t kMostLooked = 40;    // extensions that a quick look leaves
+constexpr std::size_t kManyTerms = 60;     // ways to say a cause, from which only some are looked at
+constexpr std::size_t kFitsAtOnce = 6;     // side by side
+constexpr double kLeastVisible = 1;        // noise sigmas that a cause of the largest usual size must show
+constexpr double kLeaderWindow = 8;        // of log weight behind the best: models that are fitted ...
+constexpr double kLeaderShare = 0.075;     // ... or a share of what the best gains, since linear evidence errs with it
+constexpr Eigen::Index kPrincipalTerms = 80;  // of the discrepancy, in the evidence of a fit
+constexpr int kMostNumbers = 8;            // of a cause of which choices of some are tried
+
+std::vector<double> discrepancySizes(double noise) {
+  std::vector<double> sizes;
+  for (double size = 0.7 * noise; size < 200 * noise && sizes.size() < 9; size *= 2) sizes.push_back(size);
+  return sizes;
+}
+
+/// Blocks of readings; those that touched one unknown point stay together.
+std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
+  std::map<std::string, std::vector<int>> touching;
+  std::vector<std::vector<int>> groups;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const bool is_unknown = readings[k].kind == MeasurementKind::kTouch && !readings[k].p_W;
+    if (is_unknown)
+      touching[readings[k].point].push_back(static_cast<int>(k));
+    else
+      groups.push_back({static_cast<int>(k)});
+  }
+  for (auto& [point, members] : touching) groups.push_back(members);
+  std::vector<std::vector<int>> blocks;
+  for (const auto& group : groups) {
+    if (blocks.empty() || blocks.back().size() + group.size() > kBlock) blocks.emplace_back();
+    blocks.back().insert(blocks.back().end(), group.begin(), group.end());
+  }
+  return blocks;
+}
+
+std::vector<Measurement> picked(const std::vector<Measurement>& readings, const std::vector<int>& which) {
+  std::vector<Measurement> some;
+  for (const int k : which) some.push_back(readings[static_cast<std::size_t>(k)]);
+  return some;
+}
+
+/// Rows whitened by some weights, by others.
+void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& from, const ReadingWeights& to,
+                MatrixXd& columns) {
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    auto rows = columns.middleRows(to.first_row[k], rowsOf(readings[k]));
+    rows = (to.whitener[k] * from.whitener[k].inverse() * rows).eval();
+  }
+}
+
+/// The columns of one block, whitened by the stated noise, touched points still in.
+struct Block {
+  std::vector<Measurement> readings;
+  ReadingWeights weights;  ///< with points
+  MatrixXd J, S, Z;
+  VectorXd y;
+};
+
+bool fillBlock(const DiagnosisWork& work, const std::vector<int>& which, Block& block) {
+  const DiagnosisBasis& basis = work.basis;
+  block.readings = picked(basis.readings, which);
+  auto weights = weighReadings(basis.fitted, block.readings, {}, 0, basis.stop);
+  goOn(basis.stop);
+  if (!weights) return false;
+  block.weights = std::move(*weights);
+  ReadingWeights apart = block.weights;
+  apart.points.clear();
+  const VectorXd zero = VectorXd::Zero(static_cast<Index>(basis.unknowns.size()));
+  auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zero, true, basis.stop);
+  goOn(basis.stop);
+  if (!residual.ok) return false;
+  block.J = std::move(residual.jacobian);
+  block.y = -residual.r;
+  block.S = work.signatures->columnsAt(block.readings, apart, basis.stop);
+  block.Z = work.discrepancy->columnsAt(block.readings, apart);
+  return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
+}
+
+/// The same columns under other weights, points taken off.
+void addTo(EvidenceGram& gram, const Block& block, double model_error) {
+  const ReadingWeights weights = reweighted(block.weights, block.readings, model_error);
+  gram.log_density += logDensityOf(weights);
+  MatrixXd all(block.y.size(), block.J.cols() + block.S.cols() + block.Z.cols() + 1);
+  all << block.J, block.S, block.Z, block.y;
+  if (model_error > 0) whitenAnew(block.readings, block.weights, weights, all);
+  takePointsOff(weights, all);
+  gram.add(all.leftCols(block.J.cols()), all.middleCols(block.J.cols(), block.S.cols()),
+           all.middleCols(block.J.cols() + block.S.cols(), block.Z.cols()), all.rightCols<1>());
+}
+
+double degreesLeft(const DiagnosisWork& work) {
+  return work.basis.weights.degrees_of_freedom -
+         numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
+}
+
+/// The discrepancy at all readings by its principal terms alone: what fits of their own are weighed with.
+void keepPrincipalTerms(const DiagnosisWork& work, NoiseHypothesis& noise) {
+  const MatrixXd& terms = noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
+  noise.discrepancy.resize(noise.weights.rows, terms.cols());
+  for (const auto& which : blocksOf(work.basis.readings)) {
+    goOn(work.basis.stop);
+    const auto readings = picked(work.basis.readings, which);
+    const auto weights = weighReadings(work.basis.fitted, readings, {}, noise.model_error, work.basis.stop);
+    goOn(work.basis.stop);
+    if (!weights) return;
+    const MatrixXd columns = work.discrepancy->columnsAt(readings, *weights) * terms;
+    for (std::size_t k = 0; k < readings.size(); ++k)
+      noise.discrepancy.middleRows(noise.weights.first_row[static_cast<std::size_t>(which[k])], rowsOf(readings[k])) =
+          columns.middleRows(weights->first_row[k], rowsOf(readings[k]));
+  }
+}
+
+/// Evidence under a noise; false where the model cannot be evaluated.
+bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
+  NoiseHypothesis noise;
+  noise.model_error = model_error;
+  noise.log_prior = log_prior;
+  noise.weights = reweighted(work.basis.weights, work.basis.readings, model_error);
+  EvidenceGram gram;
+  for (const auto& which : blocksOf(work.basis.readings)) {
+    tell(work.options.hooks, "catalogue");
+    Block block;
+    if (!fillBlock(work, which, block)) return false;
+    addTo(gram, block, model_error);
+  }
+  const double floor = noiseFloor(work.basis.readings, work.basis.weights);
+  noise.options.discrepancies = discrepancySizes(std::hypot(floor, std::sqrt(3.) * model_error));
+  noise.options.discrepancy_prior = kDiscrepancy;
+  if (model_error > 0)
+    for (double scale = 0.7; scale < 1.5; scale *= 1.08) noise.options.noise_scales.push_back(scale);
+  noise.options.noise_rows = degreesLeft(work);
+  noise.evidence = std::make_unique<LinearEvidence>(gram, work.basis.unknowns, noise.options);
+  keepPrincipalTerms(work, noise);
+  work.noise.push_back(std::move(noise));
+  return true;
+}
+
+/// The coordinate's error beyond the stated noise that even an unknown function of the readings leaves; 0 where the noise
+/// is enough.
+double errorBeyondNoise(const DiagnosisWork& work) {
+  const LinearEvidence& evidence = *work.noise.front().evidence;
+  const RichestFit richest = evidence.richest();
+  const double freedom = work.noise.front().options.noise_rows - richest.numbers;
+  if (freedom < 3 || !(chiSquareTail(richest.chi2, freedom) < kMisfit)) return 0;
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
+  return per_coordinate * std::sqrt(std::max(0.1, richest.chi2 / freedom - 1));
+}
+
+/// The choices of a cause's numbers that are tried: all that there are of a few, else each alone and all.
+std::vector<std::vector<int>> choicesOf(const Cause& cause, int numbers) {
+  std::vector<int> all(static_cast<std::size_t>(numbers));
+  for (int k = 0; k < numbers; ++k) all[static_cast<std::size_t>(k)] = k;
+  if (cause.effects.size() > 1 || numbers > kMostNumbers) return {all};
+  std::vector<std::vector<int>> choices;
+  for (unsigned mask = 1; mask < (1U << numbers); ++mask) {
+    std::vector<int> choice;
+    for (const int k : all)
+      if (mask & (1U << k)) choice.push_back(k);
+    if (numbers <= 4 || choice.size() == 1 || static_cast<int>(choice.size()) == numbers) choices.push_back(choice);
+  }
+  return choices;
+}
+
+/// Every way to say a cause, with its share of the cause's probability.
+struct WeighedTerm {
+  ModelTerm term;
+  double log_share = 0;
+};
+
+std::vector<WeighedTerm> termsOf(const DiagnosisWork& work, int index) {
+  const Cause& cause = work.cause(index);
+  std::vector<WeighedTerm> terms;
+  for (int level = 0; level < static_cast<int>(cause.levels.size()); ++level) {
+    const int numbers = static_cast<int>(work.signatures->columnsOf(index, level).size());
+    const auto choices = choicesOf(cause, numbers);
+    for (const auto& choice : choices)
+      terms.push_back({{index, level, choice},
+                       -std::log(static_cast<double>(cause.levels.size() * choices.size()))});
+  }
+  return terms;
+}
+
+/// Of very many ways to say a cause those at every fourth level, with one number or all.
+std::vector<WeighedTerm> someTermsOf(const DiagnosisWork& work, int index) {
+  auto terms = termsOf(work, index);
+  if (terms.size() < kManyTerms) return terms;
+  std::size_t most = 0;
+  for (const WeighedTerm& t : terms) most = std::max(most, t.term.numbers.size());
+  std::erase_if(terms, [&](const WeighedTerm& t) {
+    return t.term.level % 4 != 0 || (t.term.numbers.size() != 1 && t.term.numbers.size() != most);
+  });
+  return terms;
+}
+
+int signOf(const SignatureColumn& column) { return column.lower == 0 ? 1 : column.upper == 0 ? -1 : 0; }
+
+std::vector<PriorSize> sizesOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double scale) {
+  std::vector<PriorSize> sizes;
+  for (const ModelTerm& term : terms) {
+    const auto& columns = work.signatures->columnsOf(term.cause, term.level);
+    for (const int number : term.numbers) {
+      const int c = columns[static_cast<std::size_t>(number)];
+      const SignatureColumn& column = work.signatures->columns()[static_cast<std::size_t>(c)];
+      sizes.push_back({c, column.prior_sigma * (column.is_of_effect ? scale : 1), signOf(column)});
+    }
+  }
+  return sizes;
+}
+
+bool hasEffects(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
+  return std::any_of(terms.begin(), terms.end(), [&](const ModelTerm& t) { return work.cause(t.cause).frees.empty(); });
+}
+
+/// Two errors of one joint's reading together follow about any function of it: they would name what is not known.
+bool followOneJoint(const Cause& a, const Cause& b) {
+  if (a.effects.size() != 1 || b.effects.size() != 1) return false;
+  const auto isOfReading = [](const Cause& cause) {
+    return deflection::effectKinds()[static_cast<std::size_t>(cause.effects.front().kind)].stage ==
+           deflection::EffectStage::kReading;
+  };
+  return isOfReading(a) && isOfReading(b) && a.effects.front().place.row == b.effects.front().place.row;
+}
+
+/// Whether they hold one effect at one place between them, or free one number.
+bool overlap(const Cause& a, const Cause& b) {
+  for (const auto& mine : a.effects)
+    for (const auto& theirs : b.effects)
+      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
+  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
+    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
+  });
+}
+
+/// Whether a cause at the largest usual size would show at all beyond what the fitted numbers absorb.
+bool isVisible(const DiagnosisWork& work, int cause) {
+  const auto shows = [&](int column) {
+    const double usual = work.signatures->columns()[static_cast<std::size_t>(column)].prior_sigma;
+    return work.noise.back().evidence->visibility(column) * usual > kLeastVisible;
+  };
+  for (int level = 0; level < static_cast<int>(work.cause(cause).levels.size()); ++level) {
+    const auto& columns = work.signatures->columnsOf(cause, level);
+    if (std::any_of(columns.begin(), columns.end(), shows)) return true;
+  }
+  return false;
+}
+
+bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause) {
+  return std::none_of(terms.begin(), terms.end(), [&](const ModelTerm& term) {
+    return term.cause == cause || followOneJoint(work.cause(term.cause), work.cause(cause)) ||
+           overlap(work.cause(term.cause), work.cause(cause));
+  });
+}
+
+double logPriorOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
+  double log = std::log(kCount[std::min(terms.size(), kCount.size() - 1)]);
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    log += std::log(std::max(1e-300, work.cause(terms[k].cause).prior)) + std::log(static_cast<double>(k + 1));
+  return log;
+}
+
+double logSum(double a, double b) {
+  const double most = std::max(a, b);
+  return std::isfinite(most) ? most + std::log1p(std::exp(std::min(a, b) - most)) : most;
+}
+
+/// Takes one more view of noise or sizes into a model's evidence.
+void blend(CompetingModel& model, const Evidence& evidence, double log_share, const NoiseHypothesis& noise) {
+  const double log = evidence.log + log_share + noise.log_prior;
+  const double after = logSum(model.log_evidence, log);
+  if (!std::isfinite(after)) return;
+  const double share = std::exp(log - after);
+  model.discrepancy_probability =
+      (1 - share) * model.discrepancy_probability + share * evidence.discrepancy_probability;
+  model.more_noise_probability = (1 - share) * model.more_noise_probability + share * (noise.model_error > 0);
+  if (share > 0.5) {
+    model.discrepancy = evidence.discrepancy;
+    model.level = evidence.level;
+    model.model_error = noise.model_error > 0 ? noise.model_error * evidence.noise_scale : 0;
+    model.sizes = evidence.sizes;
+    model.sigma = evidence.sigma;
+  }
+  model.log_evidence = after;
+}
+
+/// The evidence of some terms about the baseline, over noise and sizes.
+CompetingModel weigh(const DiagnosisWork& work, std::vector<ModelTerm> terms, double log_share) {
+  CompetingModel model;
+  model.log_share = log_share;
+  model.log_prior = logPriorOf(work, terms) + log_share;
+  model.terms = std::move(terms);
+  blendEvidence(
+      work, hasEffects(work, model.terms),
+      [&](const NoiseHypothesis& noise, std::size_t, double scale) {
+        return noise.evidence->of(sizesOf(work, model.terms, scale));
+      },
+      model);
+  return model;
+}
+
+void sortByWeight(std::vector<CompetingModel>& models) {
+  std::stable_sort(models.begin(), models.end(),
+                   [](const CompetingModel& a, const CompetingModel& b) { return a.logWeight() > b.logWeight(); });
+}
+
+/// A quick look at some terms: by the noise and the discrepancy that suited `like` best.
+double lookAt(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
+              const CompetingModel& like) {
+  const NoiseHypothesis& noise = like.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
+  double log = -std::numeric_limits<double>::infinity();
+  for (const auto& [scale, share] : kSizes)
+    log = logSum(log, noise.evidence->of(sizesOf(work, terms, scale), like.level).log + std::log(share));
+  return log + noise.log_prior + logPriorOf(work, terms) + log_share;
+}
+
+/// One model more, as a quick look saw it.
+struct Looked {
+  std::vector<ModelTerm> terms;
+  double log_share = 0, log_weight = -std::numeric_limits<double>::infinity();
+};
+
+/// Of a cause its best term beside what the seed has, of all or only some of its terms.
+Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all) {
+  Looked best;
+  for (const WeighedTerm& more : of_all ? termsOf(work, cause) : someTermsOf(work, cause)) {
+    auto terms = seed.terms;
+    terms.push_back(more.term);
+    const double log_share = seed.log_share + more.log_share;
+    const double log_weight = lookAt(work, terms, log_share, seed);
+    if (log_weight > best.log_weight) best = {std::move(terms), log_share, log_weight};
+  }
+  return best;
+}
+
+std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
+  std::vector<int> causes;
+  for (const ModelTerm& term : terms) causes.push_back(term.cause);
+  std::sort(causes.begin(), causes.end());
+  return causes;
+}
+
+/// The models with one cause more, most probable first: of every cause its best term beside what each of the seeds has.
+std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
+  const std::size_t causes = work.causes.causes.size();
+  std::vector<Looked> looked(seeds.size() * causes);
+  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t at) {
+    const CompetingModel& seed = seeds[at / causes];
+    const int cause = static_cast<int>(at % causes);
+    if (shouldStop(work.basis.stop) || !isVisible(work, cause) || !mayStandTogether(work, seed.terms, cause)) return;
+    looked[at] = bestBeside(work, seed, cause, seed.terms.empty());
+  });
+  goOn(work.basis.stop);
+  std::vector<std::size_t> order(looked.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return looked[a].log_weight > looked[b].log_weight; });
+  std::set<std::vector<int>> seen;
+  std::vector<std::size_t> chosen;
+  const std::size_t most = seeds.front().terms.empty() ? looked.size() : kMostLooked;
+  for (const std::size_t k : order)
+    if (chosen.size() < most && std::isfinite(looked[k].log_weight) && seen.insert(causesOf(looked[k].terms)).second)
+      chosen.push_back(k);
+  std::vector<CompetingModel> found(chosen.size());
+  tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t k) {
+    if (shouldStop(work.basis.stop)) return;
+    Looked& look = looked[chosen[k]];
+    const CompetingModel& seed = seeds[chosen[k] / causes];
+    const int cause = static_cast<int>(chosen[k] % causes);
+    if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms) look = bestBeside(work, seed, cause, true);
+    found[k] = weigh(work, look.terms, look.log_share);
+  });
+  goOn(work.basis.stop);
+  sortByWeight(found);
+  return found;
+}
+
+/// Those that are worth going on from.
+std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models, double nothing, std::size_t most) {
+  std::vector<CompetingModel> leaders;
+  if (models.empty()) return leaders;
+  const double best = models.front().logWeight();
+  const double window = std::max(kLeaderWindow, kLeaderShare * (best - nothing));
+  for (const CompetingModel& model : models)
+    if (leaders.size() < most && model.logWeight() > best - window) leaders.push_back(model);
+  return leaders;
+}
+
+/// Leaders are fitted until no other comes near the best of them.
+void fitLeaders(DiagnosisWork& work) {
+  auto& models = work.models;
+  const double nothing = std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); })->logWeight();
+  const auto limit = static_cast<std::size_t>(work.options.most_leaders);
+  for (std::size_t fitted = 0; fitted < 2 * limit;) {
+    sortByWeight(models);
+    const double best = models.front().logWeight();
+    const double window = std::max(kLeaderWindow, kLeaderShare * (best - nothing));
+    std::vector<CompetingModel*> next;
+    for (std::size_t k = 0; k < std::min(limit, models.size()) && next.size() < kFitsAtOnce; ++k)
+      if (!models[k].is_fitted && models[k].logWeight() > best - window) next.push_back(&models[k]);
+    if (next.empty()) return;
+    tell(work.options.hooks, "models", fitted, limit);
+    tbb::parallel_for(std::size_t{0}, next.size(), [&](std::size_t k) { fitModel(work, *next[k]); });
+    fitted += next.size();
+  }
+  sortByWeight(models);
+}
+
+}  // namespace
+
+void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model) {
+  model.log_evidence = -std::numeric_limits<double>::infinity();
+  model.discrepancy_probability = model.more_noise_probability = 0;
+  for (std::size_t n = 0; n < work.noise.size(); ++n) {
+    const NoiseHypothesis& noise = work.noise[n];
+    if (!has_effects) {
+      blend(model, of(noise, n, 1), 0, noise);
+      continue;
+    }
+    for (const auto& [scale, share] : kSizes) blend(model, of(noise, n, scale), std::log(share), noise);
+  }
+}
+
+double logDensityOf(const ReadingWeights& weights) {
+  double log = -0.5 * weights.rows * std::log(2 * std::numbers::pi);
+  for (const MatrixXd& whitener : weights.whitener) log += std::log(std::abs(whitener.determinant()));
+  return log;
+}
+
+bool linearize(DiagnosisWork& work) {
+  work.causes =
+      listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.causes, work.options.hooks);
+  work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
+  work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.readings);
+  if (!addNoise(work, 0, std::log1p(-kMoreNoise))) return false;
+  if (const double more = errorBeyondNoise(work); more > 0) return addNoise(work, more, std::log(kMoreNoise));
+  work.noise.front().log_prior = 0;
+  return true;
+}
+
+void findCompetingModels(DiagnosisWork& work) {
+  const CompetingModel nothing = weigh(work, {}, 0);
+  work.models = {nothing};
+  std::vector<CompetingModel> level{nothing};
+  double best = nothing.logWeight();
+  for (int depth = 1; depth <= work.options.most_causes; ++depth) {
+    tell(work.options.hooks, "causes", static_cast<std::size_t>(depth),
+         static_cast<std::size_t>(work.options.most_causes));
+    level = extended(work, leadersOf(level, nothing.logWeight(), kMostSeeds));
+    if (level.empty()) break;
+    work.models.insert(work.models.end(), level.begin(), level.end());
+    const double before = std::exchange(best, std::max(best, level.front().logWeight()));
+    if (level.front().logWeight() < before - (depth == 1 ? kHopeless : 0)) break;
+  }
+  fitLeaders(work);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,81 @@
+// Models that compete to explain the readings: nothing missing, each cause, several together; each with or without an
+// unknown discrepancy, with the stated noise or more. Their evidence about one linearisation finds the leaders, whose
+// evidence is then taken about a fit of their own.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/discrepancy.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
+#include "calibration/diagnosis/linear_evidence.hpp"
+#include "calibration/diagnosis/signatures.hpp"
+
+namespace tubeplan::calibration {
+
+/// A cause as a model has it: at a level of its shape, with some of its numbers.
+struct ModelTerm {
+  int cause = -1;
+  int level = 0;
+  std::vector<int> numbers;  ///< indices into the cause's numbers
+};
+
+struct CompetingModel {
+  std::vector<ModelTerm> terms;  ///< none: nothing named is missing
+  double log_share = 0;  ///< of the terms among all ways to say their causes; part of the prior
+  double log_prior = 0;
+  double log_evidence = 0;            ///< over noise and discrepancy
+  double discrepancy_probability = 0;  ///< that something unnamed is missing as well
+  double discrepancy = 0;             ///< m, its most probable size
+  std::size_t level = 0;              ///< of that size, among those tried
+  double model_error = 0;             ///< m, of each coordinate beyond the stated noise, most probable
+  double more_noise_probability = 0;  ///< that the noise is larger than stated
+  Eigen::VectorXd sizes, sigma;       ///< of the terms' numbers, one after another, in units
+  Eigen::VectorXd remainder_weights;  ///< of the discrepancy's principal terms, most probable; of a fit, empty: none
+  Explanation fit;                    ///< of a leader: fitted with everything that is free
+  bool is_fitted = false;
+
+  [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
+};
+
+/// One view of the noise, and all evidence under it.
+struct NoiseHypothesis {
+  double model_error = 0;  ///< m
+  double log_prior = 0;
+  ReadingWeights weights;
+  Eigen::MatrixXd principal_terms;  ///< of the discrepancy: its terms x principal ones
+  Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, rows of `weights`
+  EvidenceOptions options;
+  std::unique_ptr<LinearEvidence> evidence;
+};
+
+/// All that one diagnosis linearises about its baseline.
+struct DiagnosisWork {
+  const DiagnosisOptions& options;
+  DiagnosisBasis basis;
+  CauseList causes;
+  std::unique_ptr<Signatures> signatures;
+  std::unique_ptr<Discrepancy> discrepancy;
+  std::vector<NoiseHypothesis> noise;  ///< the stated first; another where readings ask for it
+  std::vector<CompetingModel> models;  ///< most probable first
+
+  [[nodiscard]] const Cause& cause(int index) const { return causes.causes[static_cast<std::size_t>(index)]; }
+};
+
+/// Of the noise at the readings: -1/2 log det(2 pi Lambda).
+[[nodiscard]] double logDensityOf(const ReadingWeights& weights);
+
+/// Linearises every cause about the baseline. False where the model cannot be evaluated. Unwinds where it was stopped.
+bool linearize(DiagnosisWork& work);
+
+/// Finds the models that compete, fills `work.models`. Unwinds where it was stopped.
+void findCompetingModels(DiagnosisWork& work);
+
+/// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it for
+/// one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.
+using EvidenceOf = std::function<Evidence(const NoiseHypothesis& noise, std::size_t index, double scale)>;
+void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,301 @@
+#include "calibration/diagnosis/discrepancy.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Function = std::function<double(const Measurement&)>;
+
+namespace {
+
+constexpr int kWaves = 3;
+constexpr int kBumps = 10;
+constexpr int kTimeWaves = 4;
+constexpr int kManyJoints = 5;                 // from which only neighbouring joints are multiplied
+constexpr std::size_t kReadingsForScale = 300;  // that a term's root mean square is taken over
+// Amplitudes against that of the first wave of a joint: rough functions are smaller.
+constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kMinor = 0.5;
+
+/// A named function of readings.
+struct Feature {
+  std::string follows;
+  Function function;
+  double amplitude = 1;
+};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+  [[nodiscard]] bool isWide() const { return high > low; }
+};
+
+Range rangeOf(const std::vector<Measurement>& readings, const Function& value) {
+  Range range;
+  for (const auto& reading : readings) range.take(value(reading));
+  return range;
+}
+
+/// Features of one joint's reading: waves over a turn, of a slide over its range.
+class JointFeatures {
+ public:
+  JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
+      : name_(joint.name),
+        index_(index),
+        range_(rangeOf(readings, [index](const Measurement& m) { return m.q[index]; })) {
+    const bool turns = joint.type == deflection::JointType::kRevolute;
+    rate_ = turns ? 1 : std::numbers::pi / std::max(1e-9, range_.high - range_.low);
+  }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] bool moves() const { return range_.isWide(); }
+
+  [[nodiscard]] Function sine(int k) const {
+    return [i = index_, w = rate_ * k](const Measurement& m) { return std::sin(w * m.q[i]); };
+  }
+  [[nodiscard]] Function cosine(int k) const {
+    return [i = index_, w = rate_ * k](const Measurement& m) { return std::cos(w * m.q[i]); };
+  }
+
+  [[nodiscard]] std::vector<Feature> waves(int most) const {
+    std::vector<Feature> features;
+    for (int k = 1; k <= most; ++k) {
+      features.push_back({name_, sine(k), 1. / k});
+      features.push_back({name_, cosine(k), 1. / k});
+    }
+    return features;
+  }
+
+  /// An error near one angle only, as a worn tooth makes.
+  [[nodiscard]] std::vector<Feature> bumps() const {
+    std::vector<Feature> features;
+    const double width = (range_.high - range_.low) / kBumps;
+    for (int k = 0; k < kBumps; ++k) {
+      const double centre = range_.low + (k + 0.5) * width;
+      features.push_back({name_,
+                          [i = index_, centre, width](const Measurement& m) {
+                            const double away = (m.q[i] - centre) / width;
+                            return std::exp(-away * away / 2);
+                          },
+                          kBump});
+    }
+    return features;
+  }
+
+  [[nodiscard]] std::vector<Feature> direction() const {
+    const auto sense = [i = index_](const Measurement& m) {
+      return m.senses.empty() ? 0. : static_cast<double>(m.senses[static_cast<std::size_t>(i)]);
+    };
+    const std::string follows = "direction of " + name_;
+    return {{follows, sense, 1},
+            {follows, [sense, f = sine(1)](const Measurement& m) { return sense(m) * f(m); }, kMinor},
+            {follows, [sense, f = cosine(1)](const Measurement& m) { return sense(m) * f(m); }, kMinor}};
+  }
+
+ private:
+  std::string name_;
+  Index index_;
+  Range range_;
+  double rate_ = 1;
+};
+
+Function product(const Function& a, const Function& b) {
+  return [a, b](const Measurement& m) { return a(m) * b(m); };
+}
+
+std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) {
+  const std::string follows = a.name() + " and " + b.name();
+  std::vector<Feature> features;
+  for (const auto& f : {a.sine(1), a.cosine(1)})
+    for (const auto& g : {b.sine(1), b.cosine(1)}) features.push_back({follows, product(f, g), kProduct});
+  return features;
+}
+
+/// Everything that the readings differ in beside the joints.
+struct Conditions {
+  std::vector<Feature> load, time, temperature;
+
+  explicit Conditions(const std::vector<Measurement>& readings) {
+    const Range loads = rangeOf(readings, [](const Measurement& m) { return m.load; });
+    if (loads.isWide()) {
+      const auto share = [most = loads.high](const Measurement& m) { return m.load / most; };
+      load = {{"load", share, 1}, {"load", product(share, share), 1}};
+    }
+    const Range times = rangeOf(readings, [](const Measurement& m) { return m.time; });
+    for (int k = 1; times.isWide() && k <= kTimeWaves; ++k)
+      time.push_back({"time",
+                      [k, times](const Measurement& m) {
+                        const double share = (m.time - times.low) / (times.high - times.low);
+                        return std::isfinite(share) ? std::cos(k * std::numbers::pi * share) : 0.;
+                      },
+                      1. / k});
+    const Range warmth = rangeOf(readings, [](const Measurement& m) { return m.temperature; });
+    if (warmth.isWide())
+      temperature = {{"temperature",
+                      [warmth](const Measurement& m) {
+                        const double middle = (warmth.low + warmth.high) / 2;
+                        return std::isfinite(m.temperature) ? 2 * (m.temperature - middle) / (warmth.high - warmth.low)
+                                                            : 0.;
+                      },
+                      1}};
+  }
+};
+
+/// The terms of a process, channel by channel.
+class TermMaker {
+ public:
+  TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
+    Index index = 0;
+    for (const int row : deflection::activeRows(arm))
+      joints_.emplace_back(arm.rows[static_cast<std::size_t>(row)].joint, index++, readings);
+    has_directions_ = std::any_of(readings.begin(), readings.end(), [](const Measurement& m) { return !m.senses.empty(); });
+  }
+
+  [[nodiscard]] std::vector<DiscrepancyTerm> make() {
+    for (std::size_t j = 0; j < joints_.size(); ++j) addJointError(j);
+    const int tool = static_cast<int>(joints_.size()), base = tool + 3;
+    for (int axis = 0; axis < 3; ++axis) {
+      addToolShift(tool + axis);
+      addBaseShift(base + axis);
+    }
+    return std::move(terms_);
+  }
+
+ private:
+  void add(int channel, const std::vector<Feature>& features, double amplitude = 1) {
+    for (const Feature& feature : features)
+      terms_.push_back({feature.follows, channel, feature.function, feature.amplitude * amplitude});
+  }
+
+  void addJointError(std::size_t j) {
+    const int channel = static_cast<int>(j);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (!joints_[i].moves()) continue;
+      add(channel, joints_[i].waves(i == j ? kWaves : 2));
+      if (i == j) add(channel, joints_[i].bumps());
+      for (std::size_t l = i + 1; l < joints_.size(); ++l) {
+        const bool is_near = joints_.size() <= kManyJoints || i == j || l == j || l == i + 1;
+        if (is_near && joints_[l].moves()) add(channel, productsOf(joints_[i], joints_[l]));
+      }
+    }
+    if (has_directions_) add(channel, joints_[j].direction());
+    add(channel, conditions_.load);
+    for (const Feature& load : conditions_.load)
+      for (const auto& f : {joints_[j].sine(1), joints_[j].cosine(1)})
+        add(channel, {{"load", product(load.function, f), kMinor}});
+    add(channel, conditions_.time, kMinor);
+    add(channel, conditions_.temperature, kMinor);
+  }
+
+  void addToolShift(int channel) {
+    for (const JointFeatures& joint : joints_)
+      if (joint.moves()) add(channel, joint.waves(kWaves), kShift);
+    for (const JointFeatures& joint : joints_)
+      if (has_directions_) add(channel, {joint.direction().front()}, kShift);
+    add(channel, conditions_.load, kShift);
+    add(channel, conditions_.temperature, kShift);
+  }
+
+  void addBaseShift(int channel) {
+    if (!joints_.empty() && joints_.front().moves()) add(channel, joints_.front().waves(2), kShift);
+    add(channel, conditions_.load, kShift);
+    add(channel, conditions_.time, kShift);
+    add(channel, conditions_.temperature, kShift);
+  }
+
+  Conditions conditions_;
+  std::vector<JointFeatures> joints_;
+  bool has_directions_ = false;
+  std::vector<DiscrepancyTerm> terms_;
+};
+
+/// How a reading's rows move [m] with each channel: a joint's reading [rad, m], a shift along the tool's axes, of the
+/// base. Empty where the shape does not settle.
+MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
+  const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
+  PredictionRequest request;
+  request.by_joints = true;
+  const Prediction prediction = predictor.predict(X_WB, reading, request);
+  if (!prediction.ok) return {};
+  const Index joints = prediction.by_joints.cols();
+  MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 6);
+  displacements.leftCols(joints) = prediction.by_joints;
+  if (reading.kind == MeasurementKind::kDeflection) return displacements;
+  const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
+  if (shape.status != deflection::KinematicsStatus::kConverged) return {};
+  MatrixXd seen = MatrixXd::Identity(3, 3);
+  if (reading.kind == MeasurementKind::kDistance)
+    seen = (X_WB * shape.X_BD.p - *reading.p_W).normalized().transpose();
+  displacements.middleCols(joints, 3) = seen * X_WB.linear() * shape.X_BD.R;
+  displacements.rightCols(3) = seen;
+  return displacements;
+}
+
+/// Scales every term to its share of an error of 1 m.
+void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                std::vector<DiscrepancyTerm>& terms) {
+  VectorXd squares = VectorXd::Zero(static_cast<Index>(terms.size()));
+  double count = 0;
+  ReadingPredictor predictor(placed.arm);
+  const std::size_t step = std::max<std::size_t>(1, readings.size() / kReadingsForScale);
+  for (std::size_t k = 0; k < readings.size(); k += step) {
+    const MatrixXd displacements = displacementsOf(predictor, placed, readings[k]);
+    if (displacements.size() == 0) continue;
+    ++count;
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      const double value = terms[t].function(readings[k]);
+      squares[static_cast<Index>(t)] += value * value * displacements.col(terms[t].channel).squaredNorm();
+    }
+  }
+  double total = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (squares[static_cast<Index>(t)] > 0) total += terms[t].scale * terms[t].scale;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const double rms = std::sqrt(squares[static_cast<Index>(t)] / std::max(1., count));
+    terms[t].share = terms[t].scale * terms[t].scale / total;
+    terms[t].scale = rms > 0 ? terms[t].scale / std::sqrt(total) / rms : 0;
+  }
+  std::erase_if(terms, [](const DiscrepancyTerm& term) { return !(term.scale > 0); });
+}
+
+}  // namespace
+
+Discrepancy::Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings)
+    : placed_(placed), terms_(TermMaker(placed.arm, readings).make()) {
+  scaleTerms(placed_, readings, terms_);
+}
+
+MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights) const {
+  MatrixXd columns(weights.rows, static_cast<Index>(terms_.size()));
+  std::atomic<bool> ok = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings.size(), 16), [&](const auto& range) {
+    ReadingPredictor predictor(placed_.arm);
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      const MatrixXd displacements = displacementsOf(predictor, placed_, readings[k]);
+      if (displacements.size() == 0) {
+        ok = false;
+        return;
+      }
+      const MatrixXd whitened = weights.whitener[k] * displacements;
+      auto rows = columns.middleRows(weights.first_row[k], whitened.rows());
+      for (std::size_t t = 0; t < terms_.size(); ++t)
+        rows.col(static_cast<Index>(t)) =
+            whitened.col(terms_[t].channel) * (terms_[t].scale * terms_[t].function(readings[k]));
+    }
+  });
+  if (!ok) return {};
+  takePointsOff(weights, columns);
+  return columns;
+}
+
+}  // namespace tubeplan::calibration

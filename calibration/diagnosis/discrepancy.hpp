@@ -1,0 +1,46 @@
+// What a model may miss that no catalogue names: a smooth function of the joints, the direction of motion, the load, the
+// time and the temperature, as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer models").
+//
+// The process is a sum of a few functions with independent normal weights. Each is an error of one joint's reading, a
+// shift of the tip in the tool's frame or a shift of the base, times a smooth function of what the readings state: waves
+// and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the unknown against
+// causes that have names; it never names one.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calibration/whitened_residual.hpp"
+
+namespace tubeplan::calibration {
+
+/// One function of the process.
+struct DiscrepancyTerm {
+  std::string follows;  ///< "theta3", "direction of theta3", "load", "time", "temperature": what a remainder follows
+  int channel = 0;      ///< a joint's reading by its number, then the tip along the tool's axes, then the base
+  std::function<double(const Measurement&)> function;
+  double scale = 1;  ///< of the function, so that the whole process has an error of 1 m root mean square
+  double share = 0;  ///< of the process's variance
+};
+
+/// The process at the readings of a campaign.
+class Discrepancy {
+ public:
+  /// Functions over the ranges of these readings, of what they state. `placed` is the model that they are errors of.
+  Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings);
+
+  [[nodiscard]] const std::vector<DiscrepancyTerm>& terms() const { return terms_; }
+
+  /// Whitened columns, one for each term, at some readings (rows of `weights`); what unknown points absorb is taken off.
+  /// Empty where the model cannot be evaluated.
+  [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings,
+                                          const ReadingWeights& weights) const;
+
+ private:
+  PlacedArm placed_;
+  std::vector<DiscrepancyTerm> terms_;
+};
+
+}  // namespace tubeplan::calibration

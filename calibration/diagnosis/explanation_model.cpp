@@ -1,0 +1,86 @@
+#include "calibration/diagnosis/explanation_model.hpp"
+
+#include <cmath>
+
+#include "calibration/held_out.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::VectorXd;
+
+namespace {
+
+constexpr int kRefitIterations = 6;
+
+VectorXd zerosOf(const std::vector<Unknown>& unknowns) { return VectorXd::Zero(static_cast<Index>(unknowns.size())); }
+
+/// The numbers of the effects that an explanation adds, as its arm carries them, 0 where they stand.
+void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
+  for (std::size_t v = 0; v < found.numbers.size(); ++v) {
+    if (std::isnan(found.numbers[v].sigma)) continue;
+    const auto number = deflection::numberOf(model.placed.arm, found.fitted, static_cast<int>(v));
+    const auto& parameter = deflection::numbersOf(found.fitted)[v];
+    Unknown unknown;
+    unknown.name = found.effect + "@" + found.at + "." + parameter.name;
+    unknown.quantity = number.quantity;
+    unknown.path.effect = effect;
+    unknown.path.value = static_cast<int>(v);
+    unknown.start = found.fitted.values[v];
+    unknown.typical = parameter.plausible;
+    unknown.prior_sigma = 10 * unknown.typical;
+    unknown.lower = number.lower - unknown.start;
+    unknown.upper = number.upper - unknown.start;
+    model.unknowns.push_back(unknown);
+  }
+}
+
+}  // namespace
+
+DiagnosisBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings,
+                       const StopQuestion& stop) {
+  DiagnosisBasis basis{readings, baseline.fitted, fittedUnknowns(baseline), {}, {}, stop};
+  if (auto weights = weighReadings(basis.fitted, readings, {}, 0, stop)) basis.weights = std::move(*weights);
+  if (basis.weights.rows > 0)
+    basis.residual =
+        whitenedResidual(basis.fitted, basis.unknowns, readings, basis.weights, zerosOf(basis.unknowns), true, stop);
+  return basis;
+}
+
+ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explanation) {
+  ExplanationModel model{explanation.fitted, basis.unknowns};
+  for (auto& unknown : model.unknowns)
+    if (unknown.owner == Unknown::Owner::kArm)
+      unknown = rebased(unknown, deflection::locate(model.placed.arm, unknown.path));
+  int added = 0;
+  for (const FoundEffect& found : explanation.effects) added += found.frees.empty();
+  int effect = static_cast<int>(model.placed.arm.effects.size()) - added;
+  for (const FoundEffect& found : explanation.effects) {
+    if (found.frees.empty()) {
+      addEffectNumbers(found, effect++, model);
+      continue;
+    }
+    for (Unknown& freed : chooseUnknowns(model.placed, {found.frees, false}).list) {
+      freed.prior_mean = variableAt(freed, deflection::locate(model.placed.arm, freed.path));
+      if (const auto drawn = deflection::findParameter(basis.fitted.arm, freed.name))
+        freed.prior_mean = variableAt(freed, drawn->value);
+      model.unknowns.push_back(freed);
+    }
+  }
+  return model;
+}
+
+ErrorSize judgeOnFolds(const DiagnosisBasis& basis, const ExplanationModel& model, const std::vector<int>& folds,
+                       double model_error) {
+  const VectorXd start = zerosOf(model.unknowns);
+  const LeastSquaresOptions solver{1e-5, kRefitIterations, LeastSquaresMethod::kLevenbergMarquardt, basis.stop};
+  return judgeFolds(basis.readings, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+    const auto weights = weighReadings(model.placed, kept, {}, model_error, basis.stop);
+    if (!weights) return {};
+    const auto solution =
+        minimizeOrUnwind(fitProblem(model.placed, model.unknowns, kept, *weights, start, basis.stop), solver);
+    if (solution.status == LeastSquaresStatus::kFailed) return {};
+    return applied(model.placed, model.unknowns, solution.x);
+  });
+}
+
+}  // namespace tubeplan::calibration

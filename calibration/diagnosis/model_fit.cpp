@@ -1,0 +1,232 @@
+#include "calibration/diagnosis/model_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/fit.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr int kIterations = 30;
+constexpr double kFarSize = 4;          // of the largest usual: the prior of a size while it is fitted
+constexpr double kBeyondUsual = 2;      // sigmas past the largest usual size
+constexpr double kShapePrior = 3;       // of a knee's typical step
+
+/// A model under way: what is free beside the baseline's numbers.
+struct Placed {
+  PlacedArm arm;
+  std::vector<Unknown> sizes, shapes;
+  std::vector<double> of_level;     ///< chosen shape of each term
+  std::vector<int> first_effect;    ///< index of each term's first effect in the arm
+  std::vector<std::size_t> counts;  ///< sizes of each term
+};
+
+/// A step between two readings is the same wherever it is between them: every gap near the level is tried.
+double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
+  const ModelTerm& term = model.terms[index];
+  Cause cause = work.cause(term.cause);
+  const auto& levels = cause.levels;
+  const auto level = static_cast<std::size_t>(term.level);
+  const double from = level > 0 ? levels[level - 1] : -std::numeric_limits<double>::infinity();
+  const double to = level + 1 < levels.size() ? levels[level + 1] : std::numeric_limits<double>::infinity();
+  std::vector<double> times;
+  for (const auto& reading : work.basis.readings)
+    if (std::isfinite(reading.time)) times.push_back(reading.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  cause.levels.clear();
+  for (std::size_t k = 0; k + 1 < times.size(); ++k)
+    if (const double time = (times[k] + times[k + 1]) / 2; time >= from && time <= to) cause.levels.push_back(time);
+  if (cause.levels.size() < 2) return levels[level];
+  const Signatures signatures(work.basis.fitted, {cause});
+  EvidenceGram gram;
+  const MatrixXd S = signatures.columnsAt(work.basis.readings, work.basis.weights, work.basis.stop);
+  if (S.rows() != work.basis.residual.r.size()) return levels[level];
+  gram.add(work.basis.residual.jacobian, S, MatrixXd(S.rows(), 0), -work.basis.residual.r);
+  const LinearEvidence evidence(gram, work.basis.unknowns, {});
+  double best = levels[level], most = -1;
+  for (std::size_t k = 0; k < cause.levels.size(); ++k) {
+    std::vector<int> columns;
+    for (const int number : term.numbers)
+      columns.push_back(signatures.columnsOf(0, static_cast<int>(k))[static_cast<std::size_t>(number)]);
+    if (const double fall = evidence.fall(columns); fall > most) most = fall, best = cause.levels[k];
+  }
+  return best;
+}
+
+Placed place(const DiagnosisWork& work, const CompetingModel& model) {
+  Placed placed{work.basis.fitted, {}, {}, {}, {}, {}};
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const ModelTerm& term = model.terms[t];
+    const Cause& cause = work.cause(term.cause);
+    const double level = isStep(cause) ? refinedTime(work, model, t) : cause.levels[static_cast<std::size_t>(term.level)];
+    const int effect = static_cast<int>(placed.arm.arm.effects.size());
+    const auto own = placeCause(placed.arm, cause, level);
+    for (const int number : term.numbers) placed.sizes.push_back(own[static_cast<std::size_t>(number)]);
+    placed.counts.push_back(term.numbers.size());
+    placed.of_level.push_back(level);
+    placed.first_effect.push_back(effect);
+    if (cause.shape < 0 || isStep(cause)) continue;
+    placed.shapes.push_back(shapeUnknown(placed.arm.arm, cause, effect, level));
+    placed.shapes.back().prior_sigma = kShapePrior * placed.shapes.back().typical;
+  }
+  return placed;
+}
+
+/// The most probable state by one noise.
+LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& model, const Placed& placed,
+                            std::vector<Unknown>& unknowns) {
+  unknowns = work.basis.unknowns;
+  for (Unknown size : placed.sizes) {
+    if (size.path.effect >= 0) size.prior_sigma = kFarSize * size.typical;
+    unknowns.push_back(size);
+  }
+  unknowns.insert(unknowns.end(), placed.shapes.begin(), placed.shapes.end());
+  const auto fitted = static_cast<Index>(work.basis.unknowns.size());
+  VectorXd x = VectorXd::Zero(static_cast<Index>(unknowns.size()));
+  for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
+    const Unknown& size = placed.sizes[k];
+    const double linear = model.sizes.size() > static_cast<Index>(k) ? model.sizes[static_cast<Index>(k)] : 0;
+    x[fitted + static_cast<Index>(k)] = std::clamp(linear * size.typical, size.lower, size.upper);
+  }
+  const NoiseHypothesis& noise =
+      model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
+  const LeastSquaresOptions solver{1e-6, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
+  return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
+                          solver);
+}
+
+/// The model about its optimum, as seen by one noise.
+struct AtOptimum {
+  WhitenedResidual residual;
+  std::unique_ptr<LinearEvidence> evidence;
+};
+
+/// Sizes count from nothing: y is what the model with none of them would miss.
+bool linearizeAt(const DiagnosisWork& work, const Placed& placed, const std::vector<Unknown>& unknowns,
+                 const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
+  at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
+  goOn(work.basis.stop);
+  if (!at.residual.ok || !at.residual.r.allFinite() || !at.residual.jacobian.allFinite()) return false;
+  const auto fitted = static_cast<Index>(work.basis.unknowns.size()), sizes = static_cast<Index>(placed.sizes.size());
+  const auto shapes = static_cast<Index>(placed.shapes.size());
+  MatrixXd J(at.residual.r.size(), fitted + shapes), S = at.residual.jacobian.middleCols(fitted, sizes);
+  J << at.residual.jacobian.leftCols(fitted), at.residual.jacobian.rightCols(shapes);
+  std::vector<Unknown> others(unknowns.begin(), unknowns.begin() + fitted);
+  others.insert(others.end(), unknowns.end() - shapes, unknowns.end());
+  for (Index k = 0; k < fitted; ++k) others[static_cast<std::size_t>(k)].prior_mean -= x[k];
+  for (Index k = 0; k < shapes; ++k) others[static_cast<std::size_t>(fitted + k)].prior_mean -= x[fitted + sizes + k];
+  VectorXd y = -at.residual.r;
+  for (Index k = 0; k < sizes; ++k) {
+    y += S.col(k) * x[fitted + k];
+    S.col(k) *= placed.sizes[static_cast<std::size_t>(k)].typical;
+  }
+  EvidenceGram gram;
+  gram.add(J, S, noise.discrepancy, y);
+  gram.log_density = logDensityOf(noise.weights);
+  at.evidence = std::make_unique<LinearEvidence>(gram, others, noise.options);
+  return true;
+}
+
+std::vector<PriorSize> priorsOf(const Placed& placed, double scale) {
+  std::vector<PriorSize> priors;
+  for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
+    const Unknown& size = placed.sizes[k];
+    const bool is_of_effect = size.path.effect >= 0;
+    const int sign = size.lower == 0 ? 1 : size.upper == 0 ? -1 : 0;
+    priors.push_back({static_cast<int>(k), is_of_effect ? scale : size.prior_sigma / size.typical, sign});
+  }
+  return priors;
+}
+
+FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
+  FoundNumber number{name, unknown.quantity, value, sigma};
+  number.is_beyond_usual = unknown.path.effect >= 0 && std::abs(value - unknown.start) >
+                                                           unknown.typical + kBeyondUsual * sigma;
+  return number;
+}
+
+/// What a term became, effect by effect.
+void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const Placed& placed, std::size_t index,
+                  const VectorXd& sigma, std::size_t first_size, Explanation& fit) {
+  const Cause& cause = work.cause(term.cause);
+  const auto sigmaOf = [&](std::size_t k) {
+    return sigma.size() > static_cast<Index>(k) ? sigma[static_cast<Index>(k)] * placed.sizes[k].typical
+                                                : std::numeric_limits<double>::quiet_NaN();
+  };
+  if (!cause.frees.empty()) {
+    FoundEffect found{cause.effect, cause.at, {}, cause.frees, {}, {}};
+    for (std::size_t k = first_size; k < first_size + placed.counts[index]; ++k) {
+      const Unknown& unknown = placed.sizes[k];
+      const double value = deflection::locate(fit.fitted.arm, unknown.path);
+      found.numbers.push_back(foundNumber(unknown, unknown.name, value,
+                                          sigmaOf(k) * std::abs(slopeAt(unknown, variableAt(unknown, value)))));
+    }
+    fit.effects.push_back(std::move(found));
+    return;
+  }
+  for (std::size_t e = 0; e < cause.effects.size(); ++e) {
+    const int effect = placed.first_effect[index] + static_cast<int>(e);
+    const auto& fitted = fit.fitted.arm.effects[static_cast<std::size_t>(effect)];
+    const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(fitted.kind)];
+    FoundEffect found{cause.effect, deflection::placeText(fit.fitted.arm, fitted), fitted, {}, {}, {}};
+    for (std::size_t v = 0; v < fitted.values.size(); ++v) {
+      FoundNumber number{kind.parameters[v].name,
+                         deflection::numberOf(fit.fitted.arm, fitted, static_cast<int>(v)).quantity, fitted.values[v]};
+      for (std::size_t k = first_size; k < first_size + placed.counts[index]; ++k)
+        if (placed.sizes[k].path.effect == effect && placed.sizes[k].path.value == static_cast<int>(v))
+          number = foundNumber(placed.sizes[k], number.name, number.value, sigmaOf(k));
+      found.numbers.push_back(number);
+    }
+    fit.effects.push_back(std::move(found));
+  }
+}
+
+}  // namespace
+
+void fitModel(const DiagnosisWork& work, CompetingModel& model) {
+  model.is_fitted = true;
+  const Placed placed = place(work, model);
+  std::vector<Unknown> unknowns;
+  const auto solution = minimize(work, model, placed, unknowns);
+  std::vector<AtOptimum> at(work.noise.size());
+  bool ok = solution.status != LeastSquaresStatus::kFailed;
+  for (std::size_t n = 0; ok && n < at.size(); ++n)
+    ok = linearizeAt(work, placed, unknowns, solution.x, work.noise[n], at[n]);
+  if (!ok) {
+    model.log_evidence = -std::numeric_limits<double>::infinity();
+    return;
+  }
+  const bool has_effects = std::any_of(placed.sizes.begin(), placed.sizes.end(),
+                                       [](const Unknown& size) { return size.path.effect >= 0; });
+  blendEvidence(
+      work, has_effects,
+      [&](const NoiseHypothesis&, std::size_t n, double scale) { return at[n].evidence->of(priorsOf(placed, scale)); },
+      model);
+  if (model.discrepancy > 0) {
+    const std::size_t n = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
+    model.remainder_weights = at[n].evidence->discrepancyWeights(priorsOf(placed, 1), model.discrepancy);
+  }
+  Explanation& fit = model.fit;
+  fit.fitted = applied(placed.arm, unknowns, solution.x);
+  fit.chi2 = at.front().residual.r.squaredNorm();
+  fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
+  const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
+  fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    describeTerm(work, model.terms[t], placed, t, model.sigma, first, fit);
+    first += placed.counts[t];
+  }
+  fit.model_error = model.model_error;
+  fit.remainder_probability = model.discrepancy_probability;
+  fit.criterion = -2 * model.logWeight();
+}
+
+}  // namespace tubeplan::calibration

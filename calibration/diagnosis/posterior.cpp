@@ -1,0 +1,283 @@
+#include "calibration/diagnosis/posterior.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "calibration/diagnosis/indistinguishable.hpp"
+#include "calibration/fit.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t kMostCompared = 12;   // classes that are held to be the same or not
+constexpr std::size_t kMostAlternatives = 8;
+constexpr double kHint = 0.05;       // probability of nothing missing up to which something is
+constexpr double kCredible = 0.95;   // of what is missing, that the alternatives hold together
+constexpr double kLeastShare = 0.02;  // of the best alternative's probability
+constexpr double kRemains = 0.5;
+
+double weightOf(const CompetingModel& model, double most) { return std::exp(model.logWeight() - most); }
+
+double mostOf(const DiagnosisWork& work) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const auto& model : work.models) most = std::max(most, model.logWeight());
+  return most;
+}
+
+double totalOf(const DiagnosisWork& work, double most) {
+  double total = 0;
+  for (const auto& model : work.models) total += weightOf(model, most);
+  return total;
+}
+
+std::vector<int> causesOf(const CompetingModel& model) {
+  std::vector<int> causes;
+  for (const ModelTerm& term : model.terms) causes.push_back(term.cause);
+  std::sort(causes.begin(), causes.end());
+  return causes;
+}
+
+/// The one cause that each has and the other has not; nothing where they differ in more.
+std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> only_a, only_b;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
+  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(only_b));
+  if (only_a.size() != 1 || only_b.size() != 1) return std::nullopt;
+  return std::pair{only_a.front(), only_b.front()};
+}
+
+/// Puts the other name of a cause beside the name that its class has.
+void addName(const DiagnosisWork& work, int cause, int same, Explanation& explanation) {
+  const Cause& known = work.cause(cause);
+  const Cause& other = work.cause(same);
+  for (FoundEffect& found : explanation.effects) {
+    if (found.effect != known.effect || (found.at != known.at && known.effects.size() < 2)) continue;
+    const std::pair name{other.effect, other.at};
+    if (std::find(found.also.begin(), found.also.end(), name) == found.also.end()) found.also.push_back(name);
+    return;
+  }
+}
+
+/// Joins classes that differ in one cause and predict the same all over the arm's range.
+void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
+  if (classes.size() < 2) return;
+  const RangeViews views(work.basis, work.options.seed);
+  std::vector<RangeView> seen;
+  for (std::size_t k = 0; k < std::min(classes.size(), kMostCompared); ++k) {
+    if (classes[k].probability < kLeastShare * classes.front().probability) break;
+    seen.push_back(views.of(classes[k].explanation));
+  }
+  std::set<std::size_t> gone;
+  for (std::size_t a = 0; a < seen.size(); ++a)
+    for (std::size_t b = a + 1; b < seen.size(); ++b) {
+      if (gone.contains(a) || gone.contains(b)) continue;
+      const auto apart = difference(classes[a].causes, classes[b].causes);
+      if (!apart || !areTheSame(seen[a], seen[b])) continue;
+      addName(work, apart->first, apart->second, classes[a].explanation);
+      const double both = classes[a].probability + classes[b].probability;
+      classes[a].remainder_probability = (classes[a].probability * classes[a].remainder_probability +
+                                          classes[b].probability * classes[b].remainder_probability) /
+                                         both;
+      classes[a].probability = both;
+      gone.insert(b);
+    }
+  std::size_t index = 0;
+  std::erase_if(classes, [&](const ModelClass&) { return gone.contains(index++); });
+  std::stable_sort(classes.begin(), classes.end(),
+                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+}
+
+bool holds(const std::vector<int>& all, const std::vector<int>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+/// Causes beyond those of a more probable class are not sure: they count to it.
+std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& classes) {
+  std::vector<ModelClass> kept;
+  for (const ModelClass& one : classes) {
+    const auto part = std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) { return holds(one.causes, k.causes); });
+    if (part == kept.end()) {
+      kept.push_back(one);
+      continue;
+    }
+    const double both = part->probability + one.probability;
+    // What the further cause would explain is a remainder to the class without it.
+    part->remainder_probability = (part->probability * part->remainder_probability + one.probability) / both;
+    part->probability = both;
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  return kept;
+}
+
+double logLeastGain(const DiagnosisWork& work, const Cause& cause, double visibility) {
+  const double occam = std::log(std::max(1., 0.5 * visibility));
+  const double odds = std::log(0.5 / 0.35) - std::log(std::max(1e-12, cause.prior)) + std::log(19.);
+  (void)work;
+  return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
+}
+
+}  // namespace
+
+Posterior posteriorOf(const DiagnosisWork& work) {
+  Posterior posterior;
+  const double most = mostOf(work), total = totalOf(work, most);
+  std::map<std::vector<int>, ModelClass> classes;
+  for (const CompetingModel& model : work.models) {
+    const double probability = weightOf(model, most) / total;
+    if (model.terms.empty()) {
+      posterior.nothing = probability * (1 - model.discrepancy_probability);
+      posterior.unknown = probability * model.discrepancy_probability;
+      continue;
+    }
+    ModelClass& one = classes[causesOf(model)];
+    const double both = one.probability + probability;
+    one.remainder_probability =
+        both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both : 0;
+    one.probability = both;
+    if (model.is_fitted && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
+  }
+  for (auto& [causes, one] : classes) {
+    if (!one.model) continue;
+    one.causes = causes;
+    one.explanation = one.model->fit;
+    posterior.classes.push_back(std::move(one));
+  }
+  std::stable_sort(posterior.classes.begin(), posterior.classes.end(),
+                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  joinSame(work, posterior.classes);
+  for (ModelClass& one : posterior.classes) {
+    one.explanation.probability = one.probability;
+    one.explanation.remainder_probability = one.remainder_probability;
+  }
+  return posterior;
+}
+
+void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnosis& result) {
+  result.nothing_probability = posterior.nothing;
+  result.unknown_probability = posterior.unknown;
+  if (posterior.nothing > kHint) {
+    result.verdict = posterior.nothing >= options.nothing ? Verdict::kAdequate : Verdict::kInconclusive;
+    return;
+  }
+  const double missing = 1 - posterior.nothing;
+  const auto classes = withoutUnsureAdditions(posterior.classes);
+  double named = 0, remains = 0;
+  for (const ModelClass& one : classes) {
+    named += one.probability / missing;
+    remains += one.probability / missing * one.remainder_probability;
+  }
+  if (classes.empty() || named < options.sure) {
+    result.verdict = Verdict::kUnexplained;
+    return;
+  }
+  const bool is_single = classes.front().probability / missing >= options.sure;
+  if (remains > kRemains * named) {
+    result.verdict = is_single ? Verdict::kPartlyExplained : Verdict::kUnexplained;
+    if (is_single) result.alternatives = {classes.front().explanation};
+    return;
+  }
+  double together = 0;
+  for (const ModelClass& one : classes) {
+    const bool is_needed = together < kCredible * named && one.probability > kLeastShare * classes.front().probability;
+    if (result.alternatives.size() == (is_single ? 1 : kMostAlternatives) || !is_needed) break;
+    result.alternatives.push_back(one.explanation);
+    together += one.probability / missing;
+  }
+  result.verdict = result.alternatives.size() == 1 ? Verdict::kExplained : Verdict::kAmbiguous;
+}
+
+void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
+  const double most = mostOf(work), total = totalOf(work, most);
+  std::map<int, double> probability;
+  std::map<int, const CompetingModel*> alone;
+  for (const CompetingModel& model : work.models) {
+    for (const int cause : causesOf(model)) probability[cause] += weightOf(model, most) / total;
+    if (model.terms.size() == 1) alone[model.terms.front().cause] = &model;
+  }
+  const NoiseHypothesis& noise = work.noise.back();
+  for (const auto& [index, model] : alone) {
+    const Cause& cause = work.cause(index);
+    const ModelTerm& term = model->terms.front();
+    std::vector<int> columns;
+    for (const int number : term.numbers)
+      columns.push_back(work.signatures->columnsOf(index, term.level)[static_cast<std::size_t>(number)]);
+    RankedEffect entry;
+    entry.effect = cause.effect;
+    entry.at = cause.at;
+    entry.probability = std::min(1., probability[index]);
+    entry.fall = work.noise.front().evidence->fall(columns);
+    entry.p_value = chiSquareTail(noise.evidence->fall(columns), static_cast<double>(columns.size()));
+    for (const int column : columns)
+      entry.kept_fraction = std::max(entry.kept_fraction, noise.evidence->keptShare(column));
+    Index largest = 0;
+    if (model->sizes.size() == 0) continue;
+    (model->sizes.array().abs() / model->sigma.array().max(1e-300)).maxCoeff(&largest);
+    PlacedArm placed = work.basis.fitted;
+    const auto numbers = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(term.level)]);
+    const Unknown& number = numbers[static_cast<std::size_t>(term.numbers[static_cast<std::size_t>(largest)])];
+    const double x = model->sizes[largest] * number.typical;
+    const std::size_t dot = number.name.rfind('.');
+    entry.size = {cause.frees.empty() ? number.name.substr(dot + 1) : number.name, number.quantity, valueAt(number, x),
+                  model->sigma[largest] * number.typical * std::abs(slopeAt(number, x))};
+    result.ranking.push_back(std::move(entry));
+  }
+  std::stable_sort(result.ranking.begin(), result.ranking.end(), [](const RankedEffect& a, const RankedEffect& b) {
+    return a.probability != b.probability ? a.probability > b.probability : a.fall > b.fall;
+  });
+}
+
+void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
+  const NoiseHypothesis& noise = work.noise.back();
+  for (int index = 0; index < static_cast<int>(work.causes.causes.size()); ++index) {
+    const Cause& cause = work.cause(index);
+    if (!cause.frees.empty() || cause.effects.size() != 1) continue;
+    const int middle = static_cast<int>(cause.levels.size() / 2);
+    const double visibility =
+        noise.evidence->visibility(work.signatures->columnsOf(index, middle).front());
+    const double sigmas = std::sqrt(2 * logLeastGain(work, cause, visibility)) + 0.84;
+    PlacedArm placed = work.basis.fitted;
+    const Unknown number = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(middle)]).front();
+    const double units = sigmas / std::max(1e-300, visibility);
+    result.detectable.push_back({cause.effect, cause.at, number.name.substr(number.name.rfind('.') + 1),
+                                 number.quantity, units * number.typical, units > 1});
+  }
+}
+
+Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
+  Remainder remainder;
+  remainder.probability = model.discrepancy_probability;
+  const double noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
+  remainder.floor = std::hypot(noise_floor, std::sqrt(3.) * model.model_error);
+  if (model.remainder_weights.size() == 0) return remainder;
+  const NoiseHypothesis& noise = model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
+  const VectorXd whitened = noise.discrepancy * model.remainder_weights;
+  double squares = 0;
+  for (std::size_t k = 0; k < work.basis.readings.size(); ++k) {
+    const auto& whitener = noise.weights.whitener[k];
+    squares += whitener.inverse().operator*(whitened.segment(noise.weights.first_row[k], whitener.rows())).squaredNorm();
+  }
+  remainder.size = std::sqrt(squares / static_cast<double>(work.basis.readings.size()));
+  const VectorXd of_terms = noise.principal_terms * model.remainder_weights;
+  std::map<std::string, double> shares;
+  double whole = 0;
+  for (std::size_t t = 0; t < work.discrepancy->terms().size(); ++t) {
+    const auto& term = work.discrepancy->terms()[t];
+    const double square = of_terms[static_cast<Index>(t)] * of_terms[static_cast<Index>(t)] * term.share;
+    shares[term.follows] += square;
+    whole += square;
+  }
+  for (const auto& [follows, share] : shares)
+    if (share > 0.05 * whole) remainder.follows.emplace_back(follows, share / whole);
+  std::stable_sort(remainder.follows.begin(), remainder.follows.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return remainder;
+}
+
+}  // namespace tubeplan::calibration

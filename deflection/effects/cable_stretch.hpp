@@ -1,0 +1,47 @@
+// A joint driven by cables: they stretch under the moment, and friction on the way holds back a share of it by the sense
+// of the last motion.
+//
+// Law: rotation = c M + k |M| s, M the moment about the joint's axis.
+// Symbols: c [rad/(N m)] stretch; k [rad/(N m)] what friction holds back; s sense of the joint's last motion, -1, 0 or +1;
+// M [N m] of the shape without deflection.
+// Validity: linear stretch; the last motion was longer than the lost motion.
+// Source: Capstan friction: a cable over a sheave loses a share of its tension (Townsend and Salisbury 1987).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+#include "deflection/effects/rigid_moment.hpp"
+
+namespace tubeplan::deflection::cable_stretch {
+
+inline bool hasPlace(const Arm& arm, int row) {
+  return arm.rows[row].joint.type == JointType::kRevolute && !std::isfinite(arm.rows[row].joint_stiffness[2]);
+}
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const int row = effect.place.row, joint = jointIndexOf(situation.given, row);
+  const S moment = rigidMoment(situation.given, situation.asked, row)[2];
+  const auto& senses = situation.asked.senses;
+  const double sense = senses.empty() ? 0 : senses[joint];
+  using std::abs;
+  situation.posture.q[joint] += effect.values[0] * moment + effect.values[1] * abs(moment) * S(sense);
+}
+
+inline EffectKind kind() {
+  return {.name = "cable-stretch",
+          .law = "rotation = stretch * moment + friction * |moment| * sense of the last motion",
+          .validity = "linear stretch; the last motion was longer than the lost motion",
+          .source = "Townsend and Salisbury 1987, capstan friction in cable drives",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kJoint,
+          .odds = 0.5,
+          .odds_reason = "cable-driven arms only",
+          .needs = {.senses = true, .moments = true},
+          .parameters = {{"stretch", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
+                         {"friction", Quantity::kAnglePerTorque, 0, -kUnbounded, kUnbounded, 5e-4}},
+          .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::cable_stretch

@@ -1,0 +1,42 @@
+// A gear that errs once per turn of its input: a fast wave of the joint's reading.
+//
+// Law: true joint value = reading + A sin(N q) + B cos(N q).
+// Symbols: A, B [rad]; N the gear's ratio, as the arm's file states it (joint.gear_ratio); q the reading.
+// Validity: readings known to a small part of a wave, 2 pi / N.
+// Source: kinematic error of strain wave gears: Ghorbel et al. 2001, J. Mech. Design 123:90.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::gear_wave {
+
+inline bool hasPlace(const Arm& arm, int row) {
+  const auto& joint = arm.rows[row].joint;
+  return joint.type == JointType::kRevolute && joint.gear_ratio > 0;
+}
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  const int joint = jointIndexOf(situation.given, effect.place.row);
+  const S angle = situation.asked.q[joint] * S(situation.given.rows[effect.place.row].joint.gear_ratio);
+  using std::cos, std::sin;
+  situation.posture.q[joint] += effect.values[0] * sin(angle) + effect.values[1] * cos(angle);
+}
+
+inline EffectKind kind() {
+  return {.name = "gear-wave",
+          .law = "true joint value = reading + sine * sin(ratio * reading) + cosine * cos(ratio * reading)",
+          .validity = "the joint's gear_ratio is stated; readings known to a small part of a wave",
+          .source = "Ghorbel et al. 2001, J. Mech. Design 123:90",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJoint,
+          .odds = 1,
+          .odds_reason = "strain wave gears err once per turn of their input by about an arc minute",
+          .needs = {},
+          .parameters = {{"sine", Quantity::kAngle, 0, -0.1, 0.1, 1e-3}, {"cosine", Quantity::kAngle, 0, -0.1, 0.1, 1e-3}},
+          .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::gear_wave

@@ -1,0 +1,37 @@
+// A tool or target that was mounted anew: in one set-up the tip is elsewhere than in the others.
+//
+// Law: tip in the tool's frame = as in the other set-ups + (x, y, z), in the set-up of that name.
+// Symbols: x, y, z [m].
+// Validity: rigid; the same all through the set-up.
+// Source: geometry; the trap of measuring campaigns with several mountings.
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::tool_remount {
+
+template <class S>
+void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+  if (situation.asked.setup != effect.place.setup) return;
+  situation.arm.p_LT += Vector3<S>(effect.values[0], effect.values[1], effect.values[2]);
+}
+
+inline EffectKind kind() {
+  return {.name = "tool-remount",
+          .law = "in one set-up the tip is elsewhere: tip = as in the others + (x, y, z)",
+          .validity = "rigid, the same all through the set-up",
+          .source = "geometry",
+          .stage = EffectStage::kGeometry,
+          .at = PlaceRule::kSetup,
+          .odds = 2,
+          .odds_reason = "between set-ups tools and targets are taken off and put on again",
+          .needs = {},
+          .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.01},
+                         {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.01},
+                         {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.01}},
+          .places = [](const Arm&) { return std::vector<Place>{}; },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::tool_remount
