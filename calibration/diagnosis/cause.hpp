@@ -1,5 +1,5 @@
-// What may be behind a lack of fit: effects of the catalogue at their places, one effect at all joints alike, or numbers
-// of the arm's file that the fit holds at their drawing's values.
+// What may be behind a lack of fit: effects of the catalogue at their places, one effect at all joints alike, or
+// numbers of the arm's file that the fit holds at their drawing's values.
 #pragma once
 
 #include <string>
@@ -13,6 +13,12 @@ namespace tubeplan::calibration {
 
 /// The name that freed numbers have in the place of an effect's.
 inline constexpr const char* kFreedNumbers = "free";
+
+/// The place of an effect that acts at every joint alike.
+inline constexpr const char* kAllJoints = "all joints";
+
+/// The catalogue's effect at every joint, neutral; empty where it acts at no joint, or at none that it has not got.
+[[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
 struct Cause {
   std::string effect, at;                   ///< "backlash", "tool.z"; "free", "latch-link.beam.Iz"
@@ -41,11 +47,12 @@ struct CauseOptions {
 
 struct CauseList {
   std::vector<Cause> causes;
-  std::vector<std::string> not_tried;  ///< what was left out and what it would need: "hysteresis: no column <joint>_dir"
+  std::vector<std::string>
+      not_tried;  ///< what was left out and what it would need: "hysteresis: no column <joint>_dir"
 };
 
-/// Every cause that these readings could show of an arm, beside what `free` names. Effects that the arm already has at a
-/// place are left out. Unwinds where it was stopped.
+/// Every cause that these readings could show of an arm, beside what `free` names. Effects that the arm already has at
+/// a place are left out. Unwinds where it was stopped.
 [[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                    const std::vector<Unknown>& free, const CauseOptions& options = {},
                                    const WorkHooks& hooks = {});

@@ -15,10 +15,10 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t kMostCompared = 12;   // classes that are held to be the same or not
+constexpr std::size_t kMostCompared = 12;  // classes that are held to be the same or not
 constexpr std::size_t kMostAlternatives = 8;
-constexpr double kHint = 0.05;       // probability of nothing missing up to which something is
-constexpr double kCredible = 0.95;   // of what is missing, that the alternatives hold together
+constexpr double kHint = 0.05;        // probability of nothing missing up to which something is
+constexpr double kCredible = 0.95;    // of what is missing, that the alternatives hold together
 constexpr double kLeastShare = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
 
@@ -101,7 +101,8 @@ bool holds(const std::vector<int>& all, const std::vector<int>& some) {
 std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& classes) {
   std::vector<ModelClass> kept;
   for (const ModelClass& one : classes) {
-    const auto part = std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) { return holds(one.causes, k.causes); });
+    const auto part =
+        std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) { return holds(one.causes, k.causes); });
     if (part == kept.end()) {
       kept.push_back(one);
       continue;
@@ -116,11 +117,25 @@ std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& cl
   return kept;
 }
 
-double logLeastGain(const DiagnosisWork& work, const Cause& cause, double visibility) {
+/// What the evidence of a cause must gain to be sure (19 to 1), its prior and its freedom paid for.
+double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
   const double odds = std::log(0.5 / 0.35) - std::log(std::max(1e-12, cause.prior)) + std::log(19.);
-  (void)work;
   return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
+}
+
+/// The effects of a term at these sizes.
+std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
+                                          const std::vector<Unknown>& numbers, const VectorXd& sizes,
+                                          std::size_t before) {
+  std::vector<Unknown> chosen;
+  for (const int number : term.numbers) chosen.push_back(numbers[static_cast<std::size_t>(number)]);
+  VectorXd x(sizes.size());
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    x[static_cast<Index>(k)] =
+        std::clamp(sizes[static_cast<Index>(k)] * chosen[k].typical, chosen[k].lower, chosen[k].upper);
+  const auto all = applied(placed, chosen, x).arm.effects;
+  return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
 }
 
 }  // namespace
@@ -139,7 +154,8 @@ Posterior posteriorOf(const DiagnosisWork& work) {
     ModelClass& one = classes[causesOf(model)];
     const double both = one.probability + probability;
     one.remainder_probability =
-        both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both : 0;
+        both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both
+                 : 0;
     one.probability = both;
     if (model.is_fitted && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
   }
@@ -222,6 +238,7 @@ void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
     PlacedArm placed = work.basis.fitted;
     const auto numbers = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(term.level)]);
     const Unknown& number = numbers[static_cast<std::size_t>(term.numbers[static_cast<std::size_t>(largest)])];
+    entry.effects = effectsAt(placed, term, numbers, model->sizes, work.basis.fitted.arm.effects.size());
     const double x = model->sizes[largest] * number.typical;
     const std::size_t dot = number.name.rfind('.');
     entry.size = {cause.frees.empty() ? number.name.substr(dot + 1) : number.name, number.quantity, valueAt(number, x),
@@ -239,9 +256,8 @@ void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
     const Cause& cause = work.cause(index);
     if (!cause.frees.empty() || cause.effects.size() != 1) continue;
     const int middle = static_cast<int>(cause.levels.size() / 2);
-    const double visibility =
-        noise.evidence->visibility(work.signatures->columnsOf(index, middle).front());
-    const double sigmas = std::sqrt(2 * logLeastGain(work, cause, visibility)) + 0.84;
+    const double visibility = noise.evidence->visibility(work.signatures->columnsOf(index, middle).front());
+    const double sigmas = std::sqrt(2 * logLeastGain(cause, visibility)) + 0.84;
     PlacedArm placed = work.basis.fitted;
     const Unknown number = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(middle)]).front();
     const double units = sigmas / std::max(1e-300, visibility);
@@ -261,7 +277,8 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   double squares = 0;
   for (std::size_t k = 0; k < work.basis.readings.size(); ++k) {
     const auto& whitener = noise.weights.whitener[k];
-    squares += whitener.inverse().operator*(whitened.segment(noise.weights.first_row[k], whitener.rows())).squaredNorm();
+    squares +=
+        whitener.inverse().operator*(whitened.segment(noise.weights.first_row[k], whitener.rows())).squaredNorm();
   }
   remainder.size = std::sqrt(squares / static_cast<double>(work.basis.readings.size()));
   const VectorXd of_terms = noise.principal_terms * model.remainder_weights;
