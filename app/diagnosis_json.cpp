@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
@@ -294,6 +296,28 @@ std::string alternativeText(const Explanation& alternative, const Units& units) 
 
 }  // namespace
 
+namespace {
+
+/// The least of each kind that would have been seen, at the place where it shows best.
+std::string detectableText(const Diagnosis& result, const Units& units) {
+  std::map<std::string, const calibration::DetectableEffect*> least;
+  for (const auto& entry : result.detectable) {
+    const auto*& kept = least[entry.effect];
+    if (!kept || std::make_pair(entry.is_beyond_plausible, entry.size) <
+                     std::make_pair(kept->is_beyond_plausible, kept->size))
+      kept = &entry;
+  }
+  std::string text = least.empty() ? "" : "  the least that would have been seen, four times in five:\n";
+  for (const auto& [effect, entry] : least) {
+    const Dimension unit = dimensionOf(entry->quantity);
+    text += fmt::format("    {:<24} {:<22} {:>9.3g} {}{}\n", effect, entry->at, entry->size / units.factor(unit),
+                        units.nameOf(unit), entry->is_beyond_plausible ? " (more than real machines have)" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string additionCommand(const Diagnosis& result, const std::string& cell, const Units& units) {
   if (result.alternatives.empty()) return "";
   std::string causes;
@@ -305,13 +329,15 @@ std::string additionCommand(const Diagnosis& result, const std::string& cell, co
 std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
   if (result.verdict == Verdict::kNotRun) return text;
-  text += fmt::format("chi-square {:.1f} for {} degrees of freedom; nothing missing has probability {:.3g}\n",
-                      result.chi2, result.degrees_of_freedom, result.nothing_probability);
+  text += fmt::format("chi-square {:.1f} for {} degrees of freedom\n", result.chi2, result.degrees_of_freedom);
+  if (std::isfinite(result.nothing_probability))
+    text += fmt::format("nothing missing has probability {:.3g}\n", result.nothing_probability);
   if (result.model_error > 0)
     text += fmt::format("about {} in each coordinate beyond the stated noise is no function of the readings\n",
                         lengthText(result.model_error, units));
   for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
-  text += "  effect                                  probability   chi-square falls by   size\n";
+  if (!result.ranking.empty())
+    text += "  effect                                  probability   chi-square falls by   size\n";
   for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
     const auto& entry = result.ranking[k];
     text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,
@@ -324,6 +350,8 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
   for (const int reading : result.set_aside)
     text += fmt::format("  set aside as an outlier: reading {}\n", readings.at(static_cast<std::size_t>(reading)).id);
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
+  if (result.verdict == Verdict::kAdequate || result.verdict == Verdict::kInconclusive)
+    text += detectableText(result, units);
   return text;
 }
 
