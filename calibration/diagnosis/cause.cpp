@@ -182,6 +182,15 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
   return effects;
 }
 
+bool overlap(const Cause& a, const Cause& b) {
+  for (const auto& mine : a.effects)
+    for (const auto& theirs : b.effects)
+      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
+  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
+    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
+  });
+}
+
 bool isStep(const Cause& cause) {
   return cause.shape >= 0 &&
          kindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;

@@ -29,6 +29,9 @@ struct Cause {
   double prior = 0;                         ///< its share of the probability that exactly one cause is missing
 };
 
+/// Whether they hold one effect at one place between them, or free one number.
+[[nodiscard]] bool overlap(const Cause& a, const Cause& b);
+
 /// Whether the shape of a cause is the time of a step, before which it does nothing.
 [[nodiscard]] bool isStep(const Cause& cause);
 

@@ -253,16 +253,6 @@ bool followOneJoint(const Cause& a, const Cause& b) {
   return isOfReading(a) && isOfReading(b) && a.effects.front().place.row == b.effects.front().place.row;
 }
 
-/// Whether they hold one effect at one place between them, or free one number.
-bool overlap(const Cause& a, const Cause& b) {
-  for (const auto& mine : a.effects)
-    for (const auto& theirs : b.effects)
-      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
-  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
-    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
-  });
-}
-
 /// Whether a cause at the largest usual size would show at all beyond what the fitted numbers absorb.
 bool isVisible(const DiagnosisWork& work, int cause) {
   const auto shows = [&](int column) {

@@ -86,10 +86,8 @@ void answer(const DiagnosisOptions& options, Answer& answer) {
     if (model.terms.empty()) result.nothing_criterion = -2 * model.logWeight();
   const CompetingModel& best = work.models.front();
   result.model_error = best.model_error;
-  if (result.verdict == Verdict::kPartlyExplained || result.verdict == Verdict::kUnexplained)
-    result.remainder = remainderOf(work, posterior.classes.empty() || result.verdict == Verdict::kUnexplained
-                                             ? best
-                                             : *posterior.classes.front().model);
+  if (result.verdict == Verdict::kPartlyExplained) result.remainder = remainderOf(work, posterior.sure_model);
+  if (result.verdict == Verdict::kUnexplained) result.remainder = remainderOf(work, best);
 }
 
 Answer answerBy(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,

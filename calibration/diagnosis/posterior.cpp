@@ -7,6 +7,7 @@
 #include <set>
 
 #include "calibration/diagnosis/indistinguishable.hpp"
+#include "calibration/diagnosis/model_fit.hpp"
 #include "calibration/fit.hpp"
 
 namespace tubeplan::calibration {
@@ -117,6 +118,74 @@ std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& cl
   return kept;
 }
 
+/// Causes that a class says: its own, and of one at all joints alike that at each joint.
+std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& causes) {
+  std::set<int> implied(causes.begin(), causes.end());
+  for (const int all : causes) {
+    if (work.cause(all).effects.size() < 2) continue;
+    for (int one = 0; one < static_cast<int>(work.causes.causes.size()); ++one)
+      if (work.cause(one).effects.size() == 1 && overlap(work.cause(one), work.cause(all))) implied.insert(one);
+  }
+  return implied;
+}
+
+/// The causes that most of what is missing agrees on, without those that others of them imply.
+std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
+  std::map<int, double> probability;
+  for (const ModelClass& one : posterior.classes)
+    for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
+  std::vector<int> sure;
+  for (const auto& [cause, p] : probability)
+    if (p >= work.options.sure * (1 - posterior.nothing)) sure.push_back(cause);
+  std::vector<int> own;
+  for (const int cause : sure)
+    if (std::none_of(sure.begin(), sure.end(), [&](int all) {
+          return all != cause && work.cause(all).effects.size() > 1 && impliedBy(work, {all}).contains(cause);
+        }))
+      own.push_back(cause);
+  return own;
+}
+
+/// The model of these causes alone: one that competes, or the first that holds them without its other causes.
+CompetingModel modelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
+  const CompetingModel* found = nullptr;
+  for (const CompetingModel& model : work.models) {
+    const bool is_exact = causesOf(model) == causes;
+    if (is_exact || (!found && holds(causesOf(model), causes))) found = &model;
+    if (is_exact) break;
+  }
+  if (!found) return {};
+  CompetingModel model = *found;
+  if (causesOf(model) == causes && model.is_fitted) return model;
+  std::erase_if(model.terms, [&](const ModelTerm& term) {
+    return std::find(causes.begin(), causes.end(), term.cause) == causes.end();
+  });
+  model.sizes.resize(0);
+  model.fit = {};
+  fitModel(work, model);
+  return model;
+}
+
+void findSure(const DiagnosisWork& work, Posterior& posterior) {
+  const auto causes = sureCauses(work, posterior);
+  if (causes.empty()) return;
+  posterior.sure_model = modelOf(work, causes);
+  if (!posterior.sure_model.is_fitted || !std::isfinite(posterior.sure_model.log_evidence)) return;
+  ModelClass& sure = posterior.sure;
+  sure.causes = causes;
+  sure.explanation = posterior.sure_model.fit;
+  double alone = 0;
+  for (const ModelClass& one : posterior.classes) {
+    const auto implied = impliedBy(work, one.causes);
+    if (!std::all_of(causes.begin(), causes.end(), [&](int cause) { return implied.contains(cause); })) continue;
+    sure.probability += one.probability;
+    if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
+  }
+  sure.remainder_probability = sure.probability > 0 ? 1 - alone / sure.probability : 1;
+  sure.explanation.probability = sure.probability;
+  sure.explanation.remainder_probability = sure.remainder_probability;
+}
+
 /// What the evidence of a cause must gain to be sure (19 to 1), its prior and its freedom paid for.
 double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
@@ -141,7 +210,7 @@ std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTe
 }  // namespace
 
 Posterior posteriorOf(const DiagnosisWork& work) {
-  Posterior posterior;
+  Posterior posterior{};
   const double most = mostOf(work), total = totalOf(work, most);
   std::map<std::vector<int>, ModelClass> classes;
   for (const CompetingModel& model : work.models) {
@@ -172,6 +241,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
     one.explanation.probability = one.probability;
     one.explanation.remainder_probability = one.remainder_probability;
   }
+  findSure(work, posterior);
   return posterior;
 }
 
@@ -189,16 +259,13 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     named += one.probability / missing;
     remains += one.probability / missing * one.remainder_probability;
   }
-  if (classes.empty() || named < options.sure) {
-    result.verdict = Verdict::kUnexplained;
+  if (classes.empty() || named < options.sure || remains > kRemains * named) {
+    const bool is_sure = !posterior.sure.causes.empty();
+    result.verdict = is_sure ? Verdict::kPartlyExplained : Verdict::kUnexplained;
+    if (is_sure) result.alternatives = {posterior.sure.explanation};
     return;
   }
   const bool is_single = classes.front().probability / missing >= options.sure;
-  if (remains > kRemains * named) {
-    result.verdict = is_single ? Verdict::kPartlyExplained : Verdict::kUnexplained;
-    if (is_single) result.alternatives = {classes.front().explanation};
-    return;
-  }
   double together = 0;
   for (const ModelClass& one : classes) {
     const bool is_needed = together < kCredible * named && one.probability > kLeastShare * classes.front().probability;

@@ -20,9 +20,11 @@ struct Posterior {
   double nothing = 0;               ///< that nothing is missing
   double unknown = 0;               ///< that something is, and no cause is part of it
   std::vector<ModelClass> classes;  ///< with causes, most probable first; those that were fitted
+  ModelClass sure;                  ///< the causes that are sure, whatever there is beside; empty where none is
+  CompetingModel sure_model;        ///< of `sure`
 };
 
-/// `work.models` must be found.
+/// `work.models` must be found. Fits the model of the causes that are sure. Unwinds where it was stopped.
 [[nodiscard]] Posterior posteriorOf(const DiagnosisWork& work);
 
 /// Fills verdict and alternatives.
