@@ -16,7 +16,7 @@ namespace tubeplan::deflection::gravity_sag {
 template <class S>
 void apply(const EffectOf<S>& effect, Situation<S>& situation) {
   const int row = effect.place.row;
-  const RigidFrames<S> frames = rigidFramesOf<S>(situation.given, situation.asked.q);
+  const RigidFrames<S>& frames = rigidFramesOf(situation);
   const PoseOf<S>& joint = frames.rows[row];
   const Vector3<S> lever = joint.R.col(0) * effect.values[0] + joint.R.col(1) * effect.values[1] +
                            (frames.tip - joint.p) * effect.values[2];

@@ -44,6 +44,7 @@ void applyEffects(Situation<S>& situation) {
   situation.gravity_turn.setZero();
   situation.X_BM = {};
   situation.measurement_scale = S(1);
+  situation.rigid_frames.reset();
   situation.undefined.clear();
   const auto& kinds = effectKinds();
   for (const auto& effect : situation.given.effects) applyOne(kinds.at(effect.kind), effect, situation);

@@ -4,6 +4,9 @@
 // any order.
 #pragma once
 
+#include <optional>
+
+#include "deflection/effects/rigid_frames.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::deflection {
@@ -19,6 +22,7 @@ struct Situation {
   Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector that turns gravity, base axes [rad]
   PoseOf<S> X_BM;                                ///< the base as moved, M, in the base as named
   S measurement_scale{1};                        ///< measured coordinates per true one
+  std::optional<RigidFrames<S>> rigid_frames;    ///< of `given` at `asked`, once an effect has asked for them
   std::string undefined = {};                    ///< why an effect has no finite value here; empty where all have
 };
 
@@ -33,6 +37,13 @@ template <class S>
 /// Measured coordinates per true one: 1 without a scale error.
 [[nodiscard]] double measurementScale(const Arm& arm);
 [[nodiscard]] Dual measurementScale(const ArmOf<Dual>& arm);
+
+/// Where the given arm stands as if nothing gave; effects share it.
+template <class S>
+const RigidFrames<S>& rigidFramesOf(Situation<S>& situation) {
+  if (!situation.rigid_frames) situation.rigid_frames = rigidFramesOf<S>(situation.given, situation.asked.q);
+  return *situation.rigid_frames;
+}
 
 /// Which entry of the joint vector belongs to a row with a joint.
 template <class S>
