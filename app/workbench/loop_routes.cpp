@@ -34,7 +34,7 @@ Answer compare(Workbench& workbench, const Request& request) {
 
 Answer diagnose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const DiagnosisRequest asked{integerOf(body, "effects", 2, 1, 2), integerOf(body, "next", 6, 1, 50), seedOf(body)};
+  const DiagnosisRequest asked{integerOf(body, "effects", 3, 1, 4), integerOf(body, "next", 6, 1, 50), seedOf(body)};
   return beginResultJob(workbench, "diagnose", "what the model lacks",
                         [asked](const Situation& began, JobContext& context) {
                           return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "calibration/diagnosis/indistinguishable.hpp"
+#include "calibration/diagnosis/model_fit.hpp"
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/evidence.hpp"
 #include "calibration/held_out.hpp"
@@ -253,15 +254,25 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
 }
 
 std::vector<Explanation> competingExplanations(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                               const DiagnosisOptions& options) {
+                                               const DiagnosisOptions& options, const std::string& effect,
+                                               const std::string& at) {
   std::vector<Measurement> used = readings;
   std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
   try {
     Answer found = answerBy(fitBaseline(start, used, options), used, {}, options);
     if (!found.is_found) return {};
+    const auto isAsked = [&](const CompetingModel& model) {
+      if (model.terms.empty()) return true;
+      const Cause& cause = found.work.cause(model.terms.front().cause);
+      return model.terms.size() == 1 && cause.effect == effect && cause.at == at;
+    };
     std::vector<Explanation> explanations;
-    for (const CompetingModel& model : found.work.models)
+    for (CompetingModel& model : found.work.models) {
+      if (!model.is_fitted && isAsked(model)) fitModel(found.work, model);
       if (model.is_fitted) explanations.push_back(model.fit);
+    }
+    std::stable_sort(explanations.begin(), explanations.end(),
+                     [](const Explanation& a, const Explanation& b) { return a.criterion < b.criterion; });
     return explanations;
   } catch (const WorkStopped&) {
     return {};

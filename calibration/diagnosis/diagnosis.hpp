@@ -126,10 +126,12 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const DiagnosisOptions& options);
 
-/// The models that compete, each fitted with everything that is free, most probable first, and nothing missing among
-/// them; without a verdict. Empty where the model cannot be fitted, or where it was asked to stop.
+/// The models that compete, each fitted with everything that is free, most probable first, and nothing missing and
+/// `effect` at `at` alone among them; without a verdict. Empty where the model cannot be fitted, or where it was asked
+/// to stop.
 [[nodiscard]] std::vector<Explanation> competingExplanations(const PlacedArm& start,
                                                              const std::vector<Measurement>& readings,
-                                                             const DiagnosisOptions& options);
+                                                             const DiagnosisOptions& options, const std::string& effect,
+                                                             const std::string& at);
 
 }  // namespace tubeplan::calibration

@@ -159,9 +159,10 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
   bare.baseline.free.names = otherNames(c.start.arm, options.baseline.free.names, effect);
-  const auto models = competingExplanations(withoutEffect(c.start, effect), c.readings, bare);
-  goOn(bare.hooks.stop);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
+  const auto models =
+      competingExplanations(withoutEffect(c.start, effect), c.readings, bare, warning.effect, warning.at);
+  goOn(bare.hooks.stop);
   const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
   for (const Explanation& model : models) {  // most probable first
     const Explanation*& of = model.effects.empty() ? nothing : find(model, warning) ? own : other;

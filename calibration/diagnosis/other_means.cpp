@@ -204,7 +204,7 @@ std::vector<OtherMeans> findOtherMeans(const std::vector<Rival>& rivals, const s
     attempt("set the base up once more, leaning by some 20 deg", placedAgain(rivals), some);
     addLinks(rivals, some, options, means);
   }
-  std::erase_if(means, [&](const OtherMeans& mean) { return !(mean.least_expected >= options.gap); });
+  std::erase_if(means, [&](const OtherMeans& mean) { return !(mean.least_expected >= separatingGap(options.sure)); });
   std::stable_sort(means.begin(), means.end(),
                    [](const OtherMeans& a, const OtherMeans& b) { return a.least_expected > b.least_expected; });
   for (const auto& explanation : explanations)

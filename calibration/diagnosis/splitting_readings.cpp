@@ -67,9 +67,9 @@ double chanceOfNaming(const std::vector<Rival>& rivals, const std::vector<SplitP
 /// How often the choice must be made until this pair's gap is passed in the mean; 0 where the most allowed do not.
 int timesNeeded(const std::vector<Rival>& rivals, const std::vector<Foretold>& foretold,
                 const std::vector<SplittingStep>& steps, const SplitPair& pair, const SplittingOptions& options) {
-  if (pair.expected >= options.gap) return 1;
+  if (pair.expected >= separatingGap(options.sure)) return 1;
   for (int times = 2; times <= options.most_repeats; ++times)
-    if (pair.now + expectedRise(rivals, foretold, steps, pair.truth, pair.other, times).mean >= options.gap)
+    if (pair.now + expectedRise(rivals, foretold, steps, pair.truth, pair.other, times).mean >= separatingGap(options.sure))
       return times;
   return 0;
 }
@@ -133,6 +133,8 @@ std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+double separatingGap(double sure) { return 2 * std::log(sure / (1 - sure)); }
+
 std::string nameOf(const Explanation& explanation) {
   std::string name;
   for (const auto& effect : explanation.effects)
@@ -179,7 +181,7 @@ SplittingReadings proposeUnlessStopped(const Diagnosis& diagnosis, const std::ve
     result.reason = "no posture is clear and settles";
   } else {
     for (const auto& step : steps) result.readings.push_back({step.candidate, step.a, step.b, step.separation});
-    result.pairs = pairsOf(rivals, foretold, steps, options.gap);
+    result.pairs = pairsOf(rivals, foretold, steps, separatingGap(options.sure));
     result.least_expected = leastExpected(rivals, foretold, steps, 1);
     result.probability = chanceOfNaming(rivals, result.pairs);
     countTimes(rivals, foretold, steps, options, result);

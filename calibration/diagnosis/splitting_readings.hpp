@@ -20,11 +20,14 @@ namespace tubeplan::calibration {
 
 struct SplittingOptions {
   int count = 6;              ///< readings, or sets of touches of one unknown point
-  double gap = 8;             ///< in the information criterion: what tells two explanations apart
+  double sure = 0.95;         ///< probability of one of two explanations that separates them
   int most_repeats = 4;       ///< of the whole choice, before postures are said not to split at all
   int most_explanations = 8;  ///< that are split, best first
   WorkHooks hooks;
 };
+
+/// Of -2 log of two posteriors: the difference from which one of the two has the probability `sure`.
+[[nodiscard]] double separatingGap(double sure);
 
 /// One ordered pair: what is to be expected when the first is true.
 struct SplitPair {

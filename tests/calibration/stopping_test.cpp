@@ -175,7 +175,7 @@ TEST_F(Stopping, HooksChangeNothing) {
     EXPECT_EQ(with.ranking[k].at, without.ranking[k].at);
     EXPECT_EQ(with.ranking[k].size.value, without.ranking[k].size.value);
   }
-  for (const char* stage : {"fit", "catalogue", "effects", "pairs of effects", "readings kept out"})
+  for (const char* stage : {"fit", "catalogue", "causes", "models", "readings kept out"})
     EXPECT_TRUE(watch.stages().contains(stage)) << stage;
   for (const auto& kind : leastSquaresMethods()) {
     IdentificationOptions asked = identification(watch.hooks()), alone = identification({});
