@@ -170,14 +170,21 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   }
   if (!nothing) return;
   const double gain = own ? nothing->criterion - own->criterion : -std::numeric_limits<double>::infinity();
-  if (gain < c.limits.gap) warnings.push_back(unneeded(c, effect, gain));
-  if (!own || gain < c.limits.gap) return;
+  const bool is_beaten = own && other && other->criterion + c.limits.gap < own->criterion;
+  if (gain < c.limits.gap) {
+    const EffectWarning not_needed = unneeded(c, effect, gain);
+    // What takes much of the error, and yet no evidence speaks for it, stands in for another.
+    if (!is_beaten || not_needed.p_value > c.limits.misfit) {
+      warnings.push_back(not_needed);
+      return;
+    }
+  }
   const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
-  if (may_reshape && own->effects.size() == 1 && own->chi2 + c.limits.gap < c.with.chi2) {
+  if (own && may_reshape && own->effects.size() == 1 && own->chi2 + c.limits.gap < c.with.chi2) {
     warning.better = *find(*own, warning);
     warning.by = c.with.chi2 - own->chi2;
     warnings.push_back(warning);
-  } else if (other && other->criterion + c.limits.gap < own->criterion) {
+  } else if (is_beaten) {
     warning.better = other->effects.front();
     warning.by = own->criterion - other->criterion;
     warnings.push_back(warning);
