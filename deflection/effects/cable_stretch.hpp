@@ -1,11 +1,10 @@
-// A joint driven by cables: they stretch under the moment, and friction on the way holds back a share of it by the sense
-// of the last motion.
+// A joint driven by cables: they stretch under the moment, and friction on the way holds back a share of it by the
+// sense of the last motion.
 //
 // Law: rotation = c M + k |M| s, M the moment about the joint's axis.
-// Symbols: c [rad/(N m)] stretch; k [rad/(N m)] what friction holds back; s sense of the joint's last motion, -1, 0 or +1;
-// M [N m] of the shape without deflection.
-// Validity: linear stretch; the last motion was longer than the lost motion.
-// Source: Capstan friction: a cable over a sheave loses a share of its tension (Townsend and Salisbury 1987).
+// Symbols: c [rad/(N m)] stretch; k [rad/(N m)] what friction holds back; s sense of the joint's last motion, -1, 0 or
+// +1; M [N m] of the shape without deflection. Validity: linear stretch; the last motion was longer than the lost
+// motion. Source: Capstan friction: a cable over a sheave loses a share of its tension (Townsend and Salisbury 1987).
 #pragma once
 
 #include "deflection/effects/places.hpp"
@@ -20,7 +19,7 @@ inline bool hasPlace(const Arm& arm, int row) {
 template <class S>
 void apply(const EffectOf<S>& effect, Situation<S>& situation) {
   const int row = effect.place.row, joint = jointIndexOf(situation.given, row);
-  const S moment = rigidMoment(situation.given, situation.asked, row)[2];
+  const S moment = rigidMomentOf(situation, row)[2];
   const auto& senses = situation.asked.senses;
   const double sense = senses.empty() ? 0 : senses[joint];
   using std::abs;

@@ -32,8 +32,8 @@ enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasu
 /// kind's fixed word.
 enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
-/// What there must be for an effect to be seen: columns of the measurements, a hung load, moments at all (weights of the
-/// arm, or a load), or an arm whose weights nobody stated.
+/// What there must be for an effect to be seen: columns of the measurements, a hung load, moments at all (weights of
+/// the arm, or a load), or an arm whose weights nobody stated.
 struct EffectNeeds {
   bool senses = false, temperature = false, time = false, load = false, moments = false, no_weights = false;
 };

@@ -1,4 +1,5 @@
-// A joint that gives under weights that nobody stated: what hangs behind it, as a few products of compliance and weight.
+// A joint that gives under weights that nobody stated: what hangs behind it, as a few products of compliance and
+// weight.
 //
 // Law: rotation about the joint's axis z = z . [(x u_x + y u_y) + (p_T - p_J) w / (1 m)] x g.
 // Symbols: x, y the row's axes square to z; u_x, u_y [rad] the turn where the joint's own part hangs level along them;
@@ -18,28 +19,29 @@ void apply(const EffectOf<S>& effect, Situation<S>& situation) {
   const int row = effect.place.row;
   const RigidFrames<S>& frames = rigidFramesOf(situation);
   const PoseOf<S>& joint = frames.rows[row];
-  const Vector3<S> lever = joint.R.col(0) * effect.values[0] + joint.R.col(1) * effect.values[1] +
-                           (frames.tip - joint.p) * effect.values[2];
+  const Vector3<S> lever =
+      joint.R.col(0) * effect.values[0] + joint.R.col(1) * effect.values[1] + (frames.tip - joint.p) * effect.values[2];
   const Vector3<S> moment = lever.cross(situation.asked.gravity_B);
   situation.posture.q[jointIndexOf(situation.given, row)] += joint.R.col(2).dot(moment);
 }
 
 inline EffectKind kind() {
-  return {.name = "gravity-sag",
-          .law = "turn of a joint = its moment by unknown weights: own part level along x, along y, and what is at the tip",
-          .validity = "linear; the arm's weights need not be stated",
-          .source = "Gautier and Khalil 1990, base parameters of gravity",
-          .stage = EffectStage::kFlexibility,
-          .at = PlaceRule::kJoint,
-          .odds = 2,
-          .odds_reason = "every drive gives under its arm, and few makers state weights",
-          .needs = {.no_weights = true},
-          .parameters = {{"own_x", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
-                         {"own_y", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
-                         {"tip", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},
-          .places = places::ofRevoluteJoints,
-          .apply = apply<double>,
-          .applyDual = apply<Dual>};
+  return {
+      .name = "gravity-sag",
+      .law = "turn of a joint = its moment by unknown weights: own part level along x, along y, and what is at the tip",
+      .validity = "linear; the arm's weights need not be stated",
+      .source = "Gautier and Khalil 1990, base parameters of gravity",
+      .stage = EffectStage::kFlexibility,
+      .at = PlaceRule::kJoint,
+      .odds = 2,
+      .odds_reason = "every drive gives under its arm, and few makers state weights",
+      .needs = {.no_weights = true},
+      .parameters = {{"own_x", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
+                     {"own_y", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
+                     {"tip", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},
+      .places = places::ofRevoluteJoints,
+      .apply = apply<double>,
+      .applyDual = apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::gravity_sag

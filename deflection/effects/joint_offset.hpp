@@ -16,19 +16,21 @@ void apply(const EffectOf<S>& effect, Situation<S>& situation) {
 }
 
 inline EffectKind kind() {
-  return {.name = "joint-offset",
-          .law = "true joint value = reading + offset",
-          .validity = "the same for every reading",
-          .source = "Klimchik et al., arXiv 1211.5739",
-          .stage = EffectStage::kReading,
-          .at = PlaceRule::kJoint,
-          .odds = 2,
-          .odds_reason = "homing and drawing errors of joints are the commonest geometric error (Klimchik et al., arXiv 1211.5739)",
-          .needs = {},
-          .parameters = {{"offset", Quantity::kAngle, 0, -3.2, 3.2, 0.035}},
-          .places = places::ofJoints,
-          .apply = apply<double>,
-          .applyDual = apply<Dual>};
+  return {
+      .name = "joint-offset",
+      .law = "true joint value = reading + offset",
+      .validity = "the same for every reading",
+      .source = "Klimchik et al., arXiv 1211.5739",
+      .stage = EffectStage::kReading,
+      .at = PlaceRule::kJoint,
+      .odds = 2,
+      .odds_reason =
+          "homing and drawing errors of joints are the commonest geometric error (Klimchik et al., arXiv 1211.5739)",
+      .needs = {},
+      .parameters = {{"offset", Quantity::kAngle, 0, -3.2, 3.2, 0.035}},
+      .places = places::ofJoints,
+      .apply = apply<double>,
+      .applyDual = apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::joint_offset

@@ -12,8 +12,8 @@ struct Formula;
 /// Where an effect acts; -1 where its rule has no use for the number. Indices are those of the arm's rows.
 struct Place {
   int row = -1;
-  int axis = -1;   ///< 0, 1, 2: x, y, z of the row
-  int other = -1;  ///< the row of the second joint, where a place is a pair
+  int axis = -1;           ///< 0, 1, 2: x, y, z of the row
+  int other = -1;          ///< the row of the second joint, where a place is a pair
   std::string setup = {};  ///< of the base, where a place is a set-up
   bool operator==(const Place&) const = default;
 };

@@ -1,5 +1,5 @@
-// The moment that an arm's weights and the hung load put on a row, as if nothing gave: an explicit function of posture
-// and numbers, for laws that read it.
+// The moments that an arm's weights and the hung load put on its rows, as if nothing gave: an explicit function of
+// posture and numbers, for laws that read them.
 #pragma once
 
 #include "deflection/chain.hpp"
@@ -7,9 +7,9 @@
 
 namespace tubeplan::deflection {
 
-/// Of everything from the row's frame outwards, about its origin, in its axes [N m].
+/// On each row: of everything from its frame outwards, about its origin, in its axes [N m].
 template <class S>
-Vector3<S> rigidMoment(const ArmOf<S>& arm, const PostureOf<S>& posture, int row) {
+std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   Chain<S> chain;
   if constexpr (std::is_same_v<S, double>)
     chain = assembleChain<double>(arm, arm, posture.q);
@@ -21,10 +21,12 @@ Vector3<S> rigidMoment(const ArmOf<S>& arm, const PostureOf<S>& posture, int row
     frames[k + 1].p = frames[k].p + frames[k].R * link.p;
     frames[k + 1].R = link.type == ChainLinkType::kTurn ? Matrix3<S>(frames[k].R * link.R) : frames[k].R;
   }
+  std::vector<Vector3<S>> moments(arm.rows.size(), Vector3<S>::Zero());
   Vector3<S> force = posture.gravity_B * posture.load, moment = Vector3<S>::Zero();
   for (std::size_t k = chain.links.size(); k-- > 0;) {
     const ChainLink<S>& link = chain.links[k];
-    if (link.type == ChainLinkType::kFrame && link.row == row) return frames[k].R.transpose() * moment;
+    if (link.type == ChainLinkType::kFrame)
+      moments[static_cast<std::size_t>(link.row)] = frames[k].R.transpose() * moment;
     const Vector3<S> weight = posture.gravity_B * link.weight;
     const bool hangs_aside = link.type == ChainLinkType::kLump;
     const Vector3<S> chord = frames[k + 1].p - frames[k].p;
@@ -32,7 +34,7 @@ Vector3<S> rigidMoment(const ArmOf<S>& arm, const PostureOf<S>& posture, int row
     moment += chord.cross(force) + lever.cross(weight);
     force += weight;
   }
-  return Vector3<S>::Zero();
+  return moments;
 }
 
 }  // namespace tubeplan::deflection

@@ -45,6 +45,7 @@ void applyEffects(Situation<S>& situation) {
   situation.X_BM = {};
   situation.measurement_scale = S(1);
   situation.rigid_frames.reset();
+  situation.rigid_moments.reset();
   situation.undefined.clear();
   const auto& kinds = effectKinds();
   for (const auto& effect : situation.given.effects) applyOne(kinds.at(effect.kind), effect, situation);

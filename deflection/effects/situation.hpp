@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "deflection/effects/rigid_frames.hpp"
+#include "deflection/effects/rigid_moment.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::deflection {
@@ -23,7 +24,8 @@ struct Situation {
   PoseOf<S> X_BM;                                ///< the base as moved, M, in the base as named
   S measurement_scale{1};                        ///< measured coordinates per true one
   std::optional<RigidFrames<S>> rigid_frames;    ///< of `given` at `asked`, once an effect has asked for them
-  std::string undefined = {};                    ///< why an effect has no finite value here; empty where all have
+  std::optional<std::vector<Vector3<S>>> rigid_moments;  ///< the same
+  std::string undefined = {};  ///< why an effect has no finite value here; empty where all have
 };
 
 /// Begins the copies anew and applies the arm's effects. What a situation held before is overwritten in place.
@@ -43,6 +45,13 @@ template <class S>
 const RigidFrames<S>& rigidFramesOf(Situation<S>& situation) {
   if (!situation.rigid_frames) situation.rigid_frames = rigidFramesOf<S>(situation.given, situation.asked.q);
   return *situation.rigid_frames;
+}
+
+/// The moment on a row as if nothing gave.
+template <class S>
+const Vector3<S>& rigidMomentOf(Situation<S>& situation, int row) {
+  if (!situation.rigid_moments) situation.rigid_moments = rigidMoments<S>(situation.given, situation.asked);
+  return (*situation.rigid_moments)[static_cast<std::size_t>(row)];
 }
 
 /// Which entry of the joint vector belongs to a row with a joint.

@@ -27,7 +27,7 @@ S valueOf(const FormulaSymbol& symbol, const ArmOf<S>& given, const PostureOf<S>
     case Of::kSense:
       return asked.senses.empty() ? S(0) : S(asked.senses[jointIndexOf(given, symbol.row)]);
     case Of::kMoment:
-      return inUnit(rigidMoment(given, asked, symbol.row)[symbol.axis]);
+      return inUnit(rigidMoments(given, asked)[static_cast<std::size_t>(symbol.row)][symbol.axis]);
     case Of::kLoad:
       return inUnit(asked.load);
     case Of::kTemperature:

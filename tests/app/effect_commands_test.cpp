@@ -204,7 +204,6 @@ TEST_F(EffectCommands, WrongFormulasAreRefused) {
   refused("", "EFFECT@AT");
   refused("theta3 += c*" + std::string(10000, '1'), "characters");
   EXPECT_EQ(run("add " + bench() + " formula@theta3 --out x.yaml").exit_code, 2);
-  EXPECT_EQ(run("add " + bench() + " backlash@tool.z --formula 'theta3 += c*load' --out x.yaml").exit_code, 2);
   EXPECT_EQ(run("add " + bench() + " formula@theta2 --formula 'theta3 += c*load' --out x.yaml").exit_code, 2);
 }
 

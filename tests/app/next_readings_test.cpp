@@ -34,8 +34,8 @@ bool hasKind(const json& warnings, const std::string& kind) {
 }
 
 TEST_F(NextReadings, AreProposedWhereTheAnswerIsOneOfSeveral) {
-  // A tip that is off across the last link looks as a zero of the last joint does.
-  simulate("joint-offset@theta4:0.03deg");
+  // A tool that bends sideways looks much as a joint that gives behind it does.
+  simulate("link-bending@tool.z:1e-6");
   const json diagnosed = answer("diagnose " + bench() + " " + path("set/measurements.csv") + " --next 4");
   ASSERT_EQ(diagnosed["verdict"], "ambiguous") << diagnosed["sentence"];
   const json& splitting = diagnosed["splitting"];
@@ -80,7 +80,8 @@ TEST_F(NextReadings, AWrongEffectInTheCellIsWarnedOfByBothCommands) {
   EXPECT_TRUE(hasKind(wrong["warnings"], "misfit-remains")) << wrong["warnings"];
   EXPECT_TRUE(answer("identify " + path("right.yaml") + " " + readings)["warnings"].empty());
   const json diagnosed = answer("diagnose " + path("wrong.yaml") + " " + readings);
-  ASSERT_TRUE(hasKind(diagnosed["warnings"], "better-explained-by")) << diagnosed["warnings"];
+  EXPECT_TRUE(hasKind(diagnosed["warnings"], "not-needed") || hasKind(diagnosed["warnings"], "better-explained-by"))
+      << diagnosed["warnings"];
   for (const auto& warning : diagnosed["warnings"]) {
     EXPECT_EQ(warning["effect"], "backlash");
     EXPECT_EQ(warning["at"], "tool.z");

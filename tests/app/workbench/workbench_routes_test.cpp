@@ -280,7 +280,7 @@ TEST_F(WorkbenchRoutes, theLoopStopsWhereverItIs) {
       if (job["id"] == id) return job["status"] == "running" ? job["stage"].get<std::string>() : "ended";
     return "";
   };
-  const json add = {{"effects", {{{"effect", "joint-offset"}, {"at", "theta3"}}}}};
+  const json add = {{"causes", {"joint-offset@theta3"}}};
   const std::pair<const char*, json> asked[] = {{"compare", json::object()},  {"diagnose", json::object()},
                                                 {"identify", json::object()}, {"ladder", json::object()},
                                                 {"improve", json::object()},  {"add", add}};
