@@ -1,0 +1,91 @@
+// Calibrations that should not be trusted, and what `calibrate` says of them.
+#include <nlohmann/json.hpp>
+
+#include <regex>
+
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class BaseVerdicts : public ProgramTest {
+ protected:
+  BaseVerdicts() {
+    for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
+      write(name, contentOf(shippedCells() / name));
+  }
+
+  /// Touches of six holes by an arm that is the model itself.
+  void touch(const std::string& cell) const {
+    ASSERT_EQ(run("simulate " + cell + " --design bowl --readings 6 --loads 0 --seed 3 --out set").exit_code, 0);
+  }
+
+  struct Found {
+    int exit_code;
+    json figures;
+    std::string text;
+  };
+  [[nodiscard]] Found calibrated(const std::string& cell, const std::string& touches) const {
+    const std::string question = "calibrate " + cell + " " + touches;
+    const Outcome figures = run(question + " --json -"), text = run(question);
+    return {text.exit_code, json::parse(figures.out, nullptr, false), text.out};
+  }
+};
+
+TEST_F(BaseVerdicts, AGoodFitIsSaidToBeGood) {
+  touch("mockup.yaml");
+  const Found found = calibrated("mockup.yaml", "set/measurements.csv");
+  EXPECT_EQ(found.exit_code, 0) << found.text;
+  EXPECT_EQ(found.figures["verdict"], "adequate");
+}
+
+TEST_F(BaseVerdicts, AFitThatChiSquareRefusesExitsWithOneAndSaysWhatToDo) {
+  ASSERT_EQ(run("plan mockup.yaml --touches auto --truth mockup-true.yaml --tubes spread:2 --out made").exit_code, 0);
+  const Found found = calibrated("mockup.yaml", "made/touches.csv");
+  EXPECT_EQ(found.exit_code, 1);
+  EXPECT_EQ(found.figures["status"], "done");
+  EXPECT_EQ(found.figures["verdict"], "falls-short");
+  EXPECT_NE(found.text.find("fourth hole"), std::string::npos) << found.text;
+  EXPECT_NE(found.text.find("compare"), std::string::npos) << found.text;
+}
+
+TEST_F(BaseVerdicts, HolesOneColumnOffAreWarnedOf) {
+  touch("mockup.yaml");
+  std::string lines, text = contentOf(folder / "set/measurements.csv");
+  const std::regex hole("R([0-9]+)C([0-9]+)");
+  std::smatch match;
+  for (; std::regex_search(text, match, hole); text = match.suffix())
+    lines += match.prefix().str() + "R" + match[1].str() + "C" + std::to_string(std::stoi(match[2].str()) + 1);
+  write("column.csv", lines + text);
+  // Coordinates would give the mistake away: only names are left.
+  const Found honest = calibrated("mockup.yaml", "set/measurements.csv");
+  const Found found = calibrated("mockup.yaml", "column.csv");
+  if (found.exit_code == 2) GTEST_SKIP() << "the readings' coordinates disagree with their names, and are refused";
+  EXPECT_TRUE(found.figures["nominal"]["implausible"]);
+  EXPECT_NEAR(std::abs(found.figures["nominal"]["pitches"][0].get<double>() -
+                       honest.figures["nominal"]["pitches"][0].get<double>()),
+              1, 0.05);
+}
+
+TEST_F(BaseVerdicts, ABaseFarFromNominalIsWarnedOfInPitchesAndDegrees) {
+  touch("mockup.yaml");
+  std::string cell = contentOf(folder / "mockup.yaml");
+  const std::string base = "position: [0, 43.0, -44.0]";
+  cell.replace(cell.find(base), base.size(), "position: [39370, 43.0, -44.0]");
+  write("far.yaml", cell);
+  const Found found = calibrated("far.yaml", "set/measurements.csv");
+  EXPECT_TRUE(found.figures["nominal"]["implausible"]);
+  EXPECT_LT(found.figures["nominal"]["pitches"][0], -30000);
+  EXPECT_NE(found.text.find("pitches"), std::string::npos);
+  EXPECT_NE(found.text.find("warning"), std::string::npos);
+  // Who says that the base may be anywhere is not warned of its turn or shift but for whole pitches.
+  const std::string known = "known: false";
+  cell.replace(cell.find(known), known.size(), "known: false, prior: {shift: 50000, turn: 10}");
+  write("anywhere.yaml", cell);
+  EXPECT_EQ(calibrated("anywhere.yaml", "set/measurements.csv").text.find("most to be expected"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tubeplan::app
