@@ -74,6 +74,16 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
       angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
+/// Of the base's place and turn, in all directions together, the misfit counted.
+struct FromNominalSigma {
+  double distance, angle;
+};
+
+FromNominalSigma sigmaOf(const BaseCalibration& base) {
+  const Eigen::Matrix<double, 6, 6> covariance = calibration::widenedCovariance(base);
+  return {std::sqrt(covariance.topLeftCorner<3, 3>().trace()), std::sqrt(covariance.bottomRightCorner<3, 3>().trace())};
+}
+
 }  // namespace
 
 BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
@@ -90,6 +100,8 @@ BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
 }
 
 nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units) {
+  if (base.status != calibration::CalibrationStatus::kDone) return nlohmann::json::object();
+  const FromNominalSigma sigma = sigmaOf(base);
   nlohmann::json pitches = nullptr;
   if (verdict.pitches.allFinite()) pitches = {rounded(verdict.pitches.x()), rounded(verdict.pitches.y())};
   return {{"verdict", verdict.fit_is_off ? "falls-short" : "adequate"},
@@ -100,22 +112,24 @@ nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const BaseCalibration
             {"turn", vectorJson(base.from_start.tail<3>(), units, dimension::kAngle)},
             {"distance", lengthOf(verdict.distance, units)},
             {"angle", angleOf(verdict.angle, units)},
+            {"sigma", {{"distance", lengthOf(sigma.distance, units)}, {"angle", angleOf(sigma.angle, units)}}},
             {"pitches", pitches},
             {"implausible", verdict.is_implausible}}}};
 }
 
-std::string baseVerdictText(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units) {
-  const Eigen::VectorXd sigma = base.covariance.diagonal().cwiseSqrt();
+std::string baseVerdictText(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units,
+                            bool with_to_do) {
+  const FromNominalSigma sigma = sigmaOf(base);
   std::string text = fmt::format(
       "from nominal {:.4g} {}{} (sigma {:.2g}) and {:.4g} {} (sigma {:.2g})\n", lengthOf(verdict.distance, units),
       units.length().name,
       verdict.pitches.allFinite() ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y", verdict.pitches.x(),
                                                 verdict.pitches.y())
                                   : "",
-      lengthOf(sigma.head<3>().norm(), units), angleOf(verdict.angle, units), units.angle().name,
-      angleOf(sigma.tail<3>().norm(), units));
+      lengthOf(sigma.distance, units), angleOf(verdict.angle, units), units.angle().name, angleOf(sigma.angle, units));
   for (const auto& warning : verdict.warnings) text += "warning: " + warning + "\n";
-  for (const auto& step : verdict.to_do) text += "  to do: " + step + "\n";
+  if (with_to_do)
+    for (const auto& step : verdict.to_do) text += "  to do: " + step + "\n";
   return text;
 }
 

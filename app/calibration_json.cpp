@@ -79,7 +79,7 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
   return json;
 }
 
-std::string calibrationText(const BaseCalibration& result, const Cell& cell) {
+std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
   const Units& units = cell.units;
   if (result.status != CalibrationStatus::kDone)
     return "calibration " + std::string(nameOf(result.status)) + ": " + result.reason + "\n";
@@ -100,11 +100,13 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell) {
   for (const auto& touch : result.residuals)
     text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole,
                         length(touch.residual_W.x()), length(touch.residual_W.y()), length(touch.residual_W.z()), unit);
-  for (const auto& check : result.distances)
+  for (const auto& check : result.distances) {
+    if (!in_full) break;
     text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from,
                         check.to, length(check.by_arm), length(check.on_sheet), length(check.by_arm - check.on_sheet),
                         length(check.sigma), unit);
-  return text + baseVerdictText(judgeBase(result, cell), result, units);
+  }
+  return text + baseVerdictText(judgeBase(result, cell), result, units, in_full);
 }
 
 }  // namespace tubeplan::app

@@ -12,7 +12,8 @@ namespace tubeplan::app {
 /// With the verdict on it (base_verdict.hpp). `cell`: as it was before, its base the nominal one.
 [[nodiscard]] nlohmann::json calibrationJson(const calibration::BaseCalibration& result, const Cell& cell);
 
-/// Base, its sigmas, residual of each touch, the distance checks and the verdict.
-[[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Cell& cell);
+/// Base, its sigmas, residual of each touch and the verdict; in full also the distance checks and what to do.
+[[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Cell& cell,
+                                          bool in_full = true);
 
 }  // namespace tubeplan::app

@@ -211,16 +211,15 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
 
 namespace {
 
-std::string stepsHeading(const char* what, const PlanOutcome& outcome) {
-  std::string text = fmt::format("{:<58}", what);
+std::string stepsHeading(const PlanOutcome& outcome) {
+  std::string text = fmt::format("{:<58}", "tubes by steps of the calibration tool that go in");
   for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:7}", k);
   return text + "\n";
 }
 
 std::string expectedText(const PlanOutcome& outcome) {
   if (outcome.chances.by_posture.empty()) return "";
-  std::string text = stepsHeading("steps of the calibration tool that go in, as predicted", outcome);
-  text += fmt::format("  {:<56}", "tubes, on the average");
+  std::string text = fmt::format("  {:<56}", "as predicted, on the average");
   for (const double count : expectedCounts(outcome.chances)) text += fmt::format("{:7.1f}", count);
   return text + "\n";
 }
@@ -239,7 +238,7 @@ std::string planText(const PlanOutcome& outcome) {
   std::string text;
   if (outcome.calibration) {
     const auto& base = outcome.calibration->flexible;
-    text += calibrationText(base, outcome.cell);
+    text += calibrationText(base, outcome.cell, false);
   }
   for (const auto& warning : outcome.cell.warnings) text += "warning: " + warning + "\n";
   if (!outcome.calibration && !outcome.cell.base_known)
@@ -266,12 +265,13 @@ std::string planText(const PlanOutcome& outcome) {
                                                         outcome.padding / units.factor(dimension::kLength))
                                           : "",
                       tightestText(outcome));
-  text += stepChancesText(outcome.chances, units) + expectedText(outcome);
+  text += stepChancesText(outcome.chances, units);
+  if (outcome.scores.empty() && outcome.chances.by_posture.empty()) return text;
+  text += stepsHeading(outcome) + expectedText(outcome);
   if (outcome.scores.empty()) return text;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
-  text += stepsHeading("steps of the calibration tool that go in, by the true arm", outcome);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
-    text += fmt::format("  {:<56}", std::string(planner::nameOf(kCompensations[mode])) + " compensation");
+    text += fmt::format("  {:<56}", "by the true arm, " + std::string(planner::nameOf(kCompensations[mode])) + " compensation");
     int scored = 0;
     for (int count : counts[mode]) {
       text += fmt::format("{:7}", count);
