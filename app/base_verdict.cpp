@@ -16,6 +16,7 @@ namespace {
 using calibration::BaseCalibration;
 
 constexpr double kMostSigmas = 3;          // of where a base may well stand
+constexpr double kMostPitches = 10;        // by which people miscount
 constexpr double kTooGood = 1e-6;          // share of calibrations that fit so well by chance
 constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can be told from a model that is
 
@@ -28,7 +29,7 @@ void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
           "touch a fourth hole, far from the others, and calibrate again: it tells a touch that is off from a model that "
-          "is");
+          "is off");
     verdict.to_do.emplace_back(
         "`tubeplan compare CELL TOUCHES` shows what the misfit follows; `identify` finds the numbers that are off");
   }
@@ -44,14 +45,15 @@ void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verd
   verdict.distance = shift.norm();
   if (cell.sheet) verdict.pitches = shift.head<2>() / cell.sheet->pitch;
   const Eigen::Vector2d whole = verdict.pitches.array().round();
-  if (cell.sheet && whole.norm() > 0) {
+  if (cell.sheet && whole.norm() > 0 && whole.norm() <= kMostPitches) {
     verdict.is_implausible = true;
     const double left = (shift.head<2>() - whole * cell.sheet->pitch).norm();
     verdict.warnings.push_back(fmt::format(
-        "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: were every touched hole named {:+.0f} "
-        "and {:+.0f} holes too far, the touches would fit as well, and the base stand {:.3g} {} from nominal",
+        "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: were every touched hole misnamed by "
+        "{:+.0f} and {:+.0f} holes, the touches would fit as well, and the base stand {:.3g} {} from nominal",
         verdict.pitches.x(), verdict.pitches.y(), whole.x(), whole.y(), lengthOf(left, units), units.length().name));
-    verdict.to_do.emplace_back("count one touched hole anew, from an edge of the sheet: a hole one column off looks like this");
+    verdict.to_do.emplace_back(
+        "count one touched hole anew, from an edge of the sheet: a hole one column off looks like this");
   }
   const double most = kMostSigmas * cell.base_prior.shift;
   if (!(shift.cwiseAbs().maxCoeff() <= most)) {

@@ -28,12 +28,16 @@ struct StepChanceTrial {
   std::array<double, kBins> predicted{}, happened{};  ///< sums over the holes
 };
 
+/// What the true arms have that the model lacks; every one of them has stiffnesses that are off.
+enum class HiddenPhysics { kMixed, kEffects, kField, kStiffnesses };
+
 class StepChanceTrials {
  public:
-  StepChanceTrials(const app::Cell& cell, int touches, int holes)
+  StepChanceTrials(const app::Cell& cell, int touches, int holes, HiddenPhysics hidden = HiddenPhysics::kMixed)
       : cell_(cell),
         model_(app::workcellOf(cell, "study")),
         truths_(model_, {.stiffness_sigma = 0.05}),
+        hidden_(hidden),
         candidates_(app::touchCandidates(model_, 120)),
         touches_(touches),
         holes_(holes) {
@@ -50,9 +54,12 @@ class StepChanceTrials {
   [[nodiscard]] StepChanceTrial run(std::uint64_t seed) const {
     Draw draw(app::keyOf({seed, 7}));
     planner::Workcell truth = truths_.draw(draw);
-    const int effects = static_cast<int>(draw.seed() % 3);
-    for (int k = 0; k < effects; ++k) hide(truth.arm, draw);
-    const Field field(effects == 0 || draw.seed() % 2 == 0, draw);
+    const bool has_effects = hidden_ == HiddenPhysics::kMixed || hidden_ == HiddenPhysics::kEffects;
+    const int effects = hidden_ == HiddenPhysics::kEffects ? 1 + static_cast<int>(draw.seed() % 2)
+                                                           : static_cast<int>(draw.seed() % 3);
+    for (int k = 0; k < effects && has_effects; ++k) hide(truth.arm, draw);
+    const bool is_drawn = draw.seed() % 2 == 0 || effects == 0;
+    const Field field(hidden_ == HiddenPhysics::kField || (hidden_ == HiddenPhysics::kMixed && is_drawn), draw);
     auto plans = candidates_;
     draw.choose(plans, static_cast<std::size_t>(touches_ + holes_));
     for (int tries = 0; tries < 50 && !app::areWellSpread(trialHoles(plans, field), touches_); ++tries)
@@ -69,7 +76,8 @@ class StepChanceTrials {
     std::vector<Eigen::VectorXd> postures;
     std::vector<planner::Centring> predicted;
     std::vector<int> happened;
-    for (int k = touches_; k < touches_ + holes_; ++k) visit(placed, truth, drawn[static_cast<std::size_t>(k)], postures, predicted, happened);
+    for (int k = touches_; k < touches_ + holes_; ++k)
+      visit(placed, truth, drawn[static_cast<std::size_t>(k)], postures, predicted, happened);
     const auto chances = app::stepChances({cell_, placed, touches, postures, predicted});
     for (std::size_t k = 0; k < postures.size(); ++k) {
       ++trial.holes;
@@ -158,6 +166,7 @@ class StepChanceTrials {
   const app::Cell& cell_;
   planner::Workcell model_;
   app::TruthMaker truths_;
+  HiddenPhysics hidden_;
   std::vector<calibration::TouchPlan> candidates_;
   std::vector<int> kinds_;
   int touches_, holes_;

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 
 #include "tests/study/step_chance_trials.hpp"
 
@@ -13,15 +14,21 @@ int main(int argc, char** argv) {
   int runs = 1000, holes = 10;
   std::uint64_t seed = 1;
   std::vector<int> touches{3, 4, 6};
+  auto hidden = testing::HiddenPhysics::kMixed;
+  const std::map<std::string, testing::HiddenPhysics> kinds{{"mixed", testing::HiddenPhysics::kMixed},
+                                                            {"effects", testing::HiddenPhysics::kEffects},
+                                                            {"field", testing::HiddenPhysics::kField},
+                                                            {"stiffnesses", testing::HiddenPhysics::kStiffnesses}};
   cli.add_option("--runs", runs);
   cli.add_option("--holes", holes);
   cli.add_option("--seed", seed);
   cli.add_option("--touches", touches);
+  cli.add_option("--hidden", hidden, "mixed, effects, field or stiffnesses")->transform(CLI::CheckedTransformer(kinds));
   CLI11_PARSE(cli, argc, argv);
   const app::Cell cell = app::readCell(std::string(TUBEPLAN_SOURCE_DIR) + "/app/cells/mockup.yaml");
   bool is_right = true;
   for (const int count : touches) {
-    const testing::StepChanceTrials trials(cell, count, holes);
+    const testing::StepChanceTrials trials(cell, count, holes, hidden);
     std::vector<testing::StepChanceTrial> found(static_cast<std::size_t>(runs));
     oneapi::tbb::parallel_for(std::size_t{0}, found.size(),
                               [&](std::size_t k) { found[k] = trials.run(app::keyOf({seed, k})); });

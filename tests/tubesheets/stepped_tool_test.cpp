@@ -195,14 +195,8 @@ TEST(ProbabilityBySteps, AgreesWithSampling) {
   }
 }
 
-SteppedTool leaningTool() {
-  SteppedTool tool = thesisTool();
-  tool.lengths = {0.5 * kInch, 0.5 * kInch, 0.5 * kInch};
-  return tool;
-}
-
 TEST(StepsInserted, CountsTheLeanOverTheStepsLengths) {
-  const SteppedTool tool = leaningTool();
+  const SteppedTool tool = thesisTool();
   const Eigen::Vector2d centred = Eigen::Vector2d::Zero();
   EXPECT_EQ(stepsInserted(tool, centred, centred), 3);
   // The third step's far end is 1.5 in below the tip: 0.010 in of it are taken up by a lean of 1 in 150.
@@ -212,11 +206,11 @@ TEST(StepsInserted, CountsTheLeanOverTheStepsLengths) {
   EXPECT_EQ(stepsInserted(tool, {0.012 * kInch, 0}, {0.01, 0}), 3);
   EXPECT_EQ(stepsInserted(tool, {0.012 * kInch, 0}, {-0.01, 0}), 2);
   EXPECT_EQ(stepsInserted(tool, {0.07 * kInch, 0}, {-0.05, 0}), 0);
-  EXPECT_EQ(stepsInserted(thesisTool(), centred, {0.5, 0}), 3) << "without lengths nothing is known of it";
+  EXPECT_EQ(stepsInserted({tool.steps, {}}, centred, {0.5, 0}), 3) << "without lengths nothing is known of it";
 }
 
 TEST(ProbabilityBySteps, OfALeaningToolAgreesWithSampling) {
-  const SteppedTool tool = leaningTool();
+  const SteppedTool tool = thesisTool();
   for (const unsigned seed : {1u, 2u, 3u}) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
@@ -239,8 +233,8 @@ TEST(ProbabilityBySteps, OfALeaningToolAgreesWithSampling) {
 TEST(ProbabilityBySteps, OfAToolThatHardlyLeansIsThatOfAnUprightOne) {
   const Eigen::Vector2d mean(0.004 * kInch, 0.01 * kInch);
   const Eigen::Matrix2d covariance = covarianceOf(0.03 * kInch, 0.01 * kInch, 0.5);
-  const auto upright = probabilityBySteps(leaningTool(), mean, covariance);
-  const auto leaning = probabilityBySteps(leaningTool(), mean, covariance, {1e-9, 1e-9});
+  const auto upright = probabilityBySteps(thesisTool(), mean, covariance);
+  const auto leaning = probabilityBySteps(thesisTool(), mean, covariance, {1e-9, 1e-9});
   for (int k = 0; k <= 3; ++k) EXPECT_NEAR(upright[k], leaning[k], 1e-6);
 }
 

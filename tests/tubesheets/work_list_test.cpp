@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRequest{"every:0", "above zero"}, BadRequest{"every:2.5", "above zero"},
                     BadRequest{"every:99999999999", "above zero"}, BadRequest{"-every:2", "with a minus"},
                     BadRequest{"-spread:2", "with a minus"}, BadRequest{"--plugged", "not understood"},
-                    BadRequest{"spread:27", "asks for 27 tubes, but the rest of the list selects 26"},
+                    BadRequest{"spread:27", "asks for 27 tubes, but the rest of the list selects 24"},
                     BadRequest{"R1C1,spread:2", "asks for 2 tubes"}, BadRequest{"zone:1:2:3in", "expected zone:"},
                     BadRequest{"zone:1:2:3:4", "expected zone:"}, BadRequest{"zone:1:2:3:4ft", "expected zone:"},
                     BadRequest{"zone:1:2:3:4:5in", "expected zone:"}, BadRequest{"zone:nan:2:3:4in", "expected zone:"},
