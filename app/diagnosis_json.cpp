@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
 #include "app/diagnosis_views_json.hpp"
+#include "app/effect_addition.hpp"
 #include "app/figures.hpp"
+#include "app/readers/effects_reader.hpp"
 
 namespace tubeplan::app {
 
@@ -26,7 +30,7 @@ nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
           {"unit", units.nameOf(unit)}};
 }
 
-nlohmann::json effectJson(const FoundEffect& effect, const Units& units) {
+nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm, const Units& units) {
   nlohmann::json parameters = nlohmann::json::object();
   for (const auto& number : effect.numbers) {
     parameters[number.name] = numberJson(number, units);
@@ -35,13 +39,19 @@ nlohmann::json effectJson(const FoundEffect& effect, const Units& units) {
   }
   nlohmann::json also = nlohmann::json::array();
   for (const auto& [name, at] : effect.also) also.push_back({{"effect", name}, {"at", at}});
-  nlohmann::json json = {{"effect", effect.effect}, {"at", effect.at}, {"parameters", parameters}, {"also", also}};
+  nlohmann::json json = {{"effect", effect.effect},
+                         {"at", effect.at},
+                         {"parameters", parameters},
+                         {"also", also},
+                         {"add", additionText(effect, arm, units)}};
   if (!effect.frees.empty()) json["frees"] = effect.frees;
   return json;
 }
 
-nlohmann::json rankedJson(const RankedEffect& entry, const Units& units) {
+nlohmann::json rankedJson(const RankedEffect& entry, const deflection::Arm& arm, const Units& units) {
+  const bool is_one = entry.effects.size() == 1;
   return {{"effect", entry.effect},
+          {"add", is_one ? effectText(arm, entry.effects.front(), units) : entry.effect + "@" + entry.at},
           {"at", entry.at},
           {"probability", finiteJson(entry.probability)},
           {"p_value", finiteJson(entry.p_value)},
@@ -61,24 +71,43 @@ std::string numberText(const FoundNumber& number, const Units& units) {
                      number.sigma / units.factor(unit), name);
 }
 
-std::string effectText(const FoundEffect& effect, const Units& units) {
+/// "joint-compliance@theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; of many numbers only how many.
+std::string foundText(const FoundEffect& effect, const Units& units) {
+  constexpr std::size_t kMost = 3;
   std::vector<std::string> numbers;
   for (const auto& number : effect.numbers)
     if (std::isfinite(number.sigma) || number.quantity == deflection::Quantity::kTime)
       numbers.push_back(numberText(number, units));
-  return fmt::format("{}@{} ({})", effect.effect, effect.at, fmt::join(numbers, ", "));
+  const std::string name = effect.effect + "@" + effect.at;
+  if (numbers.size() > kMost) return fmt::format("{} ({} numbers)", name, numbers.size());
+  return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
 std::string explanationText(const Explanation& explanation, const Units& units) {
   std::vector<std::string> effects;
-  for (const auto& effect : explanation.effects) effects.push_back(effectText(effect, units));
+  for (const auto& effect : explanation.effects) effects.push_back(foundText(effect, units));
   return fmt::format("{}", fmt::join(effects, " with "));
 }
 
+/// By names; one effect at many places once.
 std::string namesText(const Explanation& explanation) {
+  constexpr long kMany = 3;
   std::vector<std::string> names;
-  for (const auto& effect : explanation.effects) names.push_back(effect.effect + "@" + effect.at);
+  for (const auto& effect : explanation.effects) {
+    const long places = std::count_if(explanation.effects.begin(), explanation.effects.end(),
+                                      [&](const FoundEffect& other) { return other.effect == effect.effect; });
+    const std::string name =
+        places < kMany ? effect.effect + "@" + effect.at : fmt::format("{} at {} places", effect.effect, places);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
   return fmt::format("{}", fmt::join(names, " with "));
+}
+
+/// With sizes where that is short.
+std::string shortText(const Explanation& explanation, const Units& units) {
+  constexpr std::size_t kShort = 90;
+  const std::string text = explanationText(explanation, units);
+  return text.size() <= kShort ? text : namesText(explanation);
 }
 
 std::string followsText(const calibration::Remainder& remainder) {
@@ -111,10 +140,12 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& explanation : calibration::explanationsShown(result)) {
     nlohmann::json effects = nlohmann::json::array();
-    for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
+    for (const auto& effect : explanation.effects)
+      effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
     list.push_back({{"effects", effects},
                     {"chi2", finiteJson(explanation.chi2)},
                     {"probability", finiteJson(explanation.probability)},
+                    {"remainder_probability", finiteJson(explanation.remainder_probability)},
                     {"p_value", finiteJson(explanation.p_value)},
                     {"rms", lengthJson(explanation.after.rms, units)},
                     {"heldout_rms", lengthJson(explanation.heldout.rms, units)},
@@ -148,8 +179,7 @@ const char* nameOf(Verdict verdict) {
 }
 
 std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
-  std::vector<std::string> names;
-  for (const auto& alternative : result.alternatives) names.push_back(explanationText(alternative, units));
+  const std::string first = result.alternatives.empty() ? "" : shortText(result.alternatives.front(), units);
   switch (result.verdict) {
     case Verdict::kNotRun:
     case Verdict::kStopped:
@@ -158,11 +188,11 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
       return fmt::format("Nothing is missing: the error of {} is what noise leaves ({}).",
                          lengthText(result.before.rms, units), lengthText(result.noise_floor, units));
     case Verdict::kExplained:
-      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; noise alone leaves {}.",
-                         names.front(), lengthText(result.heldout_before.rms, units),
-                         lengthText(result.heldout_after.rms, units), lengthText(result.noise_floor, units));
+      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; noise alone leaves {}.", first,
+                         lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
+                         lengthText(result.noise_floor, units));
     case Verdict::kPartlyExplained:
-      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; {}.", names.front(),
+      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; {}.", first,
                          lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
                          remainderText(result, units));
     case Verdict::kAmbiguous:
@@ -195,13 +225,15 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   json["alternatives"] = nlohmann::json::array();
   for (const auto& alternative : result.alternatives) {
     nlohmann::json effects = nlohmann::json::array();
-    for (const auto& effect : alternative.effects) effects.push_back(effectJson(effect, units));
+    for (const auto& effect : alternative.effects)
+      effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
     json["alternatives"].push_back(effects);
   }
   json["closest"] = nlohmann::json::array();
   for (const auto& explanation : result.closest) {
     nlohmann::json effects = nlohmann::json::array();
-    for (const auto& effect : explanation.effects) effects.push_back(effectJson(effect, units));
+    for (const auto& effect : explanation.effects)
+      effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
     json["closest"].push_back({{"effects", effects},
                                {"chi2", finiteJson(explanation.chi2)},
                                {"probability", finiteJson(explanation.probability)},
@@ -211,7 +243,8 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
                                {"heldout_rms", lengthJson(explanation.heldout.rms, units)}});
   }
   json["ranking"] = nlohmann::json::array();
-  for (const auto& entry : result.ranking) json["ranking"].push_back(rankedJson(entry, units));
+  for (const auto& entry : result.ranking)
+    json["ranking"].push_back(rankedJson(entry, result.baseline.fitted.arm, units));
   json["rms"] = {{"noise_floor", lengthJson(result.noise_floor, units)},
                  {"before", lengthJson(result.before.rms, units)},
                  {"after", lengthJson(result.after.rms, units)},
@@ -255,24 +288,56 @@ std::string alternativeText(const Explanation& alternative, const Units& units) 
                           fmt::join(also, ", "));
     for (const auto& number : effect.numbers)
       if (number.is_beyond_usual)
-        text += fmt::format("         {} of {}@{} is larger than real machines have\n", number.name, effect.effect, effect.at);
+        text += fmt::format("         {} of {}@{} is larger than real machines have\n", number.name, effect.effect,
+                            effect.at);
   }
   return text;
 }
 
 }  // namespace
 
+namespace {
+
+/// The least of each kind that would have been seen, at the place where it shows best.
+std::string detectableText(const Diagnosis& result, const Units& units) {
+  std::map<std::string, const calibration::DetectableEffect*> least;
+  for (const auto& entry : result.detectable) {
+    const auto*& kept = least[entry.effect];
+    if (!kept || std::make_pair(entry.is_beyond_plausible, entry.size) <
+                     std::make_pair(kept->is_beyond_plausible, kept->size))
+      kept = &entry;
+  }
+  std::string text = least.empty() ? "" : "  the least that would have been seen, four times in five:\n";
+  for (const auto& [effect, entry] : least) {
+    const Dimension unit = dimensionOf(entry->quantity);
+    text += fmt::format("    {:<24} {:<22} {:>9.3g} {}{}\n", effect, entry->at, entry->size / units.factor(unit),
+                        units.nameOf(unit), entry->is_beyond_plausible ? " (more than real machines have)" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string additionCommand(const Diagnosis& result, const std::string& cell, const Units& units) {
+  if (result.alternatives.empty()) return "";
+  std::string causes;
+  for (const auto& effect : result.alternatives.front().effects)
+    causes += " '" + additionText(effect, result.baseline.fitted.arm, units) + "'";
+  return fmt::format("to add it: tubeplan add {}{} --out better.yaml\n", cell, causes);
+}
+
 std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
   if (result.verdict == Verdict::kNotRun) return text;
-  text +=
-      fmt::format("chi-square {:.1f} for {} degrees of freedom; nothing missing has probability {:.3g}\n", result.chi2,
-                  result.degrees_of_freedom, result.nothing_probability);
+  text += fmt::format("chi-square {:.1f} for {} degrees of freedom\n", result.chi2, result.degrees_of_freedom);
+  if (std::isfinite(result.nothing_probability))
+    text += fmt::format("nothing missing has probability {:.3g}\n", result.nothing_probability);
   if (result.model_error > 0)
     text += fmt::format("about {} in each coordinate beyond the stated noise is no function of the readings\n",
                         lengthText(result.model_error, units));
   for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
-  text += "  effect                                  probability   chi-square falls by   size\n";
+  if (!result.ranking.empty())
+    text += "  effect                                  probability   chi-square falls by   size\n";
   for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
     const auto& entry = result.ranking[k];
     text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,
@@ -285,6 +350,8 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
   for (const int reading : result.set_aside)
     text += fmt::format("  set aside as an outlier: reading {}\n", readings.at(static_cast<std::size_t>(reading)).id);
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
+  if (result.verdict == Verdict::kAdequate || result.verdict == Verdict::kInconclusive)
+    text += detectableText(result, units);
   return text;
 }
 

@@ -18,6 +18,10 @@ namespace tubeplan::app {
 [[nodiscard]] std::string diagnosisText(const calibration::Diagnosis& result,
                                         const std::vector<calibration::Measurement>& readings, const Units& units);
 
+/// The command that adds the first alternative to the cell of this path; empty where there is none.
+[[nodiscard]] std::string additionCommand(const calibration::Diagnosis& result, const std::string& cell,
+                                          const Units& units);
+
 /// "adequate", "explained", ...
 [[nodiscard]] const char* nameOf(calibration::Verdict verdict);
 

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 /// Three lengths.
 [[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
 
-/// "0.0123 in", to so many digits.
+/// "0.0123 in", to so many digits; "an unknown length" where it is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
 }  // namespace tubeplan::app

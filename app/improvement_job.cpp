@@ -3,83 +3,226 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/cell_fit.hpp"
+#include "app/command_inputs.hpp"
 #include "app/diagnosis_json.hpp"
-#include "app/readers/cell_writer.hpp"
+#include "app/effect_addition.hpp"
+#include "app/figures.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
+using calibration::IdentificationStatus;
 
-constexpr double kWorthIt = 0.95;  // of the held-out error: what an effect must at least bring it down to
+constexpr double kWorthIt = 0.95;  // of an error: what an unsure cause must at least bring it down to
+constexpr double kNoWorse = 1.05;  // of an error: what a sure cause may do to the farthest poses
 
-/// What a diagnosis says to add: its explanation; where none is enough, the closest if it is worth it on readings kept
-/// out. Nothing otherwise.
-const Explanation* worthAdding(const Diagnosis& diagnosis) {
-  if (!diagnosis.alternatives.empty()) return &diagnosis.alternatives.front();
-  if (diagnosis.verdict != Verdict::kUnexplained || diagnosis.closest.empty()) return nullptr;
-  const Explanation& closest = diagnosis.closest.front();
-  return closest.heldout.rms < kWorthIt * diagnosis.heldout_before.rms ? &closest : nullptr;
-}
-
-calibration::Identification fitOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
-                                  std::uint64_t seed, const WorkHooks& hooks) {
+ImprovedModel fitted(const std::string& name, const Cell& cell, const CellReadings& input, std::uint64_t seed,
+                     const WorkHooks& hooks) {
   calibration::IdentificationOptions options;
   options.free = freeNumbersOf(cell);
   options.seed = seed;
+  options.intervals_by_profile = false;
   options.hooks = hooks;
-  auto fit = calibration::identify(startOf(cell, readings), readings, options);
+  ImprovedModel model{name, cell, calibration::identify(startOf(cell, input.readings), input.readings, options)};
   requireGoingOn(hooks);
-  return fit;
+  return model;
 }
 
-Diagnosis diagnosisOf(const Cell& cell, const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
-                      const WorkHooks& hooks) {
+bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
+
+Diagnosis diagnosisOf(const Cell& cell, const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks) {
   calibration::DiagnosisOptions options;
   options.baseline.free = freeNumbersOf(cell);
   options.seed = seed;
   options.hooks = hooks;
-  Diagnosis diagnosis = calibration::diagnose(startOf(cell, readings), readings, options);
+  Diagnosis diagnosis = calibration::diagnose(startOf(cell, input.readings), input.readings, options);
   requireGoingOn(hooks);
   return diagnosis;
+}
+
+/// What a diagnosis leads to: a cause to add, or the end.
+struct Decision {
+  const Explanation* cause = nullptr;
+  ImprovementEnd end = ImprovementEnd::kNotRun;
+  std::string reason;
+};
+
+/// Of those that were judged the one that does best where it was not fitted.
+const Explanation* bestCarried(const std::vector<Explanation>& explanations) {
+  const Explanation* best = nullptr;
+  for (const auto& explanation : explanations)
+    if (std::isfinite(explanation.farthest.rms) && (!best || explanation.farthest.rms < best->farthest.rms))
+      best = &explanation;
+  return best;
+}
+
+/// Equals: to be added only where it hardly matters which of them is right.
+Decision amongEquals(const Diagnosis& diagnosis, const Units& units) {
+  double widest = 0;
+  for (const auto& alternative : diagnosis.alternatives)
+    if (std::isfinite(alternative.apart)) widest = std::max(widest, alternative.apart);
+  const Explanation* best = bestCarried(diagnosis.alternatives);
+  const double gain = best ? diagnosis.heldout_before.rms - best->heldout.rms : 0;
+  if (!best || !(widest <= gain))
+    return {nullptr, ImprovementEnd::kAmbiguous,
+            fmt::format("the alternatives differ by {} over the arm's range, more than the {} that is gained: take the "
+                        "readings that `diagnose` proposes, which separate them",
+                        lengthText(widest, units), lengthText(std::max(0., gain), units))};
+  return {best, ImprovementEnd::kNotRun,
+          fmt::format("the alternatives differ by {} over the arm's range, less than the {} that is gained; this one "
+                      "predicts the farthest poses best",
+                      lengthText(widest, units), lengthText(gain, units))};
+}
+
+/// No cause is sure: one is added only for what it does to readings that it was not fitted to, near and far.
+Decision amongUnsure(const Diagnosis& diagnosis) {
+  const auto isWorthIt = [&](const Explanation& one) {
+    return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
+           one.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
+  };
+  const Explanation* best = nullptr;
+  for (const auto& one : diagnosis.closest)
+    if (isWorthIt(one) && (!best || one.farthest.rms < best->farthest.rms)) best = &one;
+  if (!best)
+    return {nullptr, ImprovementEnd::kNothingSure,
+            "no cause is sure, and none lowers the error of readings kept out and of the farthest poses by 5 %"};
+  return {best, ImprovementEnd::kNotRun,
+          "not sure, but it lowers the error of readings kept out and of the farthest poses"};
+}
+
+Decision decisionOn(const Diagnosis& diagnosis, const Units& units) {
+  switch (diagnosis.verdict) {
+    case Verdict::kAdequate:
+      return {nullptr, ImprovementEnd::kAdequate, "nothing is missing"};
+    case Verdict::kExplained:
+    case Verdict::kPartlyExplained:
+      break;
+    case Verdict::kAmbiguous:
+      return amongEquals(diagnosis, units);
+    case Verdict::kUnexplained:
+      return amongUnsure(diagnosis);
+    default:
+      return {nullptr, ImprovementEnd::kInconclusive,
+              diagnosis.reason.empty() ? "the readings hint at something missing, but not at what" : diagnosis.reason};
+  }
+  const Explanation& first = diagnosis.alternatives.front();
+  if (first.farthest.rms > kNoWorse * diagnosis.farthest_before.rms)
+    return {
+        nullptr, ImprovementEnd::kDoesNotCarryOver,
+        fmt::format("by a fit to the nearer poses it makes the farthest worse, {} from {}: readings there are needed",
+                    lengthText(first.farthest.rms, units), lengthText(diagnosis.farthest_before.rms, units))};
+  return {&first, ImprovementEnd::kNotRun, "sure, and it predicts the farthest poses"};
+}
+
+ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision, const Units& units) {
+  ImprovementStep step{diagnosis.verdict, diagnosisSentence(diagnosis, units), {}, decision.reason, {}, {}, {}, {}};
+  step.heldout_before = diagnosis.heldout_before;
+  step.farthest_before = diagnosis.farthest_before;
+  if (!decision.cause) return step;
+  step.heldout_after = decision.cause->heldout;
+  step.farthest_after = decision.cause->farthest;
+  return step;
+}
+
+void keep(const ImprovementRequest& request, ImprovedModel model, Improvement& result) {
+  if (request.on_model) request.on_model(model);
+  result.models.push_back(std::move(model));
+}
+
+/// One round; false where the loop ends.
+bool improveOnce(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks,
+                 Improvement& result) {
+  const ImprovedModel& last = result.models.back();
+  const Diagnosis diagnosis = diagnosisOf(last.cell, input, request.seed, hooks);
+  Decision decision = decisionOn(diagnosis, input.cell.units);
+  result.steps.push_back(stepOf(diagnosis, decision, input.cell.units));
+  if (decision.cause) {
+    const Addition addition = addToCell(last.cell, *decision.cause);
+    auto model =
+        fitted(fmt::format("+ {}", fmt::join(addition.names, " + ")), addition.cell, input, request.seed, hooks);
+    if (isUsable(model.fit) && model.fit.heldout.rms < last.fit.heldout.rms) {
+      result.steps.back().added = addition.names;
+      keep(request, std::move(model), result);
+      return true;
+    }
+    decision = {nullptr, ImprovementEnd::kDoesNotCarryOver,
+                "fitted with everything else it does not lower the error of readings kept out: it is left out"};
+    result.steps.back().reason = decision.reason;
+  }
+  result.end = decision.end;
+  return false;
 }
 
 }  // namespace
 
 Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks) {
-  const auto& readings = input.readings;
-  Improvement result{input.cell, {}, {}, {}};
+  Improvement result;
   beginStep(hooks, "fit");
-  result.last = fitOf(result.cell, readings, request.seed, hooks);
-  result.rungs.push_back(rungOf("as given", result.last));
-  for (int round = 0; round < request.steps; ++round) {
-    const WorkHooks of_round = within(hooks, fmt::format("diagnosis {}", round + 1));
-    const Diagnosis diagnosis = diagnosisOf(result.cell, readings, request.seed, of_round);
-    result.steps.push_back({diagnosis.verdict, diagnosisSentence(diagnosis, result.cell.units), {}});
-    const Explanation* explanation = worthAdding(diagnosis);
-    if (!explanation) break;
-    for (const auto& effect : explanation->effects) {
-      result.cell.arm.effects.push_back(effect.fitted);
-      for (const auto& name : freedNames(result.cell.arm, effect.fitted)) result.cell.identify.push_back(name);
-      result.steps.back().added.push_back(effect.effect + "@" + effect.at);
-    }
-    result.last = fitOf(result.cell, readings, request.seed, of_round);
-    result.rungs.push_back(rungOf(fmt::format("+ {}", fmt::join(result.steps.back().added, " + ")), result.last));
+  ImprovedModel first = fitted("as given", input.cell, input, request.seed, hooks);
+  if (first.fit.status == IdentificationStatus::kRefused)
+    throw refusalOf(first.fit.reading_problem, first.fit.reason, input);
+  if (!isUsable(first.fit)) {
+    result.end = ImprovementEnd::kNotFitted;
+    result.models.push_back(std::move(first));
+    return result;
   }
-  if (result.last.status == calibration::IdentificationStatus::kRefused)
-    throw refusalOf(result.last.reading_problem, result.last.reason, input);
+  keep(request, std::move(first), result);
+  for (int round = 1; round <= request.steps; ++round)
+    if (!improveOnce(input, request, within(hooks, fmt::format("diagnosis {}", round)), result)) return result;
+  result.end = ImprovementEnd::kMostSteps;
   return result;
 }
 
+const char* nameOf(ImprovementEnd end) {
+  switch (end) {
+    case ImprovementEnd::kNotRun:
+      return "not-run";
+    case ImprovementEnd::kAdequate:
+      return "adequate";
+    case ImprovementEnd::kNothingSure:
+      return "nothing-sure";
+    case ImprovementEnd::kAmbiguous:
+      return "ambiguous";
+    case ImprovementEnd::kDoesNotCarryOver:
+      return "does-not-carry-over";
+    case ImprovementEnd::kInconclusive:
+      return "inconclusive";
+    case ImprovementEnd::kMostSteps:
+      return "most-steps";
+    case ImprovementEnd::kNotFitted:
+      return "not-fitted";
+  }
+  return "";
+}
+
+std::vector<Rung> rungsOf(const Improvement& result) {
+  std::vector<Rung> rungs;
+  for (const auto& model : result.models) rungs.push_back(rungOf(model.name, model.fit));
+  return rungs;
+}
+
 nlohmann::json improvementJson(const Improvement& result) {
-  nlohmann::json json = ladderJson(result.rungs, result.cell.units);
+  const Units& units = result.models.front().cell.units;
+  const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
+    return nlohmann::json{{"before", lengthJson(before.rms, units)}, {"after", lengthJson(after.rms, units)}};
+  };
+  nlohmann::json json = ladderJson(rungsOf(result), units);
+  json["end"] = nameOf(result.end);
   json["steps"] = nlohmann::json::array();
   for (const auto& step : result.steps)
-    json["steps"].push_back({{"verdict", nameOf(step.verdict)}, {"sentence", step.sentence}, {"added", step.added}});
+    json["steps"].push_back({{"verdict", nameOf(step.verdict)},
+                             {"sentence", step.sentence},
+                             {"added", step.added},
+                             {"reason", step.reason},
+                             {"heldout_rms", pair(step.heldout_before, step.heldout_after)},
+                             {"farthest_rms", pair(step.farthest_before, step.farthest_after)}});
   return json;
 }
 

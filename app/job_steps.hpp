@@ -11,7 +11,9 @@ namespace tubeplan::app {
 using calibration::WorkHooks;
 
 /// Thrown where work ends because it was asked to; caught once, where its outcome would have been used.
-struct JobStopped {};
+struct JobStopped {
+  std::string kept;  ///< what was written before, in words; empty: nothing
+};
 
 inline void requireGoingOn(const WorkHooks& hooks) {
   if (calibration::shouldStop(hooks.stop)) throw JobStopped{};

@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0)
       throw tubeplan::app::InputError("standard output", std::strerror(errno), "a place that can be written");
     return exit_code;
-  } catch (const tubeplan::app::JobStopped&) {
-    std::fprintf(stderr, "stopped; nothing was written\n");
+  } catch (const tubeplan::app::JobStopped& stopped) {
+    std::fprintf(stderr, "stopped; %s\n", stopped.kept.empty() ? "nothing was written" : stopped.kept.c_str());
     return tubeplan::app::kStoppedExitCode;
   } catch (const tubeplan::app::InputError& error) {
     std::fprintf(stderr, "tubeplan: %s\n", error.what());

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "calibration/reading_prediction.hpp"
+
 namespace tubeplan::calibration {
 
 namespace {
@@ -69,6 +71,31 @@ std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, st
   std::vector<int> result;
   for (const int group : groups) result.push_back(order[static_cast<std::size_t>(group)] % std::max(1, folds));
   return result;
+}
+
+std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  ReadingPredictor predictor(placed.arm);
+  const std::vector<int> groups = groupByPose(readings);
+  std::map<std::string, std::map<int, double>> reach;  // of each set-up's poses, m
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    Measurement tip = readings[k];
+    tip.kind = MeasurementKind::kPosition;
+    const auto predicted = predictor.predict(Eigen::Isometry3d::Identity(), tip);
+    double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
+    if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
+  }
+  std::map<std::string, double> least;  // reach of the farthest quarter
+  for (const auto& [setup, poses] : reach) {
+    std::vector<double> all;
+    for (const auto& [group, farthest] : poses) all.push_back(farthest);
+    const auto quarter = all.begin() + static_cast<std::ptrdiff_t>(3 * all.size() / 4);
+    std::nth_element(all.begin(), quarter, all.end());
+    least[setup] = *quarter;
+  }
+  std::vector<int> folds;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    folds.push_back(reach[readings[k].setup][groups[k]] >= least[readings[k].setup] ? 0 : -1);
+  return folds;
 }
 
 ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged) {

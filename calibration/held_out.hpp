@@ -1,4 +1,4 @@
-// How well a fit foretells readings it has not seen: whole poses, points or set-ups are kept out, never single rows of
+// How well a fit predicts readings it has not seen: whole poses, points or set-ups are kept out, never single rows of
 // one.
 #pragma once
 
@@ -16,6 +16,10 @@ namespace tubeplan::calibration {
 
 /// Fold of each reading, 0 to folds - 1, whole groups drawn by the seed; fewer folds where there are fewer groups.
 [[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed);
+
+/// Fold 0 for the quarter of the poses of each set-up that reach farthest from the base, -1 for the others, which are
+/// never kept out: how a fit carries over to where it was not made.
+[[nodiscard]] std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
 /// Errors of `judged` by the model as it is placed; touched points that nobody measured are estimated from the judged
 /// readings themselves.

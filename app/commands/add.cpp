@@ -17,27 +17,26 @@ namespace tubeplan::app {
 namespace {
 
 struct AddOptions {
-  EffectRequest request;
+  AdditionRequest request;
   std::string cell, readings, out;
   double sigma = 0;
 };
 
 int run(const AddOptions& options) {
   const Cell cell = readCell(options.cell);
-  const auto effect = effectOf(options.request, cell);
-  const EffectAddition added = addEffect(cell, effect);
-  if (!options.readings.empty() && !effect.formula)
+  const Addition added = addToCell(cell, options.request);
+  if (!options.readings.empty() && added.formulas.empty())
     throw InputError("--readings", "no formula to set beside the catalogue", "--formula with it");
   checkWritableFile(options.out, "--out");
-  const std::string text = cellTextWithEffects(cell, added.cell.arm, added.freed, options.out);
+  const std::string text = cellTextWith(cell, added, options.out);
   const std::string overlap =
       options.readings.empty()
           ? ""
           : overlapAt({added.cell, options.readings, readReadings(options.readings, added.cell, options.sigma)});
   writeFileAtomically(options.out, text, "--out");
-  fmt::print("added {} and freed {}\n", added.name,
+  fmt::print("added {} and freed {}\n", fmt::join(added.names, ", "),
              added.freed.empty() ? "nothing" : fmt::format("{}", fmt::join(added.freed, ", ")));
-  if (effect.formula) fmt::print("{}\n", formulaUnitsText(added.cell.arm, effect, cell.units));
+  for (const auto& formula : added.formulas) fmt::print("{}\n", formulaUnitsText(added.cell.arm, formula, cell.units));
   fmt::print("{}wrote {}\nnext: tubeplan identify {} MEASUREMENTS --out fitted.yaml\n", overlap, options.out,
              options.out);
   return kDone;
@@ -49,9 +48,10 @@ Run configureAdd(CLI::App& cli) {
   const auto options = std::make_shared<AddOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option(
-      "EFFECT@AT", options->request.effect,
-      "an effect of the catalogue at a place, backlash@tool.z; with sizes, base-slip@base:time=90; not needed "
-      "beside --formula");
+      "EFFECT@AT", options->request.causes,
+      "effects of the catalogue, each at its place, backlash@tool.z; with sizes, base-slip@base:time=90; at all "
+      "joints, "
+      "'joint-compliance@all joints'; or a number of the arm's file to free, free@latch-link.beam.Iz, free@geometry");
   cli.add_option(
       "--formula", options->request.formula,
       "TARGET += EXPRESSION, 'theta3 += c*sin(3*theta1)'. Targets: a joint, tip.x to tip.z, base.x to base.z, "

@@ -37,6 +37,7 @@ int run(const DiagnoseOptions& options) {
   const Units& units = input.cell.units;
   fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units),
              splittingText(outcome.next, outcome.candidates, input.cell.arm, units));
+  fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));
   for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warningText(warning, units));
   return kDone;
 }

@@ -1,15 +1,20 @@
 // tubeplan improve: diagnose, add, identify, until nothing more is shown.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/diagnosis_json.hpp"
+#include "app/figures.hpp"
 #include "app/improvement_job.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/readers/cell_writer.hpp"
@@ -24,19 +29,78 @@ struct ImproveOptions {
   ImprovementRequest request;
 };
 
+/// Writes and prints models as they come, so that what is done stays where the rest is stopped.
+class Keeper {
+ public:
+  Keeper(const CellReadings& input, const ImproveOptions& options) : input_(input), options_(options) {}
+
+  void keep(const ImprovedModel& model) {
+    const auto files = improvedCell(input_.cell, model.cell, model.fit, input_.readings, options_.out);
+    ++models_;
+    // A model that only fits what was there before is written at the end: the readings may allow no verdict on it.
+    if (models_ > 1)
+      write(files);
+    else
+      first_ = files;
+    if (printsText(options_.json))
+      fmt::print("{}: held-out error {}\n", model.name, lengthText(model.fit.heldout.rms, input_.cell.units));
+    std::fflush(stdout);
+  }
+
+  void finish(bool is_usable) {
+    if (is_usable && models_ == 1) write(*first_);
+  }
+
+  [[nodiscard]] int steps() const { return std::max(0, models_ - 1); }
+
+ private:
+  void write(const CellFiles& files) {
+    for (const auto& file : files.inOrder()) writeFileAtomically(file.path, file.text, "--out");
+  }
+
+  const CellReadings& input_;
+  const ImproveOptions& options_;
+  std::optional<CellFiles> first_;
+  int models_ = 0;
+};
+
+void print(const Improvement& result, const ImproveOptions& options, const Units& units) {
+  for (std::size_t k = 0; k < result.steps.size(); ++k) {
+    const auto& step = result.steps[k];
+    fmt::print("step {}: {}: {}\n", k + 1, nameOf(step.verdict), step.sentence);
+    if (step.added.empty())
+      fmt::print("  ended ({}): {}\n", nameOf(result.end), step.reason);
+    else
+      fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), step.reason);
+  }
+  if (result.end == ImprovementEnd::kNotFitted)
+    fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
+  if (result.end == ImprovementEnd::kMostSteps) fmt::print("ended after --steps {}\n", options.request.steps);
+  fmt::print("{}", ladderText(rungsOf(result), units));
+  if (!result.isUsable())
+    fmt::print("nothing was written\n");
+  else
+    fmt::print("wrote {}\n", options.out);
+  if (result.models.size() > 2) fmt::print("--steps {} leaves the last step out\n", result.models.size() - 2);
+}
+
 int run(const ImproveOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   checkWritableFile(options.out, "--out");
-  const auto result = improveModel(input, options.request, terminalWorkHooks());
-  for (const auto& file : improvedCell(input.cell, result.cell, result.last, input.readings, options.out).inOrder())
-    writeFileAtomically(file.path, file.text, "--out");
-  writeJson(options.json, improvementJson(result));
-  if (!printsText(options.json)) return kDone;
-  for (std::size_t k = 0; k < result.steps.size(); ++k)
-    fmt::print("step {}: {}: {}\n", k + 1, nameOf(result.steps[k].verdict), result.steps[k].sentence);
-  fmt::print("{}wrote {}\n", ladderText(result.rungs, result.cell.units), options.out);
-  return kDone;
+  Keeper keeper(input, options);
+  ImprovementRequest request = options.request;
+  request.on_model = [&](const ImprovedModel& model) { keeper.keep(model); };
+  try {
+    const auto result = improveModel(input, request, terminalWorkHooks());
+    keeper.finish(result.isUsable());
+    writeJson(options.json, improvementJson(result));
+    if (printsText(options.json)) print(result, options, input.cell.units);
+    return result.isUsable() ? kDone : kNegativeAnswer;
+  } catch (const JobStopped&) {
+    if (keeper.steps() == 0) throw;
+    throw JobStopped{fmt::format("{} holds the model of step {}", options.out, keeper.steps())};
+  }
 }
 
 }  // namespace
@@ -46,8 +110,7 @@ Run configureImprove(CLI::App& cli) {
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
-  cli.add_option("--steps", options->request.steps, "the most rounds of diagnosing and adding")
-      ->check(CLI::Range(1, 20));
+  cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(CLI::Range(1, 20));
   addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");

@@ -166,6 +166,27 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
   return effects;
 }
 
+namespace {
+
+/// "gap: 0.12", "knee: 200" of an effect's numbers, in the cell's units.
+std::vector<std::string> numbersText(const deflection::Arm& arm, const Effect& effect, const Units& units,
+                                     const char* between) {
+  std::vector<std::string> numbers;
+  for (std::size_t v = 0; v < effect.values.size(); ++v) {
+    const Dimension unit = dimensionOf(deflection::numberOf(arm, effect, static_cast<int>(v)).quantity);
+    numbers.push_back(fmt::format("{}{}{}", deflection::numbersOf(effect)[v].name, between,
+                                  formatNumber(units.toFile(effect.values[v], unit))));
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::string effectText(const deflection::Arm& arm, const Effect& effect, const Units& units) {
+  if (effect.formula) return effect.formula->text;
+  return fmt::format("{}:{}", deflection::textOf(arm, effect), fmt::join(numbersText(arm, effect, units, "="), ","));
+}
+
 std::string effectsText(const deflection::Arm& arm, const Units& units) {
   std::vector<std::string> items;
   for (const Effect& effect : arm.effects) {
@@ -173,11 +194,7 @@ std::string effectsText(const deflection::Arm& arm, const Units& units) {
     std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::placeText(arm, effect));
     // A formula has neither quotes nor backslashes.
     if (effect.formula) item += fmt::format(", {}: \"{}\"", kFormula, effect.formula->text);
-    for (std::size_t v = 0; v < effect.values.size(); ++v) {
-      const Dimension unit = dimensionOf(deflection::numberOf(arm, effect, static_cast<int>(v)).quantity);
-      item += fmt::format(", {}: {}", deflection::numbersOf(effect)[v].name,
-                          formatNumber(units.toFile(effect.values[v], unit)));
-    }
+    for (const auto& number : numbersText(arm, effect, units, ": ")) item += ", " + number;
     items.push_back(item + "}");
   }
   return fmt::format("[{}]", fmt::join(items, ", "));

@@ -21,6 +21,9 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<deflection::Effect> readEffects(const YamlNode& node, const deflection::Arm& arm,
                                                           const Units& units);
 
+/// "base-slip@base:time=5400,x=0.02": the effect with its numbers, as parseEffect takes it.
+[[nodiscard]] std::string effectText(const deflection::Arm& arm, const deflection::Effect& effect, const Units& units);
+
 /// The list in flow style, as readEffects takes it.
 [[nodiscard]] std::string effectsText(const deflection::Arm& arm, const Units& units);
 

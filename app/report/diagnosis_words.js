@@ -4,9 +4,10 @@
 const VERDICTS = {
   "adequate": {word: "Adequate: nothing is missing", colour: "case3", shape: "disc"},
   "explained": {word: "Explained", colour: "accent", shape: "square"},
+  "partly-explained": {word: "Partly explained: sure causes, and a remainder", colour: "state", shape: "square"},
   "ambiguous": {word: "Ambiguous: one of several", colour: "state", shape: "half"},
   "unexplained": {word: "Unexplained: none of the known effects", colour: "case0", shape: "cross"},
-  "inconclusive": {word: "Inconclusive: cannot be told yet", colour: "muted", shape: "ring"},
+  "inconclusive": {word: "Inconclusive: more readings are needed", colour: "muted", shape: "ring"},
   "falls-short": {word: "The model falls short", colour: "case0", shape: "triangle"},
 };
 
@@ -42,6 +43,12 @@ const EFFECT_WORDS = {
   "base-slip": "the base has slipped once",
   "base-drift": "the base creeps in time",
   "scale-error": "the measuring scale is off",
+  "gravity-sag": "a joint gives under weights that the arm file does not state",
+  "tool-remount": "the tip was mounted anew for a set-up",
+  "gear-wave": "a joint's gear errs once per turn of the motor",
+  "slide-bending": "a slide bends by how far it is out",
+  "cable-stretch": "a joint's cable stretches with torque and direction",
+  "free": "a number of the arm's file is off",
 };
 
 function effectTitle(effect) {

@@ -16,24 +16,18 @@ function rankingSection(report) {
 }
 
 function rankingLead(report, ranking) {
-  const evidence = object(report.evidence);
-  const tried = `${plural(ranking.length, "effect at a place", "effects at a place")} ${
-      ranking.length === 1 ? "was" : "were"} tried, each alone. `;
-  const isKnown = isNumber(evidence?.best) && isNumber(evidence?.noise_reaches);
-  const joint = isKnown && evidence.best <= evidence.noise_reaches ? ", less than the" : "; noise alone reaches";
-  const found = isKnown ?
-      `The best stands out by ${evidenceText(evidence.best)} powers of ten${joint} ${fixed(evidence.noise_reaches, 1)}${
-          joint.startsWith(",") ? " that noise alone reaches" : ""} over the whole list. ` :
+  const tried = `${plural(ranking.length, "cause", "causes")} ${ranking.length === 1 ? "was" : "were"} tried. `;
+  const chances = object(report.probability);
+  const nothing = isNumber(chances?.nothing_missing) ?
+      `That nothing is missing has probability ${probability(chances.nothing_missing)}, that no known effect is part ` +
+          `of it ${probability(chances.unknown_alone)}. ` :
       "";
-  const pairs = explanationsOf(report).some((entry) => entry.effects.length > 1) ?
-      "The explanation above joins two effects; here each stands alone, so that its probability may be small. " :
+  const joined = explanationsOf(report).some((entry) => entry.effects.length > 1) ?
+      "The explanation above joins several; here the fall of chi-square is of each alone. " :
       "";
-  return `${tried}${found}${pairs}"Like the first": how far its signature is that of the first; at 1 no fit tells ` +
-      "them apart.";
+  const lacks = textList(report.not_tried);
+  return `${tried}${nothing}${joined}${lacks.length === 0 ? "" : `Not tried: ${lacks.join("; ")}.`}`;
 }
-
-/// Powers of ten; beyond 300 the chance of it is no longer a number.
-function evidenceText(best) { return best >= 300 ? "more than 300" : fixed(best, 1); }
 
 /// A number behind a bar of its share of the largest.
 function barCell(share, text) {
@@ -69,11 +63,10 @@ function rankingTable(report, ranking, first = ranking[0]) {
       rankedName(entry), barCell(entry.probability, probability(entry.probability)),
       barCell(entry.chi2_fall / most, short(entry.chi2_fall)),
       size ? el("span", {}, withSigma(size), el("small", {class: "number-name"}, plainName(size.name))) : null,
-      barCell(entry.kept_fraction, percent(entry.kept_fraction)),
-      isNumber(entry.correlation_with_leader) ? fixed(Math.abs(entry.correlation_with_leader), 3) : null
+      barCell(entry.kept_fraction, percent(entry.kept_fraction))
     ];
   });
   return el(
       "div", {class: "ranking"},
-      table(["effect", "probability", "chi-square falls by", "size", "of it shows", "like the first"], rows));
+      table(["effect", "probability", "chi-square falls by", "size", "of it shows"], rows));
 }

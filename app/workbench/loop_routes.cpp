@@ -112,54 +112,39 @@ Answer identify(Workbench& workbench, const Request& request) {
     const CellReadings input = inputOf(began);
     const auto outcome = identifyModel(input, asked, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, "fitted", "fit", fittedCell(input, outcome.fit), outcome.figures, asked.seed,
-              context);
+    finishFit(workbench, began, "fitted", "fit", fittedCell(input, outcome.fit), outcome.figures, asked.seed, context);
     return "identify";
   });
 }
 
-/// {"effects": [{effect, at}]} or {"formula"}, with "at" where the formula has a target of its own to be named.
-std::vector<EffectRequest> effectsAsked(const nlohmann::json& body) {
+/// {"causes": ["base-slip@base:time=90", ...]} or {"formula"}, as AdditionRequest has them.
+AdditionRequest additionAsked(const nlohmann::json& body) {
   constexpr std::size_t kMostAtOnce = 8;
-  std::vector<EffectRequest> asked;
-  if (const std::string formula = textOf(body, "formula"); !formula.empty()) asked.push_back({"", formula});
-  if (body.contains("effects"))
-    for (const auto& effect : body.at("effects"))
-      asked.push_back({textOf(effect, "effect") + "@" + textOf(effect, "at"), ""});
-  if (asked.empty() || asked.size() > kMostAtOnce)
-    throw InputError("request (effects)", fmt::format("{} effects", asked.size()),
-                     fmt::format("1 to {} effects, or a formula", kMostAtOnce));
+  AdditionRequest asked{textsOf(body, "causes"), textOf(body, "formula")};
+  const std::size_t count = asked.causes.size() + (asked.formula.empty() ? 0 : 1);
+  if (count == 0 || count > kMostAtOnce)
+    throw InputError("request (causes)", fmt::format("{} causes", count),
+                     fmt::format("1 to {} causes, or a formula", kMostAtOnce));
   return asked;
-}
-
-/// The cell with the effects, as the command `add` would write it.
-Cell cellWithEffects(Cell cell, const std::vector<EffectRequest>& asked, std::string& label) {
-  for (const auto& request : asked) {
-    const EffectAddition added = addEffect(cell, effectOf(request, cell));
-    label += (label.empty() ? "+ " : " + ") + (request.formula.empty() ? added.name : request.formula);
-    cell = rereadCell(cell, cellTextWithEffects(cell, added.cell.arm, added.freed, cell.path));
-  }
-  return cell;
 }
 
 Answer add(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const auto asked = effectsAsked(body);
-  const bool is_formula = !asked.front().formula.empty();
+  const AdditionRequest asked = additionAsked(body);
   const std::uint64_t seed = seedOf(body);
-  std::string label;
-  (void)cellWithEffects(currentModel(workbench.situation()).cell, asked, label);  // refused at once, if at all
+  const Addition first = addToCell(currentModel(workbench.situation()).cell, asked);  // refused at once, if at all
+  const std::string label =
+      fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
   return beginJob(workbench, "add", label, [=, &workbench](JobContext& context) {
     const Situation began = workbench.situation();
     CellReadings input = inputOf(began);
-    std::string name;
-    input.cell = cellWithEffects(input.cell, asked, name);
+    input.cell = rereadCell(input.cell, cellTextWith(input.cell, addToCell(input.cell, asked), input.cell.path));
     requireDefinedFormulas(input.readings, input.cell, input.file);
     IdentificationRequest fit;
     fit.seed = seed;
     const auto outcome = identifyModel(input, fit, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, name, is_formula ? "formula" : "effect", fittedCell(input, outcome.fit),
+    finishFit(workbench, began, label, asked.formula.empty() ? "effect" : "formula", fittedCell(input, outcome.fit),
               outcome.figures, seed, context);
     return "identify";
   });
@@ -167,20 +152,29 @@ Answer add(Workbench& workbench, const Request& request) {
 
 Answer improve(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body)};
-  return beginJob(workbench, "improve", "diagnose and add until nothing more is shown",
-                  [&workbench, asked](JobContext& context) {
-                    const Situation began = workbench.situation();
-                    const CellReadings input = inputOf(began);
-                    const auto outcome = improveModel(input, asked, hooksOf(context));
-                    const Cell improved =
-                        improvedCell(input.cell, outcome.cell, outcome.last, input.readings, input.cell.path).reread();
-                    finishJob(workbench, began, [&](Situation& situation) {
-                      const int id = pushModel(situation, "improved", "effect", improved);
-                      putResult(situation, "improve", id, improvementJson(outcome));
-                    });
-                    return "improve";
-                  });
+  const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
+  return beginJob(
+      workbench, "improve", "diagnose and add until nothing more is shown", [&workbench, asked](JobContext& context) {
+        const Situation began = workbench.situation();
+        const CellReadings input = inputOf(began);
+        const auto outcome = improveModel(input, asked, hooksOf(context));
+        if (!outcome.isUsable())
+          throw InputError(input.file,
+                           outcome.steps.empty() ? outcome.models.front().fit.reason : outcome.steps.back().reason,
+                           "readings that allow a verdict");
+        std::vector<NamedCell> improved;  // one on the stack for each step, to be undone one by one
+        for (const auto& model : outcome.models)
+          improved.push_back(
+              {model.name == "as given" ? "fitted" : model.name,
+               improvedCell(input.cell, model.cell, model.fit, input.readings, input.cell.path).reread()});
+        finishJob(workbench, began, [&](Situation& situation) {
+          int id = 0;
+          for (std::size_t k = 0; k < improved.size(); ++k)
+            id = pushModel(situation, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
+          putResult(situation, "improve", id, improvementJson(outcome));
+        });
+        return "improve";
+      });
 }
 
 SimulationRequest simulationAsked(const nlohmann::json& body) {

@@ -112,22 +112,11 @@ int shapeOf(const EffectKind& kind) {
   return -1;
 }
 
-/// The effect at every joint alike: about the axis that each joint turns about, where its places are axes.
-Cause atAllJoints(const EffectKind& kind, const std::vector<Cause>& at_places, const deflection::Arm& arm) {
-  Cause alike{kind.name, "all joints", {}, {}};
-  for (const Cause& cause : at_places) {
-    const auto& place = cause.effects.front().place;
-    const bool turns = arm.rows[static_cast<std::size_t>(place.row)].joint.type == deflection::JointType::kRevolute;
-    if (turns && (kind.at == PlaceRule::kJoint || place.axis == 2)) alike.effects.push_back(cause.effects.front());
-  }
-  return alike;
-}
-
 bool mayActAlike(const EffectKind& kind) {
   if (shapeOf(kind) >= 0) return false;
-  if (kind.at == PlaceRule::kJoint)
-    return kind.stage == deflection::EffectStage::kFlexibility || kind.needs.senses;
-  return kind.at == PlaceRule::kRowAxis && kind.stage == deflection::EffectStage::kFlexibility && kind.parameters.size() == 1;
+  if (kind.at == PlaceRule::kJoint) return kind.stage == deflection::EffectStage::kFlexibility || kind.needs.senses;
+  return kind.at == PlaceRule::kRowAxis && kind.stage == deflection::EffectStage::kFlexibility &&
+         kind.parameters.size() == 1;
 }
 
 /// Adds a kind's causes, its odds shared out.
@@ -142,7 +131,7 @@ void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<
     if (!cause.levels.empty()) at_places.push_back(std::move(cause));
   }
   if (at_places.empty()) return;
-  Cause alike = mayActAlike(kind) ? atAllJoints(kind, at_places, placed.arm) : Cause{};
+  Cause alike{kind.name, kAllJoints, effectsAtAllJoints(placed.arm, kind.name), {}};
   const bool has_alike = alike.effects.size() > 1;
   for (Cause& cause : at_places)
     cause.prior = kind.odds * (has_alike ? 1 - kAlikeShare : 1) / static_cast<double>(at_places.size());
@@ -177,6 +166,31 @@ void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, C
 
 }  // namespace
 
+std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect) {
+  std::vector<deflection::Effect> effects;
+  for (const EffectKind& kind : deflection::effectKinds()) {
+    if (kind.name != effect || !mayActAlike(kind)) continue;
+    // About the axis that each joint turns about, where places are axes.
+    for (const std::string& at : deflection::placeTexts(arm, kind)) {
+      const auto made = deflection::makeEffect(arm, kind.name, at);
+      const auto& place = made.effect.place;
+      const bool turns = arm.rows[static_cast<std::size_t>(place.row)].joint.type == deflection::JointType::kRevolute;
+      if (turns && (kind.at == PlaceRule::kJoint || place.axis == 2) && !isThereAlready(arm, made.effect))
+        effects.push_back(made.effect);
+    }
+  }
+  return effects;
+}
+
+bool overlap(const Cause& a, const Cause& b) {
+  for (const auto& mine : a.effects)
+    for (const auto& theirs : b.effects)
+      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
+  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
+    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
+  });
+}
+
 bool isStep(const Cause& cause) {
   return cause.shape >= 0 &&
          kindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
@@ -186,8 +200,8 @@ namespace {
 
 Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   const auto& placed = arm.effects[static_cast<std::size_t>(effect)];
-  const auto& parameter = deflection::effectKinds()[static_cast<std::size_t>(placed.kind)]
-                              .parameters[static_cast<std::size_t>(value)];
+  const auto& parameter =
+      deflection::effectKinds()[static_cast<std::size_t>(placed.kind)].parameters[static_cast<std::size_t>(value)];
   const auto number = deflection::numberOf(arm, placed, value);
   Unknown unknown;
   unknown.name = deflection::textOf(arm, placed) + "." + parameter.name;

@@ -1,5 +1,5 @@
-// What may be behind a lack of fit: effects of the catalogue at their places, one effect at all joints alike, or numbers
-// of the arm's file that the fit holds at their drawing's values.
+// What may be behind a lack of fit: effects of the catalogue at their places, one effect at all joints alike, or
+// numbers of the arm's file that the fit holds at their drawing's values.
 #pragma once
 
 #include <string>
@@ -14,6 +14,12 @@ namespace tubeplan::calibration {
 /// The name that freed numbers have in the place of an effect's.
 inline constexpr const char* kFreedNumbers = "free";
 
+/// The place of an effect that acts at every joint alike.
+inline constexpr const char* kAllJoints = "all joints";
+
+/// The catalogue's effect at every joint, neutral; empty where it acts at no joint, or at none that it has not got.
+[[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
+
 struct Cause {
   std::string effect, at;                   ///< "backlash", "tool.z"; "free", "latch-link.beam.Iz"
   std::vector<deflection::Effect> effects;  ///< at neutral values; several of one kind at all joints alike
@@ -22,6 +28,9 @@ struct Cause {
   std::vector<double> levels{0};            ///< of that value, in internal units
   double prior = 0;                         ///< its share of the probability that exactly one cause is missing
 };
+
+/// Whether they hold one effect at one place between them, or free one number.
+[[nodiscard]] bool overlap(const Cause& a, const Cause& b);
 
 /// Whether the shape of a cause is the time of a step, before which it does nothing.
 [[nodiscard]] bool isStep(const Cause& cause);
@@ -41,11 +50,12 @@ struct CauseOptions {
 
 struct CauseList {
   std::vector<Cause> causes;
-  std::vector<std::string> not_tried;  ///< what was left out and what it would need: "hysteresis: no column <joint>_dir"
+  std::vector<std::string>
+      not_tried;  ///< what was left out and what it would need: "hysteresis: no column <joint>_dir"
 };
 
-/// Every cause that these readings could show of an arm, beside what `free` names. Effects that the arm already has at a
-/// place are left out. Unwinds where it was stopped.
+/// Every cause that these readings could show of an arm, beside what `free` names. Effects that the arm already has at
+/// a place are left out. Unwinds where it was stopped.
 [[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                    const std::vector<Unknown>& free, const CauseOptions& options = {},
                                    const WorkHooks& hooks = {});

@@ -27,18 +27,18 @@ constexpr double kDiscrepancy = 0.1;
 constexpr double kMoreNoise = 0.1;
 // A size is as real machines have it, or now and then far beyond.
 constexpr std::array<std::array<double, 2>, 2> kSizes{{{0.5, 0.9}, {4, 0.1}}};  // sigma over the largest usual, share
-constexpr double kMisfit = 0.01;           // p of what the richest model leaves, below which the noise is doubted
-constexpr std::size_t kBlock = 1024;       // readings whose columns are in memory at once
-constexpr double kHopeless = 5;            // of log weight below nothing missing: from no such cause pairs are made
-constexpr std::size_t kMostSeeds = 20;     // models that are extended by another cause
-constexpr std::size_t kMostLooked = 40;    // extensions that a quick look leaves
-constexpr std::size_t kManyTerms = 60;     // ways to say a cause, from which only some are looked at
-constexpr std::size_t kFitsAtOnce = 6;     // side by side
-constexpr double kLeastVisible = 1;        // noise sigmas that a cause of the largest usual size must show
-constexpr double kLeaderWindow = 8;        // of log weight behind the best: models that are fitted ...
-constexpr double kLeaderShare = 0.075;     // ... or a share of what the best gains, since linear evidence errs with it
+constexpr double kMisfit = 0.01;         // p of what the richest model leaves, below which the noise is doubted
+constexpr std::size_t kBlock = 1024;     // readings whose columns are in memory at once
+constexpr double kHopeless = 5;          // of log weight below nothing missing: from no such cause pairs are made
+constexpr std::size_t kMostSeeds = 20;   // models that are extended by another cause
+constexpr std::size_t kMostLooked = 40;  // extensions that a quick look leaves
+constexpr std::size_t kManyTerms = 60;   // ways to say a cause, from which only some are looked at
+constexpr std::size_t kFitsAtOnce = 6;   // side by side
+constexpr double kLeastVisible = 1;      // noise sigmas that a cause of the largest usual size must show
+constexpr double kLeaderWindow = 8;      // of log weight behind the best: models that are fitted ...
+constexpr double kLeaderShare = 0.075;   // ... or a share of what the best gains, since linear evidence errs with it
 constexpr Eigen::Index kPrincipalTerms = 80;  // of the discrepancy, in the evidence of a fit
-constexpr int kMostNumbers = 8;            // of a cause of which choices of some are tried
+constexpr int kMostNumbers = 8;               // of a cause of which choices of some are tried
 
 std::vector<double> discrepancySizes(double noise) {
   std::vector<double> sizes;
@@ -168,8 +168,8 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   return true;
 }
 
-/// The coordinate's error beyond the stated noise that even an unknown function of the readings leaves; 0 where the noise
-/// is enough.
+/// The coordinate's error beyond the stated noise that even an unknown function of the readings leaves; 0 where the
+/// noise is enough.
 double errorBeyondNoise(const DiagnosisWork& work) {
   const LinearEvidence& evidence = *work.noise.front().evidence;
   const RichestFit richest = evidence.richest();
@@ -207,8 +207,7 @@ std::vector<WeighedTerm> termsOf(const DiagnosisWork& work, int index) {
     const int numbers = static_cast<int>(work.signatures->columnsOf(index, level).size());
     const auto choices = choicesOf(cause, numbers);
     for (const auto& choice : choices)
-      terms.push_back({{index, level, choice},
-                       -std::log(static_cast<double>(cause.levels.size() * choices.size()))});
+      terms.push_back({{index, level, choice}, -std::log(static_cast<double>(cause.levels.size() * choices.size()))});
   }
   return terms;
 }
@@ -252,16 +251,6 @@ bool followOneJoint(const Cause& a, const Cause& b) {
            deflection::EffectStage::kReading;
   };
   return isOfReading(a) && isOfReading(b) && a.effects.front().place.row == b.effects.front().place.row;
-}
-
-/// Whether they hold one effect at one place between them, or free one number.
-bool overlap(const Cause& a, const Cause& b) {
-  for (const auto& mine : a.effects)
-    for (const auto& theirs : b.effects)
-      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
-  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
-    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
-  });
 }
 
 /// Whether a cause at the largest usual size would show at all beyond what the fitted numbers absorb.
@@ -420,7 +409,8 @@ std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models,
 /// Leaders are fitted until no other comes near the best of them.
 void fitLeaders(DiagnosisWork& work) {
   auto& models = work.models;
-  const double nothing = std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); })->logWeight();
+  const double nothing =
+      std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); })->logWeight();
   const auto limit = static_cast<std::size_t>(work.options.most_leaders);
   for (std::size_t fitted = 0; fitted < 2 * limit;) {
     sortByWeight(models);

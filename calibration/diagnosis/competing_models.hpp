@@ -24,17 +24,17 @@ struct ModelTerm {
 
 struct CompetingModel {
   std::vector<ModelTerm> terms;  ///< none: nothing named is missing
-  double log_share = 0;  ///< of the terms among all ways to say their causes; part of the prior
+  double log_share = 0;          ///< of the terms among all ways to say their causes; part of the prior
   double log_prior = 0;
-  double log_evidence = 0;            ///< over noise and discrepancy
+  double log_evidence = 0;             ///< over noise and discrepancy
   double discrepancy_probability = 0;  ///< that something unnamed is missing as well
-  double discrepancy = 0;             ///< m, its most probable size
-  std::size_t level = 0;              ///< of that size, among those tried
-  double model_error = 0;             ///< m, of each coordinate beyond the stated noise, most probable
-  double more_noise_probability = 0;  ///< that the noise is larger than stated
-  Eigen::VectorXd sizes, sigma;       ///< of the terms' numbers, one after another, in units
-  Eigen::VectorXd remainder_weights;  ///< of the discrepancy's principal terms, most probable; of a fit, empty: none
-  Explanation fit;                    ///< of a leader: fitted with everything that is free
+  double discrepancy = 0;              ///< m, its most probable size
+  std::size_t level = 0;               ///< of that size, among those tried
+  double model_error = 0;              ///< m, of each coordinate beyond the stated noise, most probable
+  double more_noise_probability = 0;   ///< that the noise is larger than stated
+  Eigen::VectorXd sizes, sigma;        ///< of the terms' numbers, one after another, in units
+  Eigen::VectorXd remainder_weights;   ///< of the discrepancy's principal terms, most probable; of a fit, empty: none
+  Explanation fit;                     ///< of a leader: fitted with everything that is free
   bool is_fitted = false;
 
   [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
@@ -73,8 +73,8 @@ bool linearize(DiagnosisWork& work);
 /// Finds the models that compete, fills `work.models`. Unwinds where it was stopped.
 void findCompetingModels(DiagnosisWork& work);
 
-/// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it for
-/// one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.
+/// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it
+/// for one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.
 using EvidenceOf = std::function<Evidence(const NoiseHypothesis& noise, std::size_t index, double scale)>;
 void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model);
 

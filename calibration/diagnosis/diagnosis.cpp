@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "calibration/diagnosis/indistinguishable.hpp"
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/evidence.hpp"
 #include "calibration/held_out.hpp"
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kMostClosest = 8;
 constexpr std::size_t kMostJudged = 3;
 constexpr std::size_t kFewOutliers = 20;  // one reading in that many, at most
-constexpr double kOutlier = 14.8;         // log odds against a reading being an outlier of 30 sigmas in three coordinates
+constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
@@ -85,10 +86,8 @@ void answer(const DiagnosisOptions& options, Answer& answer) {
     if (model.terms.empty()) result.nothing_criterion = -2 * model.logWeight();
   const CompetingModel& best = work.models.front();
   result.model_error = best.model_error;
-  if (result.verdict == Verdict::kPartlyExplained || result.verdict == Verdict::kUnexplained)
-    result.remainder = remainderOf(work, posterior.classes.empty() || result.verdict == Verdict::kUnexplained
-                                             ? best
-                                             : *posterior.classes.front().model);
+  if (result.verdict == Verdict::kPartlyExplained) result.remainder = remainderOf(work, posterior.sure_model);
+  if (result.verdict == Verdict::kUnexplained) result.remainder = remainderOf(work, best);
 }
 
 Answer answerBy(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
@@ -123,7 +122,8 @@ void dropWhatDoesNotHelp(Diagnosis& result) {
   });
   if (result.alternatives.empty()) {
     result.verdict = Verdict::kInconclusive;
-    result.reason = "what explains the fitted readings does not lower the error of readings kept out; needed: more readings";
+    result.reason =
+        "what explains the fitted readings does not lower the error of readings kept out; needed: more readings";
   } else if (result.verdict == Verdict::kAmbiguous && result.alternatives.size() == 1) {
     result.verdict = Verdict::kExplained;
   }
@@ -133,6 +133,7 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   const DiagnosisWork& work = found.work;
   const auto folds = foldsOf(work.basis.readings, work.options.folds, work.options.seed);
   const ExplanationModel bare{work.basis.fitted, work.basis.unknowns};
+  const auto farthest = farthestQuarter(work.basis.fitted, work.basis.readings);
   const auto judged = [&](const ExplanationModel& model, double model_error) {
     return found.held_out.empty() ? judgeOnFolds(work.basis, model, folds, model_error)
                                   : judge(model.placed, found.held_out);
@@ -140,12 +141,15 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   tell(work.options.hooks, "readings kept out");
   result.heldout_before = judged(bare, result.baseline.model_error);
   result.heldout_after = result.heldout_before;
+  result.farthest_before = judgeOnFolds(work.basis, bare, farthest, result.baseline.model_error);
   result.after = result.before;
   auto& explanations = result.alternatives.empty() ? result.closest : result.alternatives;
   const std::size_t most = std::min(explanations.size(), kMostJudged);
   for (std::size_t k = 0; k < most; ++k) {
     tell(work.options.hooks, "readings kept out", k + 1, most + 1);
-    explanations[k].heldout = judged(modelOf(work.basis, explanations[k]), explanations[k].model_error);
+    const ExplanationModel model = modelOf(work.basis, explanations[k]);
+    explanations[k].heldout = judged(model, explanations[k].model_error);
+    explanations[k].farthest = judgeOnFolds(work.basis, model, farthest, explanations[k].model_error);
   }
   for (auto& entry : result.ranking) {
     entry.heldout_before = result.heldout_before;
@@ -161,11 +165,22 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   result.heldout_after = result.alternatives.front().heldout;
 }
 
+/// How far alternatives differ over the arm's range.
+void setApart(const DiagnosisWork& work, Diagnosis& result) {
+  if (result.alternatives.size() < 2) return;
+  const RangeViews views(work.basis, work.options.seed);
+  const auto first = views.tipsBy(result.alternatives.front());
+  for (auto& alternative : result.alternatives)
+    if (const auto tips = views.tipsBy(alternative); tips.size() == first.size() && tips.size() > 0)
+      alternative.apart = std::sqrt((tips - first).squaredNorm() * 3 / static_cast<double>(tips.size()));
+}
+
 Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   Diagnosis& result = found.result;
   if (!found.work.basis.residual.ok || !found.is_found) return std::move(result);
   listDetectable(found.work, result);
   judgeAll(found, result);
+  setApart(found.work, result);
   goOn(found.work.options.hooks.stop);
   result.views = viewsOf(found.work.basis, result, all);
   return std::move(result);

@@ -1,9 +1,9 @@
 // Which physical effect a model lacks: named where the readings can tell it, and said so where they cannot.
 //
-// One idea: every hypothesis (nothing missing; a cause at its place; several; each with an unknown remainder or without;
-// the unknown alone) has a prior and an evidence, the probability of the readings with its numbers integrated over their
-// priors (Laplace's approximation about a fit of its own). The posterior decides the verdict (Bayesian model class
-// selection: Beck and Yuen 2004, J. Eng. Mech. 130:192).
+// One idea: every hypothesis (nothing missing; a cause at its place; several; each with an unknown remainder or
+// without; the unknown alone) has a prior and an evidence, the probability of the readings with its numbers integrated
+// over their priors (Laplace's approximation about a fit of its own). The posterior decides the verdict (Bayesian model
+// class selection: Beck and Yuen 2004, J. Eng. Mech. 130:192).
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ namespace tubeplan::calibration {
 struct DiagnosisOptions {
   IdentificationOptions baseline;  ///< what is free beside the causes
   CauseOptions causes;
-  double sure = 0.9;       ///< probability from which a cause, or a set of alternatives, is named
-  double nothing = 0.5;    ///< probability of nothing missing from which the model is adequate
-  int most_causes = 3;     ///< in one explanation
-  int most_leaders = 14;   ///< models that are fitted
+  double sure = 0.9;      ///< probability from which a cause, or a set of alternatives, is named
+  double nothing = 0.5;   ///< probability of nothing missing from which the model is adequate
+  int most_causes = 3;    ///< in one explanation
+  int most_leaders = 14;  ///< models that are fitted
   int folds = 5;
   std::uint64_t seed = 1;  ///< of the folds, and of the postures at which causes are held to be the same
   WorkHooks hooks;         ///< of the baseline too
@@ -44,7 +44,7 @@ struct FoundNumber {
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< NaN for a shape that was scanned
-  bool is_beyond_usual = false;  ///< larger than real machines have, by more than its doubt
+  bool is_beyond_usual = false;                             ///< larger than real machines have, by more than its doubt
 };
 
 struct FoundEffect {
@@ -52,7 +52,8 @@ struct FoundEffect {
   deflection::Effect fitted;       ///< kind -1 of freed numbers
   std::vector<std::string> frees;  ///< numbers of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
-  std::vector<std::pair<std::string, std::string>> also;  ///< effect and place of others that no reading could tell from it
+  std::vector<std::pair<std::string, std::string>>
+      also;  ///< effect and place of others that no reading could tell from it
 };
 
 /// A model with causes added, fitted with everything that is free.
@@ -60,22 +61,25 @@ struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
   double probability = 0;  ///< of these causes and no others, with a remainder or without
-  double chi2 = std::numeric_limits<double>::quiet_NaN();     ///< by the stated noise
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of it
+  double chi2 = std::numeric_limits<double>::quiet_NaN();       ///< by the stated noise
+  double p_value = std::numeric_limits<double>::quiet_NaN();    ///< of it
   double criterion = std::numeric_limits<double>::quiet_NaN();  ///< -2 log of prior times evidence: differences count
-  double remainder_probability = 0;                           ///< that something unnamed is missing beside
+  double remainder_probability = 0;                             ///< that something unnamed is missing beside
   double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
   ErrorSize after, heldout;
+  ErrorSize farthest;  ///< of the quarter of the poses that reach farthest, by a fit to the others
+  double apart = std::numeric_limits<double>::quiet_NaN();  ///< m, rms over the arm's range, from the first alternative
 };
 
 /// One cause as the readings see it.
 struct RankedEffect {
   std::string effect, at;
-  double probability = 0;  ///< of all models that it is part of
-  double p_value = 1;      ///< of its fall of chi-square by noise, alone
-  double fall = 0;         ///< of chi-square, to first order or as fitted
-  FoundNumber size;        ///< its first or largest number
-  double kept_fraction = 0;  ///< of its signature that the free numbers do not absorb
+  std::vector<deflection::Effect> effects;  ///< as most probable, alone; none of numbers that are freed instead
+  double probability = 0;                   ///< of all models that it is part of
+  double p_value = 1;                       ///< of its fall of chi-square by noise, alone
+  double fall = 0;                          ///< of chi-square, to first order or as fitted
+  FoundNumber size;                         ///< its first or largest number
+  double kept_fraction = 0;                 ///< of its signature that the free numbers do not absorb
   ErrorSize heldout_before, heldout_after;
 };
 
@@ -89,7 +93,7 @@ struct DetectableEffect {
 
 /// What is left once the sure causes are in.
 struct Remainder {
-  double probability = 0;  ///< that there is one
+  double probability = 0;                                   ///< that there is one
   double size = std::numeric_limits<double>::quiet_NaN();   ///< m, root mean square over the readings
   double floor = std::numeric_limits<double>::quiet_NaN();  ///< m, the same of noise and what follows nothing
   std::vector<std::pair<std::string, double>> follows;      ///< what it follows, and its share of it; largest first
@@ -106,7 +110,7 @@ struct Diagnosis {
   std::vector<std::string> not_tried;
   std::vector<int> set_aside;  ///< readings left out as outliers
   Remainder remainder;
-  ErrorSize before, after, heldout_before, heldout_after;
+  ErrorSize before, after, heldout_before, heldout_after, farthest_before;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that the stated noise leaves [m]
   double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
   double chi2 = 0;         ///< of the baseline, by the stated noise
@@ -114,7 +118,8 @@ struct Diagnosis {
   int degrees_of_freedom = 0;
   double nothing_probability = std::numeric_limits<double>::quiet_NaN();  ///< that nothing is missing
   double nothing_criterion = std::numeric_limits<double>::quiet_NaN();    ///< Explanation::criterion of nothing missing
-  double unknown_probability = std::numeric_limits<double>::quiet_NaN();  ///< that something is, and no cause is part of it
+  double unknown_probability =
+      std::numeric_limits<double>::quiet_NaN();  ///< that something is, and no cause is part of it
   DiagnosisViews views;
 };
 

@@ -129,6 +129,7 @@ void addVariables(const DiagnosisBasis& basis, const Explanation& explanation, i
 }  // namespace
 
 std::vector<Explanation> explanationsShown(const Diagnosis& result) {
+  if (result.verdict == Verdict::kAdequate) return {};
   const auto& all = result.alternatives.empty() ? result.closest : result.alternatives;
   return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostShown))};
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr int kWaves = 3;
 constexpr int kBumps = 10;
 constexpr int kTimeWaves = 4;
-constexpr int kManyJoints = 5;                 // from which only neighbouring joints are multiplied
+constexpr int kManyJoints = 5;                  // from which only neighbouring joints are multiplied
 constexpr std::size_t kReadingsForScale = 300;  // that a term's root mean square is taken over
 // Amplitudes against that of the first wave of a joint: rough functions are smaller.
 constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kMinor = 0.5;
@@ -158,7 +158,8 @@ class TermMaker {
     Index index = 0;
     for (const int row : deflection::activeRows(arm))
       joints_.emplace_back(arm.rows[static_cast<std::size_t>(row)].joint, index++, readings);
-    has_directions_ = std::any_of(readings.begin(), readings.end(), [](const Measurement& m) { return !m.senses.empty(); });
+    has_directions_ =
+        std::any_of(readings.begin(), readings.end(), [](const Measurement& m) { return !m.senses.empty(); });
   }
 
   [[nodiscard]] std::vector<DiscrepancyTerm> make() {
@@ -234,8 +235,7 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
   if (shape.status != deflection::KinematicsStatus::kConverged) return {};
   MatrixXd seen = MatrixXd::Identity(3, 3);
-  if (reading.kind == MeasurementKind::kDistance)
-    seen = (X_WB * shape.X_BD.p - *reading.p_W).normalized().transpose();
+  if (reading.kind == MeasurementKind::kDistance) seen = (X_WB * shape.X_BD.p - *reading.p_W).normalized().transpose();
   displacements.middleCols(joints, 3) = seen * X_WB.linear() * shape.X_BD.R;
   displacements.rightCols(3) = seen;
   return displacements;

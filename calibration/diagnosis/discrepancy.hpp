@@ -1,10 +1,11 @@
-// What a model may miss that no catalogue names: a smooth function of the joints, the direction of motion, the load, the
-// time and the temperature, as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer models").
+// What a model may miss that no catalogue names: a smooth function of the joints, the direction of motion, the load,
+// the time and the temperature, as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer
+// models").
 //
 // The process is a sum of a few functions with independent normal weights. Each is an error of one joint's reading, a
-// shift of the tip in the tool's frame or a shift of the base, times a smooth function of what the readings state: waves
-// and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the unknown against
-// causes that have names; it never names one.
+// shift of the tip in the tool's frame or a shift of the base, times a smooth function of what the readings state:
+// waves and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the unknown
+// against causes that have names; it never names one.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,8 +34,8 @@ class Discrepancy {
 
   [[nodiscard]] const std::vector<DiscrepancyTerm>& terms() const { return terms_; }
 
-  /// Whitened columns, one for each term, at some readings (rows of `weights`); what unknown points absorb is taken off.
-  /// Empty where the model cannot be evaluated.
+  /// Whitened columns, one for each term, at some readings (rows of `weights`); what unknown points absorb is taken
+  /// off. Empty where the model cannot be evaluated.
   [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings,
                                           const ReadingWeights& weights) const;
 

@@ -1,8 +1,8 @@
 // Whether the readings need the effects that a model carries: each is taken out, and the rest fitted anew.
 //
-// All that could stand in its place competes with it, itself and nothing among them (competing_models.hpp): one that brings
-// -2 log of the posterior down by less than the gap is one that no diagnosis would name; where another does better by the
-// gap, the other is the one.
+// All that could stand in its place competes with it, itself and nothing among them (competing_models.hpp): one that
+// brings -2 log of the posterior down by less than the gap is one that no diagnosis would name; where another does
+// better by the gap, the other is the one.
 #pragma once
 
 #include <limits>

@@ -68,8 +68,9 @@ std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, con
       const MatrixXd columns = without(others, own);
       if (!(columns.norm() > kAbsorbed * own.norm())) continue;
       const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
-      const auto same = std::find_if(shares.begin(), shares.end(),
-                                     [&](const EffectShare& s) { return s.effect == cause.effect && s.at == cause.at; });
+      const auto same = std::find_if(shares.begin(), shares.end(), [&](const EffectShare& s) {
+        return s.effect == cause.effect && s.at == cause.at;
+      });
       if (same != shares.end())
         same->share = std::max(same->share, share);
       else if (share > kLeastShare)

@@ -86,6 +86,18 @@ RangeView RangeViews::of(const Explanation& explanation) const {
   return view;
 }
 
+VectorXd RangeViews::tipsBy(const Explanation& explanation) const {
+  VectorXd tips(3 * static_cast<Index>(readings_.size()));
+  for (std::size_t k = 0; k < readings_.size(); ++k) {
+    const auto& X_WB =
+        explanation.fitted.placings[static_cast<std::size_t>(placingOf(explanation.fitted, readings_[k]))].X_WB;
+    const auto tip = predictReading(explanation.fitted.arm, X_WB, readings_[k]);
+    if (!tip.ok) return {};
+    tips.segment<3>(3 * static_cast<Index>(k)) = tip.value;
+  }
+  return tips;
+}
+
 bool areTheSame(const RangeView& a, const RangeView& b) {
   if (!a.ok || !b.ok) return false;
   const VectorXd apart = a.value - b.value;

@@ -25,6 +25,9 @@ class RangeViews {
   RangeViews(const DiagnosisBasis& basis, std::uint64_t seed);
   [[nodiscard]] RangeView of(const Explanation& explanation) const;
 
+  /// Where the explanation, as fitted, has the tip [m], reading after reading; empty where it has it nowhere.
+  [[nodiscard]] Eigen::VectorXd tipsBy(const Explanation& explanation) const;
+
  private:
   const DiagnosisBasis& basis_;
   std::vector<Measurement> readings_;

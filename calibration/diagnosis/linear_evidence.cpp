@@ -13,9 +13,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index kMostAxes = 120;      // of the discrepancy: those along which it is large
-constexpr double kLeastAxis = 1e-5;   // of the discrepancy's variance, that is left out
-constexpr double kAbsorbed = 1e-8;    // squared share of a column's length below which only rounding is left of it
+constexpr Index kMostAxes = 120;     // of the discrepancy: those along which it is large
+constexpr double kLeastAxis = 1e-5;  // of the discrepancy's variance, that is left out
+constexpr double kAbsorbed = 1e-8;   // squared share of a column's length below which only rounding is left of it
 constexpr double kSmallest = 1e-300;
 
 double logSum(const std::vector<double>& logs) {
@@ -119,8 +119,8 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
 }
 
 /// The discrepancy is kept within the span of a pivoted Cholesky factor L of Z^T Z: with B an orthonormal basis of it,
-/// B^T Z^T Z B = U Lambda U^T, the unit axes in the readings' space are Z B U / sqrt(Lambda), and Z B (Z B)^T is the sum of
-/// Lambda times their squares.
+/// B^T Z^T Z B = U Lambda U^T, the unit axes in the readings' space are Z B U / sqrt(Lambda), and Z B (Z B)^T is the
+/// sum of Lambda times their squares.
 void LinearEvidence::findAxes(const MatrixXd& Z_Z, const MatrixXd& Z_S_y) {
   along_.resize(0, Z_S_y.cols());
   axes_.resize(Z_Z.rows(), 0);
@@ -247,8 +247,7 @@ RichestFit LinearEvidence::richest() const {
 
 MatrixXd LinearEvidence::principalTerms(Index most) const {
   const Index count = std::min(most, axes_.cols());
-  return axes_.rightCols(count).rowwise().reverse() *
-         squares_.tail(count).reverse().cwiseSqrt().asDiagonal();
+  return axes_.rightCols(count).rowwise().reverse() * squares_.tail(count).reverse().cwiseSqrt().asDiagonal();
 }
 
 VectorXd LinearEvidence::discrepancyWeights(const std::vector<PriorSize>& causes, double size) const {

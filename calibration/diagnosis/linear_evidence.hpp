@@ -5,8 +5,8 @@
 // fitted numbers, p the sizes of causes, g the weights of the discrepancy (discrepancy.hpp), all normal; s the
 // discrepancy's size, e the noise. With C = I + J P J^T + S V S^T + s^2 Z Z^T the evidence is the normal density
 // N(y; 0, C), summed over a grid of s with its prior: Laplace's approximation, exact where the model is linear (MacKay
-// 1992, "Bayesian interpolation"). Everything is done in the Gram matrix of the columns [J S Z y], so that its cost does
-// not grow with the readings.
+// 1992, "Bayesian interpolation"). Everything is done in the Gram matrix of the columns [J S Z y], so that its cost
+// does not grow with the readings.
 #pragma once
 
 #include <Eigen/Core>
@@ -104,10 +104,10 @@ class LinearEvidence {
 
   EvidenceOptions options_;
   double log_density_ = 0, log_det_fitted_ = 0;
-  Eigen::MatrixXd S_y_;     ///< Gram of [S y], the fitted numbers integrated out
-  Eigen::VectorXd length_;  ///< of each column of S before that
-  Eigen::MatrixXd along_;   ///< [S y] along the discrepancy's axes
-  Eigen::MatrixXd axes_;    ///< of the discrepancy's terms, one column each
+  Eigen::MatrixXd S_y_;      ///< Gram of [S y], the fitted numbers integrated out
+  Eigen::VectorXd length_;   ///< of each column of S before that
+  Eigen::MatrixXd along_;    ///< [S y] along the discrepancy's axes
+  Eigen::MatrixXd axes_;     ///< of the discrepancy's terms, one column each
   Eigen::VectorXd squares_;  ///< squared length of the discrepancy along each, of size 1 m
   std::vector<Level> levels_;
 };

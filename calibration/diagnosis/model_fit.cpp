@@ -14,9 +14,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kIterations = 30;
-constexpr double kFarSize = 4;          // of the largest usual: the prior of a size while it is fitted
-constexpr double kBeyondUsual = 2;      // sigmas past the largest usual size
-constexpr double kShapePrior = 3;       // of a knee's typical step
+constexpr double kFarSize = 4;      // of the largest usual: the prior of a size while it is fitted
+constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
+constexpr double kShapePrior = 3;   // of a knee's typical step
 
 /// A model under way: what is free beside the baseline's numbers.
 struct Placed {
@@ -65,7 +65,8 @@ Placed place(const DiagnosisWork& work, const CompetingModel& model) {
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const ModelTerm& term = model.terms[t];
     const Cause& cause = work.cause(term.cause);
-    const double level = isStep(cause) ? refinedTime(work, model, t) : cause.levels[static_cast<std::size_t>(term.level)];
+    const double level =
+        isStep(cause) ? refinedTime(work, model, t) : cause.levels[static_cast<std::size_t>(term.level)];
     const int effect = static_cast<int>(placed.arm.arm.effects.size());
     const auto own = placeCause(placed.arm, cause, level);
     for (const int number : term.numbers) placed.sizes.push_back(own[static_cast<std::size_t>(number)]);
@@ -95,8 +96,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
     const double linear = model.sizes.size() > static_cast<Index>(k) ? model.sizes[static_cast<Index>(k)] : 0;
     x[fitted + static_cast<Index>(k)] = std::clamp(linear * size.typical, size.lower, size.upper);
   }
-  const NoiseHypothesis& noise =
-      model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
+  const NoiseHypothesis& noise = model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
   const LeastSquaresOptions solver{1e-6, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
   return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
                           solver);
@@ -147,8 +147,8 @@ std::vector<PriorSize> priorsOf(const Placed& placed, double scale) {
 
 FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
   FoundNumber number{name, unknown.quantity, value, sigma};
-  number.is_beyond_usual = unknown.path.effect >= 0 && std::abs(value - unknown.start) >
-                                                           unknown.typical + kBeyondUsual * sigma;
+  number.is_beyond_usual =
+      unknown.path.effect >= 0 && std::abs(value - unknown.start) > unknown.typical + kBeyondUsual * sigma;
   return number;
 }
 
@@ -203,8 +203,8 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
     model.log_evidence = -std::numeric_limits<double>::infinity();
     return;
   }
-  const bool has_effects = std::any_of(placed.sizes.begin(), placed.sizes.end(),
-                                       [](const Unknown& size) { return size.path.effect >= 0; });
+  const bool has_effects =
+      std::any_of(placed.sizes.begin(), placed.sizes.end(), [](const Unknown& size) { return size.path.effect >= 0; });
   blendEvidence(
       work, has_effects,
       [&](const NoiseHypothesis&, std::size_t n, double scale) { return at[n].evidence->of(priorsOf(placed, scale)); },

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "calibration/diagnosis/indistinguishable.hpp"
+#include "calibration/diagnosis/model_fit.hpp"
 #include "calibration/fit.hpp"
 
 namespace tubeplan::calibration {
@@ -15,10 +16,10 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t kMostCompared = 12;   // classes that are held to be the same or not
+constexpr std::size_t kMostCompared = 12;  // classes that are held to be the same or not
 constexpr std::size_t kMostAlternatives = 8;
-constexpr double kHint = 0.05;       // probability of nothing missing up to which something is
-constexpr double kCredible = 0.95;   // of what is missing, that the alternatives hold together
+constexpr double kHint = 0.05;        // probability of nothing missing up to which something is
+constexpr double kCredible = 0.95;    // of what is missing, that the alternatives hold together
 constexpr double kLeastShare = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
 
@@ -101,7 +102,8 @@ bool holds(const std::vector<int>& all, const std::vector<int>& some) {
 std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& classes) {
   std::vector<ModelClass> kept;
   for (const ModelClass& one : classes) {
-    const auto part = std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) { return holds(one.causes, k.causes); });
+    const auto part =
+        std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) { return holds(one.causes, k.causes); });
     if (part == kept.end()) {
       kept.push_back(one);
       continue;
@@ -116,17 +118,99 @@ std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& cl
   return kept;
 }
 
-double logLeastGain(const DiagnosisWork& work, const Cause& cause, double visibility) {
+/// Causes that a class says: its own, and of one at all joints alike that at each joint.
+std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& causes) {
+  std::set<int> implied(causes.begin(), causes.end());
+  for (const int all : causes) {
+    if (work.cause(all).effects.size() < 2) continue;
+    for (int one = 0; one < static_cast<int>(work.causes.causes.size()); ++one)
+      if (work.cause(one).effects.size() == 1 && overlap(work.cause(one), work.cause(all))) implied.insert(one);
+  }
+  return implied;
+}
+
+/// The causes that most of what is missing agrees on, without those that others of them imply.
+std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
+  std::map<int, double> probability;
+  for (const ModelClass& one : posterior.classes)
+    for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
+  std::vector<int> sure;
+  for (const auto& [cause, p] : probability)
+    if (p >= work.options.sure * (1 - posterior.nothing)) sure.push_back(cause);
+  std::vector<int> own;
+  for (const int cause : sure)
+    if (std::none_of(sure.begin(), sure.end(), [&](int all) {
+          return all != cause && work.cause(all).effects.size() > 1 && impliedBy(work, {all}).contains(cause);
+        }))
+      own.push_back(cause);
+  return own;
+}
+
+/// The model of these causes alone: one that competes, or the first that holds them without its other causes.
+CompetingModel modelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
+  const CompetingModel* found = nullptr;
+  for (const CompetingModel& model : work.models) {
+    const bool is_exact = causesOf(model) == causes;
+    if (is_exact || (!found && holds(causesOf(model), causes))) found = &model;
+    if (is_exact) break;
+  }
+  if (!found) return {};
+  CompetingModel model = *found;
+  if (causesOf(model) == causes && model.is_fitted) return model;
+  std::erase_if(model.terms, [&](const ModelTerm& term) {
+    return std::find(causes.begin(), causes.end(), term.cause) == causes.end();
+  });
+  model.sizes.resize(0);
+  model.fit = {};
+  fitModel(work, model);
+  return model;
+}
+
+void findSure(const DiagnosisWork& work, Posterior& posterior) {
+  const auto causes = sureCauses(work, posterior);
+  if (causes.empty()) return;
+  posterior.sure_model = modelOf(work, causes);
+  if (!posterior.sure_model.is_fitted || !std::isfinite(posterior.sure_model.log_evidence)) return;
+  ModelClass& sure = posterior.sure;
+  sure.causes = causes;
+  sure.explanation = posterior.sure_model.fit;
+  double alone = 0;
+  for (const ModelClass& one : posterior.classes) {
+    const auto implied = impliedBy(work, one.causes);
+    if (!std::all_of(causes.begin(), causes.end(), [&](int cause) { return implied.contains(cause); })) continue;
+    sure.probability += one.probability;
+    if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
+  }
+  sure.remainder_probability = sure.probability > 0 ? 1 - alone / sure.probability : 1;
+  sure.explanation.probability = sure.probability;
+  sure.explanation.remainder_probability = sure.remainder_probability;
+}
+
+/// What the evidence of a cause must gain to be sure (19 to 1), its prior and its freedom paid for.
+double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
   const double odds = std::log(0.5 / 0.35) - std::log(std::max(1e-12, cause.prior)) + std::log(19.);
-  (void)work;
   return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
+}
+
+/// The effects of a term at these sizes.
+std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
+                                          const std::vector<Unknown>& numbers, const VectorXd& sizes,
+                                          std::size_t before) {
+  std::vector<Unknown> chosen;
+  for (const int number : term.numbers) chosen.push_back(numbers[static_cast<std::size_t>(number)]);
+  VectorXd x(sizes.size());
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    x[static_cast<Index>(k)] =
+        std::clamp(sizes[static_cast<Index>(k)] * chosen[k].typical, chosen[k].lower, chosen[k].upper);
+  const auto all = applied(placed, chosen, x).arm.effects;
+  return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
 }
 
 }  // namespace
 
 Posterior posteriorOf(const DiagnosisWork& work) {
-  Posterior posterior;
+  Posterior posterior{};
   const double most = mostOf(work), total = totalOf(work, most);
   std::map<std::vector<int>, ModelClass> classes;
   for (const CompetingModel& model : work.models) {
@@ -139,7 +223,8 @@ Posterior posteriorOf(const DiagnosisWork& work) {
     ModelClass& one = classes[causesOf(model)];
     const double both = one.probability + probability;
     one.remainder_probability =
-        both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both : 0;
+        both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both
+                 : 0;
     one.probability = both;
     if (model.is_fitted && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
   }
@@ -156,6 +241,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
     one.explanation.probability = one.probability;
     one.explanation.remainder_probability = one.remainder_probability;
   }
+  findSure(work, posterior);
   return posterior;
 }
 
@@ -173,16 +259,13 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     named += one.probability / missing;
     remains += one.probability / missing * one.remainder_probability;
   }
-  if (classes.empty() || named < options.sure) {
-    result.verdict = Verdict::kUnexplained;
+  if (classes.empty() || named < options.sure || remains > kRemains * named) {
+    const bool is_sure = !posterior.sure.causes.empty();
+    result.verdict = is_sure ? Verdict::kPartlyExplained : Verdict::kUnexplained;
+    if (is_sure) result.alternatives = {posterior.sure.explanation};
     return;
   }
   const bool is_single = classes.front().probability / missing >= options.sure;
-  if (remains > kRemains * named) {
-    result.verdict = is_single ? Verdict::kPartlyExplained : Verdict::kUnexplained;
-    if (is_single) result.alternatives = {classes.front().explanation};
-    return;
-  }
   double together = 0;
   for (const ModelClass& one : classes) {
     const bool is_needed = together < kCredible * named && one.probability > kLeastShare * classes.front().probability;
@@ -222,6 +305,7 @@ void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
     PlacedArm placed = work.basis.fitted;
     const auto numbers = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(term.level)]);
     const Unknown& number = numbers[static_cast<std::size_t>(term.numbers[static_cast<std::size_t>(largest)])];
+    entry.effects = effectsAt(placed, term, numbers, model->sizes, work.basis.fitted.arm.effects.size());
     const double x = model->sizes[largest] * number.typical;
     const std::size_t dot = number.name.rfind('.');
     entry.size = {cause.frees.empty() ? number.name.substr(dot + 1) : number.name, number.quantity, valueAt(number, x),
@@ -239,9 +323,8 @@ void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
     const Cause& cause = work.cause(index);
     if (!cause.frees.empty() || cause.effects.size() != 1) continue;
     const int middle = static_cast<int>(cause.levels.size() / 2);
-    const double visibility =
-        noise.evidence->visibility(work.signatures->columnsOf(index, middle).front());
-    const double sigmas = std::sqrt(2 * logLeastGain(work, cause, visibility)) + 0.84;
+    const double visibility = noise.evidence->visibility(work.signatures->columnsOf(index, middle).front());
+    const double sigmas = std::sqrt(2 * logLeastGain(cause, visibility)) + 0.84;
     PlacedArm placed = work.basis.fitted;
     const Unknown number = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(middle)]).front();
     const double units = sigmas / std::max(1e-300, visibility);
@@ -261,7 +344,8 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   double squares = 0;
   for (std::size_t k = 0; k < work.basis.readings.size(); ++k) {
     const auto& whitener = noise.weights.whitener[k];
-    squares += whitener.inverse().operator*(whitened.segment(noise.weights.first_row[k], whitener.rows())).squaredNorm();
+    squares +=
+        whitener.inverse().operator*(whitened.segment(noise.weights.first_row[k], whitener.rows())).squaredNorm();
   }
   remainder.size = std::sqrt(squares / static_cast<double>(work.basis.readings.size()));
   const VectorXd of_terms = noise.principal_terms * model.remainder_weights;

@@ -6,10 +6,10 @@
 
 namespace tubeplan::calibration {
 
-/// Models with the same causes, whatever noise and discrepancy they have beside; causes that no reading could tell apart
-/// count as the same.
+/// Models with the same causes, whatever noise and discrepancy they have beside; causes that no reading could tell
+/// apart count as the same.
 struct ModelClass {
-  Explanation explanation;    ///< of its most probable model
+  Explanation explanation;  ///< of its most probable model
   std::vector<int> causes;
   double probability = 0;
   double remainder_probability = 0;
@@ -17,12 +17,14 @@ struct ModelClass {
 };
 
 struct Posterior {
-  double nothing = 0;  ///< that nothing is missing
-  double unknown = 0;  ///< that something is, and no cause is part of it
+  double nothing = 0;               ///< that nothing is missing
+  double unknown = 0;               ///< that something is, and no cause is part of it
   std::vector<ModelClass> classes;  ///< with causes, most probable first; those that were fitted
+  ModelClass sure;                  ///< the causes that are sure, whatever there is beside; empty where none is
+  CompetingModel sure_model;        ///< of `sure`
 };
 
-/// `work.models` must be found.
+/// `work.models` must be found. Fits the model of the causes that are sure. Unwinds where it was stopped.
 [[nodiscard]] Posterior posteriorOf(const DiagnosisWork& work);
 
 /// Fills verdict and alternatives.

@@ -29,8 +29,8 @@ class Signatures {
     return of_cause_[static_cast<std::size_t>(cause)][static_cast<std::size_t>(level)];
   }
 
-  /// Whitened columns at some readings (rows of `weights`); what unknown points absorb is taken off. Empty where the model
-  /// cannot be evaluated. Unwinds where it was stopped.
+  /// Whitened columns at some readings (rows of `weights`); what unknown points absorb is taken off. Empty where the
+  /// model cannot be evaluated. Unwinds where it was stopped.
   [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                           const StopQuestion& stop = {}) const;
 
@@ -39,8 +39,8 @@ class Signatures {
   struct Layer {
     PlacedArm placed;
     std::vector<Unknown> unknowns;
-    std::vector<int> columns;       ///< of each unknown
-    std::vector<double> times;      ///< of a step: one block of columns for each
+    std::vector<int> columns;   ///< of each unknown
+    std::vector<double> times;  ///< of a step: one block of columns for each
   };
 
   int addColumn(const Unknown& unknown);

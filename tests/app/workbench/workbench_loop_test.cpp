@@ -30,7 +30,7 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   serve("bench.yaml");
   simulate();
   done("/api/identify");
-  done("/api/add", {{"effects", {{{"effect", "joint-offset"}, {"at", "theta3"}}}}});
+  done("/api/add", {{"causes", {"joint-offset@theta3"}}});
   json state = get("/api/state").body;
   ASSERT_EQ(state["models"].size(), 3u);
   EXPECT_EQ(state["models"][2]["origin"], "effect");
@@ -59,9 +59,9 @@ TEST_F(WorkbenchLoop, effectsThatCannotBeAreRefusedAtOnce) {
   simulate(12);
   const auto status = [&](const json& body) { return post("/api/add", body).status; };
   EXPECT_EQ(status(json::object()), 422);
-  EXPECT_EQ(status({{"effects", {{{"effect", "gremlin"}, {"at", "theta3"}}}}}), 422);
-  EXPECT_EQ(status({{"effects", {{{"effect", "backlash"}, {"at", "theta9"}}}}}), 422);
-  EXPECT_EQ(status({{"effects", "backlash"}}), 422);
+  EXPECT_EQ(status({{"causes", {"gremlin@theta3"}}}), 422);
+  EXPECT_EQ(status({{"causes", {"backlash@theta9"}}}), 422);
+  EXPECT_EQ(status({{"causes", "backlash"}}), 422);
   EXPECT_EQ(status({{"formula", "theta3 += ((("}}), 422);
   EXPECT_EQ(status({{"formula", "theta3 += system(\"ls\")"}}), 422);
   EXPECT_EQ(post("/api/simulate", {{"design", "../bench.yaml"}}).status, 422);

@@ -37,9 +37,17 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
         </tbody>
       </table>
       <p class="muted note">
-        {document.ranking.length} effects at places were tried, each alone; noise alone reaches a score of{" "}
-        {short(document.evidence.noise_reaches)}, the best here {short(document.evidence.best)}.
+        {document.ranking.length} causes were tried, each alone and with others; that nothing is missing has probability{" "}
+        {probability(document.probability.nothing_missing)}, that no known effect is part of it{" "}
+        {probability(document.probability.unknown_alone)}.
       </p>
+      {document.not_tried.length > 0 ? (
+        <ul class="muted note">
+          {document.not_tried.map((lack) => (
+            <li key={lack}>not tried: {lack}</li>
+          ))}
+        </ul>
+      ) : null}
     </div>
   );
 }
@@ -70,8 +78,15 @@ function ExplanationCard({
             ? explanation.effects.map((effect) => effectWords(effect.effect)).join("; ")
             : "the closest of the known effects, but not enough"}
         </span>
+        {explanation.effects
+          .filter((effect) => (effect.also ?? []).length > 0)
+          .map((effect) => (
+            <span class="muted" key={effectTitle(effect)}>
+              no reading tells {effectTitle(effect)} from {(effect.also ?? []).map(effectTitle).join(", ")}
+            </span>
+          ))}
         <span>
-          {explanation.effects.map(sizeText).join("; ")} · leaves {short(explanation.heldout_rms ?? explanation.rms)}{" "}
+          {explanation.effects.map(sizeText).filter((text) => text !== "").join("; ")} · leaves {short(explanation.heldout_rms ?? explanation.rms)}{" "}
           {unit} held out
         </span>
       </div>

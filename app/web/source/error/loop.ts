@@ -25,13 +25,13 @@ export async function startCompare(): Promise<void> {
 }
 
 export function startDiagnose(): Promise<boolean> {
-  return runJob("Diagnose", "/api/diagnose", {effects: 2, next: 6});
+  return runJob("Diagnose", "/api/diagnose", {effects: 3, next: 6});
 }
 
 /** Adds effects, refits, and looks at what is left. */
 export async function addEffects(effects: EffectAt[]): Promise<void> {
-  const wanted = effects.map(({effect, at}) => ({effect, at}));
-  if (await runJob("Add", "/api/add", {effects: wanted})) await startCompare();
+  const causes = effects.map(({effect, at, add}) => add ?? `${effect}@${at}`);
+  if (await runJob("Add", "/api/add", {causes})) await startCompare();
 }
 
 export async function addFormula(formula: string): Promise<boolean> {

@@ -11,9 +11,10 @@ export interface Verdict {
 export const VERDICTS: Record<string, Verdict> = {
   adequate: {words: "Adequate: nothing is missing", mark: {shape: "disc", colour: "case3"}},
   explained: {words: "Explained", mark: {shape: "square", colour: "accent"}},
+  "partly-explained": {words: "Partly explained: sure causes, and a remainder", mark: {shape: "square", colour: "violet"}},
   ambiguous: {words: "One of several: A or B", mark: {shape: "half", colour: "violet"}},
   unexplained: {words: "Unexplained: none of the known effects", mark: {shape: "cross", colour: "case0"}},
-  inconclusive: {words: "Inconclusive: cannot be told yet", mark: {shape: "ring", colour: "muted"}},
+  inconclusive: {words: "Inconclusive: more readings are needed", mark: {shape: "ring", colour: "muted"}},
   "falls-short": {words: "The model falls short", mark: {shape: "triangle", colour: "case0"}},
 };
 
@@ -46,6 +47,12 @@ const EFFECT_WORDS: Record<string, string> = {
   "base-slip": "the base has slipped once",
   "base-drift": "the base creeps in time",
   "scale-error": "the measuring scale is off",
+  "gravity-sag": "a joint gives under weights that the arm file does not state",
+  "tool-remount": "the tip was mounted anew for a set-up",
+  "gear-wave": "a joint's gear errs once per turn of the motor",
+  "slide-bending": "a slide bends by how far it is out",
+  "cable-stretch": "a joint's cable stretches with torque and direction",
+  free: "a number of the arm's file is off",
   formula: "a formula of one's own",
 };
 

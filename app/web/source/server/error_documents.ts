@@ -83,7 +83,8 @@ export interface DiagnoseDocument {
   sentence: string;
   chi2_per_dof: number;
   p_value: number;
-  evidence: {best: number; noise_reaches: number};
+  probability: {nothing_missing: number; unknown_alone: number};
+  not_tried: string[];
   explanations: Explanation[];
   closest: Explanation[];
   ranking: RankedEffect[];

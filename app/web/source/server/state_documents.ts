@@ -27,6 +27,10 @@ export interface CellInfo {
 export interface EffectAt {
   effect: string;
   at: string;
+  /** As the order to add it takes it, with the sizes that were found. */
+  add?: string;
+  /** Other names of it, that no reading could tell from it. */
+  also?: {effect: string; at: string}[];
   parameters?: Record<string, EffectNumber | number | string>;
 }
 
