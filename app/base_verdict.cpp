@@ -28,7 +28,8 @@ void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
                     std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
-          "touch a fourth hole, far from the others, and calibrate again: it tells a touch that is off from a model that "
+          "touch a fourth hole, far from the others, and calibrate again: it tells a touch that is off from a model "
+          "that "
           "is off");
     verdict.to_do.emplace_back(
         "`tubeplan compare CELL TOUCHES` shows what the misfit follows; `identify` finds the numbers that are off");
@@ -125,9 +126,9 @@ std::string baseVerdictText(const BaseVerdict& verdict, const BaseCalibration& b
   std::string text = fmt::format(
       "from nominal {:.4g} {}{} (sigma {:.2g}) and {:.4g} {} (sigma {:.2g})\n", lengthOf(verdict.distance, units),
       units.length().name,
-      verdict.pitches.allFinite() ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y", verdict.pitches.x(),
-                                                verdict.pitches.y())
-                                  : "",
+      verdict.pitches.allFinite()
+          ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y", verdict.pitches.x(), verdict.pitches.y())
+          : "",
       lengthOf(sigma.distance, units), angleOf(verdict.angle, units), units.angle().name, angleOf(sigma.angle, units));
   for (const auto& warning : verdict.warnings) text += "warning: " + warning + "\n";
   if (with_to_do)

@@ -155,9 +155,8 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"warnings", outcome.cell.warnings},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
                  {"counts", countsJson(outcome)},
-                 {"steps_by", outcome.chances.by_posture.empty()
-                                  ? "the model alone, taken as exact"
-                                  : "the likeliest under the probabilities"},
+                 {"steps_by", outcome.chances.by_posture.empty() ? "the model alone, taken as exact"
+                                                                 : "the likeliest under the probabilities"},
                  {"probabilities", stepChancesJson(outcome.chances, outcome.cell.units)}};
   if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
   if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
@@ -248,7 +247,8 @@ std::string planText(const PlanOutcome& outcome) {
       plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), unit,
       tilt / units.factor(dimension::kAngle), units.angle().name);
   if (!outcome.left_out.empty())
-    text += fmt::format("  {} left out: they take no tool (--tubes all,plugged,stabilised has them)\n", outcome.left_out);
+    text +=
+        fmt::format("  {} left out: they take no tool (--tubes all,plugged,stabilised has them)\n", outcome.left_out);
   for (std::size_t k = 0; k < std::min<std::size_t>(plan.unreachable.size(), 5); ++k) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.unreachable[k].tube)];
     text += fmt::format("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), plan.unreachable[k].reason);
@@ -271,7 +271,8 @@ std::string planText(const PlanOutcome& outcome) {
   if (outcome.scores.empty()) return text;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
-    text += fmt::format("  {:<56}", "by the true arm, " + std::string(planner::nameOf(kCompensations[mode])) + " compensation");
+    text += fmt::format("  {:<56}",
+                        "by the true arm, " + std::string(planner::nameOf(kCompensations[mode])) + " compensation");
     int scored = 0;
     for (int count : counts[mode]) {
       text += fmt::format("{:7}", count);

@@ -95,9 +95,10 @@ double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!request.standoff) return planner::CompensationOptions{}.standoff;
   const double standoff = outcome.cell.units.toInternal(*request.standoff, dimension::kLength);
   if (!(standoff > 0 && standoff <= kMostStandoff))
-    throw InputError("--standoff", fmt::format("{}", *request.standoff),
-                     "a length above zero, at most " + fmt::format("{:.3g} {}", lengthOf(kMostStandoff, outcome.cell.units),
-                                                                   outcome.cell.units.length().name));
+    throw InputError(
+        "--standoff", fmt::format("{}", *request.standoff),
+        "a length above zero, at most " +
+            fmt::format("{:.3g} {}", lengthOf(kMostStandoff, outcome.cell.units), outcome.cell.units.length().name));
   return standoff;
 }
 

@@ -25,7 +25,7 @@ struct PlanRequest {
   std::string compensation = "via-point";
   double load = 0;  ///< in the cell's unit of force
   ConditionsRequest conditions;
-  double padding = 0;  ///< of the base's standard deviations, kept beyond the scene's clearance
+  double padding = 0;              ///< of the base's standard deviations, kept beyond the scene's clearance
   std::optional<double> standoff;  ///< below a hole, where approaches begin; in the cell's unit of length
   std::uint64_t seed = 1;
 };
@@ -42,10 +42,10 @@ struct PlanOutcome {
   double padding = 0;      ///< m, the most that a tip at a visited hole is kept off beyond the clearance
   std::vector<int> zones;  ///< per visit; empty where no tubes come first
   planner::VisitPlan plan;
-  int tubes_added = 0, tubes_removed = 0;                 ///< against the plan begun from, of those visited
-  std::vector<planner::Centring> predicted;               ///< by the model itself, per visit
-  StepChances chances;                                    ///< of steps, per visit
-  std::vector<ModeScores> scores;                         ///< per visit; empty without truth
+  int tubes_added = 0, tubes_removed = 0;    ///< against the plan begun from, of those visited
+  std::vector<planner::Centring> predicted;  ///< by the model itself, per visit
+  StepChances chances;                       ///< of steps, per visit
+  std::vector<ModeScores> scores;            ///< per visit; empty without truth
 };
 
 /// Reads, calibrates, plans and scores. Throws InputError for bad input. A calibration that is refused ends the job

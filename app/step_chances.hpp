@@ -1,5 +1,5 @@
-// With what probability how many steps of the calibration tool go in, under all that is uncertain: the joints' readings,
-// where the base stands, and what the arm does beyond its model.
+// With what probability how many steps of the calibration tool go in, under all that is uncertain: the joints'
+// readings, where the base stands, and what the arm does beyond its model.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,17 +13,17 @@
 namespace tubeplan::app {
 
 struct StepChances {
-  std::string reason;           ///< why there are none; empty where there are some
-  calibration::TipError error;  ///< `at` is emptied once used
-  int touches = 0;              ///< by which the model's error was judged
-  bool base_is_exact = false;   ///< somebody says that the base is known, and not how well
+  std::string reason;                           ///< why there are none; empty where there are some
+  calibration::TipError error;                  ///< `at` is emptied once used
+  int touches = 0;                              ///< by which the model's error was judged
+  bool base_is_exact = false;                   ///< somebody says that the base is known, and not how well
   std::vector<std::vector<double>> by_posture;  ///< of 0, 1, ... steps; each adds up to 1
 };
 
 /// Where the arm goes by its model, and how the tool stands there by it.
 struct StepQuestion {
-  const Cell& cell;                ///< as read: what it says of base and model error
-  const planner::Workcell& model;  ///< placed
+  const Cell& cell;                                ///< as read: what it says of base and model error
+  const planner::Workcell& model;                  ///< placed
   const std::vector<calibration::Touch>& touches;  ///< that placed it; none: it stands as the cell has it
   const std::vector<Eigen::VectorXd>& postures;
   const std::vector<planner::Centring>& predicted;  ///< by the model itself, one for each posture

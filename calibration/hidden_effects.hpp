@@ -30,7 +30,7 @@ class HiddenEffects {
  private:
   void add(deflection::Arm changed, int kind, double share);
 
-  struct Changed;  ///< an arm with one change
+  struct Changed;                               ///< an arm with one change
   std::vector<std::unique_ptr<Changed>> arms_;  ///< the first as it is
   std::vector<int> kinds_;
 };

@@ -98,8 +98,7 @@ class TouchEvidence {
       const Touch& touch = question.touches[k];
       const Index row = 3 * static_cast<Index>(k);
       A.middleRows(row, 3) = at_touches[k].by_base;
-      noise_.block<3, 3>(row, row) =
-          at_touches[k].encoders + touch.sigma * touch.sigma * Eigen::Matrix3d::Identity();
+      noise_.block<3, 3>(row, row) = at_touches[k].encoders + touch.sigma * touch.sigma * Eigen::Matrix3d::Identity();
       if (weights.size()) effects_.middleRows(row, 3) = at_touches[k].effects * weights.asDiagonal();
       y.segment<3>(row) = arm.tipInWorld(question.X_WB, touch.q, touch.load).p_WT - touch.p_WH;
     }
@@ -122,9 +121,7 @@ class TouchEvidence {
   [[nodiscard]] MatrixXd covariance(double sigma) const { return noise_ + sigma * sigma * model_; }
 
   /// The largest size that the touches can be asked about.
-  [[nodiscard]] double misfit() const {
-    return std::sqrt(told_.squaredNorm() / static_cast<double>(told_.size()));
-  }
+  [[nodiscard]] double misfit() const { return std::sqrt(told_.squaredNorm() / static_cast<double>(told_.size())); }
   [[nodiscard]] double noise() const { return std::sqrt(noise_.diagonal().mean()); }
 
   /// All that does not depend on the hole, of one size.

@@ -40,8 +40,8 @@ struct MarginsSideBySide {
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
-  /// `padding`: standard deviations of the base's place that are taken off every distance from what stands in the world,
-  /// as each body feels them in each posture.
+  /// `padding`: standard deviations of the base's place that are taken off every distance from what stands in the
+  /// world, as each body feels them in each posture.
   explicit ArmClearance(const Workcell& cell, double padding = 0);
   ~ArmClearance();
 

@@ -50,8 +50,7 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   return std::min(proved, least);
 }
 
-LipschitzMargins::LipschitzMargins(const Scene& scene, const BasePadding& padding)
-    : scene_(scene), padding_(padding) {
+LipschitzMargins::LipschitzMargins(const Scene& scene, const BasePadding& padding) : scene_(scene), padding_(padding) {
   const std::vector<int> group = rigidGroups(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t k = 0; k < scene.obstacles.size(); ++k)

@@ -1,8 +1,8 @@
 // How far a body may stand from where the model has it, as far as the base's calibration tells.
 //
-// A point p moves by t + w x (p - p_WB) where the base is off by a shift t and a small turn w. Its standard deviation is
-// a convex function of p, in every direction, so that none within a capsule exceeds that of the capsule's ends and what
-// the turn adds over its radius. It changes by no more than the turn's deviation for each metre that p moves.
+// A point p moves by t + w x (p - p_WB) where the base is off by a shift t and a small turn w. Its standard deviation
+// is a convex function of p, in every direction, so that none within a capsule exceeds that of the capsule's ends and
+// what the turn adds over its radius. It changes by no more than the turn's deviation for each metre that p moves.
 #pragma once
 
 #include "planner/shape.hpp"

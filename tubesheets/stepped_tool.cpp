@@ -69,7 +69,8 @@ double integrateStrips(double radius, const PrincipalOffset& offset) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
-// Where a place of the tool must be when it enters: within `radius` of the hole's axis, the tip then being `along` off it.
+// Where a place of the tool must be when it enters: within `radius` of the hole's axis, the tip then being `along` off
+// it.
 struct Ring {
   double along, radius;
 };
@@ -164,10 +165,9 @@ std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vec
   for (const Step& step : tool.steps) {
     tightest = std::min(tightest, step.tolerance);
     const bool is_told = !std::isnan(at_least.front());
-    at_least.push_back(leans && is_told
-                           ? probabilityWithinAll(ringsOf(tool, at_least.size(), size), turn * mean_offset,
-                                                  turn * covariance * turn.transpose())
-                           : probabilityWithin(tightest, mean_offset, covariance));
+    at_least.push_back(leans && is_told ? probabilityWithinAll(ringsOf(tool, at_least.size(), size), turn * mean_offset,
+                                                               turn * covariance * turn.transpose())
+                                        : probabilityWithin(tightest, mean_offset, covariance));
   }
   for (std::size_t k = 0; k + 1 < at_least.size(); ++k) at_least[k] -= std::min(at_least[k], at_least[k + 1]);
   return at_least;

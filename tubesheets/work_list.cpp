@@ -137,7 +137,8 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
 // What an empty selection has left out.
 std::string besides(const Sheet& sheet, const Selection& selection) {
   const std::string left_out = leftOutText(sheet, selection);
-  return left_out.empty() ? "" : fmt::format(" but {}, which take no tool (ask for \"plugged\" to have them)", left_out);
+  return left_out.empty() ? ""
+                          : fmt::format(" but {}, which take no tool (ask for \"plugged\" to have them)", left_out);
 }
 
 std::string findListFault(const WorkListItem& item, const Sheet& sheet) {

@@ -5,8 +5,8 @@
 //   - The same with a minus (-plugged, -R3C4, -outer:1): taken away, from all tubes when nothing is asked for.
 //   - every:K, spread:N: a part of what the rest of the list selects, in the order written.
 //   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
-// Plugged and stabilised tubes take no tool: they are left out, and counted, unless asked for by their state (`plugged`,
-// as in `all,plugged`) or by their own name (R10C20).
+// Plugged and stabilised tubes take no tool: they are left out, and counted, unless asked for by their state
+// (`plugged`, as in `all,plugged`) or by their own name (R10C20).
 #pragma once
 
 #include <map>
@@ -45,7 +45,7 @@ struct WorkListItem {
   int column = 0;
   int line = 0;
   std::optional<Leg> leg;
-  std::string sheet;            ///< fingerprint; empty = any
+  std::string sheet;               ///< fingerprint; empty = any
   std::optional<double> dwell;     ///< s to stay
   std::optional<TubeState> state;  ///< of the tube, as the list has it
 };
@@ -59,9 +59,9 @@ struct WorkList {
 };
 
 /// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s
-/// (seconds to stay, from 0 to a day; empty: not said) and state (a tube state; empty: as the sheet has it); the columns
-/// sg, zone, tool, priority, comment and x, y with a unit are allowed and ignored. Refused: the same tube twice, two legs or sheets in one list, missing or other
-/// columns, anything malformed, no tubes.
+/// (seconds to stay, from 0 to a day; empty: not said) and state (a tube state; empty: as the sheet has it); the
+/// columns sg, zone, tool, priority, comment and x, y with a unit are allowed and ignored. Refused: the same tube
+/// twice, two legs or sheets in one list, missing or other columns, anything malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// The tubes of such a list, but for those that are plugged or stabilised by the list's word or, where it says nothing,

@@ -66,7 +66,8 @@ void readModelError(const YamlNode& node, Cell& cell) {
   const bool is_map = node.kind == YamlNode::Kind::kMap;
   if (is_map) {
     node.expectKeys({"sigma"}, {"degrees_of_freedom", "from"});
-    if (const YamlNode* freedom = node.find("degrees_of_freedom")) error.degrees_of_freedom = freedom->integer(1, 1000000);
+    if (const YamlNode* freedom = node.find("degrees_of_freedom"))
+      error.degrees_of_freedom = freedom->integer(1, 1000000);
     if (const YamlNode* from = node.find("from")) error.from = from->text();
   }
   const YamlNode& sigma = is_map ? node.at("sigma") : node;
@@ -141,8 +142,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance", "park", "gravity", "prior",
-                                    "model_error"});
+                                    "link_shapes", "clearance", "park", "gravity", "prior", "model_error"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;

@@ -52,11 +52,11 @@ struct Cell {
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
   std::optional<Eigen::VectorXd> park;  ///< joint readings to rest in [rad, m]
-  planner::Scene scene;               ///< links only where the file has neither scene nor shapes
-  std::vector<SceneMesh> meshes;      ///< that the scene names
-  std::vector<std::string> warnings;  ///< of the scene, a sentence each
-  std::vector<std::string> identify;  ///< dotted names, or `geometry`
-  calibration::Priors priors;         ///< of what a fit frees
+  planner::Scene scene;                 ///< links only where the file has neither scene nor shapes
+  std::vector<SceneMesh> meshes;        ///< that the scene names
+  std::vector<std::string> warnings;    ///< of the scene, a sentence each
+  std::vector<std::string> identify;    ///< dotted names, or `geometry`
+  calibration::Priors priors;           ///< of what a fit frees
 
   YamlFile source;      ///< as read, for writing it again with changes
   YamlFile arm_source;  ///< the same of the arm's file; empty where it stands inline

@@ -258,7 +258,8 @@ CellFiles improvedCell(const Cell& original, const Cell& improved, const calibra
   CellFiles files = filesOf(original, result, out);
   if (!improved.identify.empty()) {
     files.cell.text = withYamlValue(files.cell.text, "identify", identifyList(improved.identify));
-    for (auto& file : files.of_setups) file.text = withYamlValue(file.text, "identify", identifyList(improved.identify));
+    for (auto& file : files.of_setups)
+      file.text = withYamlValue(file.text, "identify", identifyList(improved.identify));
   }
   requireReproduced(files, result, readings, original.units);
   return files;

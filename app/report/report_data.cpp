@@ -48,8 +48,8 @@ json tubesData(const PlanOutcome& outcome) {
                   {"y", lengthOf(tube.y, units)},
                   {"tilt", angleOf(visit.branch.tilt, units)},
                   {"predicted_error", lengthOf(outcome.predicted[k].error, units)},
-                  {"probability_by_steps", outcome.chances.by_posture.empty() ? json(nullptr)
-                                                                           : json(outcome.chances.by_posture[k])}};
+                  {"probability_by_steps",
+                   outcome.chances.by_posture.empty() ? json(nullptr) : json(outcome.chances.by_posture[k])}};
     if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
     const char* names[] = {"none", "goal_point", "via_point"};
     for (int mode = 0; mode < 3; ++mode)

@@ -1,6 +1,5 @@
 // Calibrations that should not be trusted, and what `calibrate` says of them.
 #include <nlohmann/json.hpp>
-
 #include <sstream>
 #include <string>
 #include <vector>

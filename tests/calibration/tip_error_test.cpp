@@ -15,7 +15,8 @@ namespace {
 /// Postures under other holes than those touched.
 std::vector<Eigen::VectorXd> otherPostures() {
   std::vector<Eigen::VectorXd> postures;
-  for (const auto& plan : touchedCell({{-20, 20}, {0, 30}, {25, 15}, {-30, 35}}).plans) postures.push_back(plan.q_start);
+  for (const auto& plan : touchedCell({{-20, 20}, {0, 30}, {25, 15}, {-30, 35}}).plans)
+    postures.push_back(plan.q_start);
   return postures;
 }
 
@@ -65,7 +66,8 @@ TEST(TipError, WithFewDegreesOfFreedomHasWiderTails) {
   const auto cell = touchedCell();
   const double sigma = 0.02 * kInch;
   const auto variance = [&](int freedom) {
-    const TipErrorQuestion asked{cell.arm, cell.X_WB_true, 0, {}, {}, StatedModelError{sigma, freedom}, otherPostures()};
+    const TipErrorQuestion asked{cell.arm,       cell.X_WB_true, 0, {}, {}, StatedModelError{sigma, freedom},
+                                 otherPostures()};
     const TipError found = findTipError(asked);
     EXPECT_NEAR(weightOf(found.at[0]), 1, 1e-12);
     return covarianceOf(found.at[0]).trace() / 2 / (sigma * sigma);

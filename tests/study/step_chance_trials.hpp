@@ -1,5 +1,6 @@
 // Step probabilities held against true arms that follow other physics than the model: effects of the catalogue that the
-// model lacks, stiffnesses that are off, an error over the sheet that no effect makes, each arm another mixture and size.
+// model lacks, stiffnesses that are off, an error over the sheet that no effect makes, each arm another mixture and
+// size.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +56,8 @@ class StepChanceTrials {
     Draw draw(app::keyOf({seed, 7}));
     planner::Workcell truth = truths_.draw(draw);
     const bool has_effects = hidden_ == HiddenPhysics::kMixed || hidden_ == HiddenPhysics::kEffects;
-    const int effects = hidden_ == HiddenPhysics::kEffects ? 1 + static_cast<int>(draw.seed() % 2)
-                                                           : static_cast<int>(draw.seed() % 3);
+    const int effects =
+        hidden_ == HiddenPhysics::kEffects ? 1 + static_cast<int>(draw.seed() % 2) : static_cast<int>(draw.seed() % 3);
     for (int k = 0; k < effects && has_effects; ++k) hide(truth.arm, draw);
     const bool is_drawn = draw.seed() % 2 == 0 || effects == 0;
     const Field field(hidden_ == HiddenPhysics::kField || (hidden_ == HiddenPhysics::kMixed && is_drawn), draw);
@@ -131,8 +132,8 @@ class StepChanceTrials {
       if (row.parameters[v].is_shape) continue;
       const double sign = row.parameters[v].lower < 0 && draw.seed() % 2 ? -1 : 1;
       const auto bounds = deflection::numberOf(arm, effect, static_cast<int>(v));
-      effect.values[v] = std::clamp(row.parameters[v].neutral + sign * share * row.parameters[v].plausible, bounds.lower,
-                                    bounds.upper);
+      effect.values[v] = std::clamp(row.parameters[v].neutral + sign * share * row.parameters[v].plausible,
+                                    bounds.lower, bounds.upper);
     }
     arm.effects.push_back(effect);
     if (!deflection::findEffectProblems(arm).empty()) arm.effects.pop_back();

@@ -30,11 +30,14 @@ int main(int argc, char** argv) {
   for (const int count : touches) {
     const testing::StepChanceTrials trials(cell, count, holes, hidden);
     std::vector<testing::StepChanceTrial> found(static_cast<std::size_t>(runs));
-    oneapi::tbb::parallel_for(std::size_t{0}, found.size(),
-                              [&](std::size_t k) { found[k] = trials.run(app::keyOf({seed, k})); });
+    oneapi::tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+      found[k] = trials.run(app::keyOf({seed, k}));
+    });
     const auto sum = testing::summaryOf(found);
-    fmt::print("{} touches, {} of {} arms calibrated, {} holes\n  steps      predicted   happened   difference  (standard error)\n",
-               count, sum.calibrated, runs, sum.holes);
+    fmt::print(
+        "{} touches, {} of {} arms calibrated, {} holes\n  steps      predicted   happened   difference  (standard "
+        "error)\n",
+        count, sum.calibrated, runs, sum.holes);
     for (std::size_t b = 0; b < testing::kBins; ++b) {
       const double off = sum.predicted[b] - sum.happened[b];
       is_right = is_right && std::abs(off) <= 0.03;
