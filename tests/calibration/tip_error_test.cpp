@@ -64,17 +64,19 @@ TEST(TipError, AStatedErrorAddsToBaseAndHole) {
 
 TEST(TipError, WithFewDegreesOfFreedomHasWiderTails) {
   const auto cell = touchedCell();
-  const double sigma = 0.02 * kInch;
-  const auto variance = [&](int freedom) {
+  const double size = 0.02 * kInch;
+  const auto variance = [&](double sigma, int freedom) {
     const TipErrorQuestion asked{cell.arm,       cell.X_WB_true, 0, {}, {}, StatedModelError{sigma, freedom},
                                  otherPostures()};
     const TipError found = findTipError(asked);
     EXPECT_NEAR(weightOf(found.at[0]), 1, 1e-12);
-    return covarianceOf(found.at[0]).trace() / 2 / (sigma * sigma);
+    return covarianceOf(found.at[0]).trace() / 2 / (size * size);
   };
-  // Student's t has the variance n / (n - 2); what the encoders add is a tenth.
-  EXPECT_NEAR(variance(10), 10 / 8., 0.2);
-  EXPECT_NEAR(variance(1000), 1, 0.15);
+  const double encoders = variance(0, 0);
+  EXPECT_NEAR(variance(size, 0) - encoders, 1, 1e-9);
+  // Student's t has the variance n / (n - 2).
+  EXPECT_NEAR(variance(size, 10) - encoders, 10 / 8., 0.01);
+  EXPECT_NEAR(variance(size, 1000) - encoders, 1000 / 998., 0.01);
 }
 
 TEST(TipError, GrowsWithTheMisfitOfTheTouches) {
@@ -106,9 +108,11 @@ TEST(HiddenEffects, MoveTheTipInProportionAndLeaveOutWhatATouchDoesNotRecord) {
   int alike = 0;
   for (Eigen::Index k = 0; k < few.cols(); ++k) alike += (few.col(k) - many.col(k)).norm() <= 0.1 * few.col(k).norm();
   EXPECT_GT(alike, 0.9 * static_cast<double>(few.cols()));
-  for (const int kind : small.kinds())
-    if (kind < static_cast<int>(deflection::effectKinds().size()))
-      EXPECT_FALSE(deflection::effectKinds()[static_cast<std::size_t>(kind)].needs.time);
+  const auto& table = deflection::effectKinds();
+  for (const int kind : small.kinds()) {
+    const bool is_effect = kind < static_cast<int>(table.size());  // the last stands for stiffnesses
+    EXPECT_FALSE(is_effect && table[static_cast<std::size_t>(kind)].needs.time);
+  }
 }
 
 }  // namespace
