@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kReferencePostures = 60;  // over which a kind's size is taken
 constexpr double kTakenUp = 1e-6;               // share of a kind's square that must be left by the base
+constexpr int kPasses = 4;                      // in which the range of sizes is narrowed
 constexpr double kForgotten = 1e-7;             // weight of a scale that is not worth a quadrature
 
 /// Tip slopes by the base and columns of the hidden effects at a posture.
@@ -195,22 +196,40 @@ double logPrior(double sigma, const TipErrorQuestion& question, const TipErrorOp
   return freedom * std::log(ratio) - freedom * ratio * ratio / 2;
 }
 
-Scales scalesFor(const TipErrorQuestion& question, const TouchEvidence* touches, const TipErrorOptions& options) {
-  if (question.stated && (question.stated->degrees_of_freedom == 0 || question.stated->sigma == 0))
-    return {{question.stated->sigma}, {1}};
-  const double size = question.stated ? question.stated->sigma : options.usual_error;
-  const double least = std::min(size, touches ? touches->noise() : size) / 30;
-  const double most = std::max(size, touches ? touches->misfit() : size) * 100;
+/// Sizes evenly spread by their logarithm, and their weights.
+template <class LogDensity>
+Scales lookAt(double least, double most, const LogDensity& log_density, int count) {
   Scales scales;
   std::vector<double> logs;
-  for (int k = 0; k < options.scales; ++k) {
-    const double sigma = least * std::pow(most / least, static_cast<double>(k) / (options.scales - 1));
-    scales.sigma.push_back(sigma);
-    logs.push_back(logPrior(sigma, question, options) + (touches ? touches->logLikelihood(sigma) : 0));
+  for (int k = 0; k < count; ++k) {
+    scales.sigma.push_back(least * std::pow(most / least, static_cast<double>(k) / (count - 1)));
+    logs.push_back(log_density(scales.sigma.back()));
   }
   const double best = *std::max_element(logs.begin(), logs.end());
   for (const double log : logs) scales.weight.push_back(std::exp(log - best));
   forgetUnlikely(scales);
+  return scales;
+}
+
+Scales scalesFor(const TipErrorQuestion& question, const TouchEvidence* touches, const TipErrorOptions& options) {
+  if (question.stated && (question.stated->degrees_of_freedom == 0 || question.stated->sigma == 0))
+    return {{question.stated->sigma}, {1}};
+  const double size = question.stated ? question.stated->sigma : options.usual_error;
+  double least = std::min(size, touches ? touches->noise() : size) / 30;
+  double most = std::max(size, touches ? touches->misfit() : size) * 100;
+  // Looked at coarsely, then where it is likely: many degrees of freedom leave a narrow range of sizes.
+  const auto logPosterior = [&](double sigma) {
+    return logPrior(sigma, question, options) + (touches ? touches->logLikelihood(sigma) : 0);
+  };
+  Scales scales = lookAt(least, most, logPosterior, options.scales);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const double step = std::pow(most / least, 1. / (options.scales - 1));
+    const double from = std::max(least, scales.sigma.front() / step), to = std::min(most, scales.sigma.back() * step);
+    if (to / from > 0.5 * (most / least)) break;
+    least = from;
+    most = to;
+    scales = lookAt(least, most, logPosterior, options.scales);
+  }
   return scales;
 }
 
