@@ -54,6 +54,16 @@ TEST_F(StepChancesOfAPlan, SayWhetherTouchesOrTheCellToldTheModelsError) {
   for (const auto& tube : by_cell["tubes"]) EXPECT_LE(tube["probability_by_steps"][3], 0.118);
 }
 
+TEST_F(StepChancesOfAPlan, ModelErrorsThatAreNoneAreRefused) {
+  for (const char* error : {"-1", "abc", "{sigma: 0.1, degrees_of_freedom: 0}", "{sig: 0.1}"}) {
+    write("wrong.yaml", contentOf(folder / "mockup.yaml") + "model_error: " + error + "\n");
+    const Outcome outcome = run("map wrong.yaml");
+    EXPECT_EQ(outcome.exit_code, 2) << error;
+    EXPECT_NE(outcome.err.find("model_error"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run("plan mockup.yaml --tubes R10C20 --standoff=-1 --out plan").exit_code, 2);
+}
+
 TEST_F(StepChancesOfAPlan, AKnownBaseWithoutAWordOnTheModelSaysSo) {
   const json plan = planned("mockup-true.yaml");
   EXPECT_TRUE(plan["probabilities"]["model_error"].is_null());
