@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  nlohmann::json figures;  ///< as `tubeplan calibrate --json` writes them
+  std::optional<ModelError> model_error;  ///< as the touches tell it, where the cell does not have it from elsewhere
+  nlohmann::json figures;                 ///< as `tubeplan calibrate --json` writes them
 };
 
 /// `file` is where the touches come from, for messages. Throws InputError for too few touches, or holes that do not
@@ -20,8 +22,8 @@ struct CalibrationOutcome {
 [[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Touch>& touches,
                                                const std::string& file);
 
-/// The cell's text with the base that was found, to be written at `out`.
-[[nodiscard]] std::string calibratedCellText(const Cell& cell, const calibration::BaseCalibration& calibration,
+/// The cell's text with the base and the model's error that were found, to be written at `out`.
+[[nodiscard]] std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome,
                                              const std::string& out);
 
 }  // namespace tubeplan::app

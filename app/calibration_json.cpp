@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base_verdict.hpp"
 #include "app/command_inputs.hpp"
 #include "app/workcell.hpp"
 
@@ -43,7 +44,8 @@ nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, con
 
 }  // namespace
 
-nlohmann::json calibrationJson(const BaseCalibration& result, const Units& units) {
+nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) {
+  const Units& units = cell.units;
   nlohmann::json json = {{"status", nameOf(result.status)},
                          {"reason", result.reason},
                          {"suspects", result.suspects},
@@ -73,10 +75,12 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Units& units
                                  {"on_sheet", lengthOf(check.on_sheet, units)},
                                  {"difference", lengthOf(check.by_arm - check.on_sheet, units)},
                                  {"sigma", lengthOf(check.sigma, units)}});
+  json.update(baseVerdictJson(judgeBase(result, cell), result, units));
   return json;
 }
 
-std::string calibrationText(const BaseCalibration& result, const Units& units) {
+std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
+  const Units& units = cell.units;
   if (result.status != CalibrationStatus::kDone)
     return "calibration " + std::string(nameOf(result.status)) + ": " + result.reason + "\n";
   const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
@@ -96,11 +100,13 @@ std::string calibrationText(const BaseCalibration& result, const Units& units) {
   for (const auto& touch : result.residuals)
     text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole,
                         length(touch.residual_W.x()), length(touch.residual_W.y()), length(touch.residual_W.z()), unit);
-  for (const auto& check : result.distances)
+  for (const auto& check : result.distances) {
+    if (!in_full) break;
     text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from,
                         check.to, length(check.by_arm), length(check.on_sheet), length(check.by_arm - check.on_sheet),
                         length(check.sigma), unit);
-  return text;
+  }
+  return text + baseVerdictText(judgeBase(result, cell), result, units, in_full);
 }
 
 }  // namespace tubeplan::app

@@ -4,14 +4,16 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/readers/units.hpp"
+#include "app/readers/cell_reader.hpp"
 #include "calibration/base_calibration.hpp"
 
 namespace tubeplan::app {
 
-[[nodiscard]] nlohmann::json calibrationJson(const calibration::BaseCalibration& result, const Units& units);
+/// With the verdict on it (base_verdict.hpp). `cell`: as it was before, its base the nominal one.
+[[nodiscard]] nlohmann::json calibrationJson(const calibration::BaseCalibration& result, const Cell& cell);
 
-/// Base, its sigmas, residual of each touch and the distance checks.
-[[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Units& units);
+/// Base, its sigmas, residual of each touch and the verdict; in full also the distance checks and what to do.
+[[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Cell& cell,
+                                          bool in_full = true);
 
 }  // namespace tubeplan::app

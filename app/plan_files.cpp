@@ -44,6 +44,10 @@ json modesJson(const ModeScores& scores, const Units& units) {
           {"via_point", scoreJson(scores[2], units)}};
 }
 
+json chancesJson(const PlanOutcome& outcome, std::size_t k) {
+  return outcome.chances.by_posture.empty() ? json(nullptr) : json(outcome.chances.by_posture[k]);
+}
+
 json tubeJson(const PlanOutcome& outcome, std::size_t k) {
   const Units& units = outcome.cell.units;
   const auto& visit = outcome.plan.visits[k];
@@ -57,9 +61,10 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
                 {"predicted_tip", exactVector(visit.branch.predicted_tip_W, units, dimension::kLength)},
                 {"centring_error", outcome.predicted[k].error / units.factor(dimension::kLength)},
                 {"tilt", angleOf(visit.branch.tilt, units)},
-                {"steps", outcome.predicted[k].steps},
+                {"steps", outcome.chances.by_posture.empty() ? outcome.predicted[k].steps
+                                                             : likeliestSteps(outcome.chances.by_posture[k])},
                 {"approach_deviation", lengthOf(visit.branch.path_deviation, units)},
-                {"probability_by_steps", outcome.probability_by_steps[k]}};
+                {"probability_by_steps", chancesJson(outcome, k)}};
   if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
   if (!outcome.zones.empty()) entry["zone"] = outcome.zones[k] + 1;
   if (!outcome.scores.empty()) entry["scored"] = modesJson(outcome.scores[k], units);
@@ -149,13 +154,17 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"tightest", tightestText(outcome)},
                  {"warnings", outcome.cell.warnings},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
-                 {"counts", countsJson(outcome)}};
+                 {"counts", countsJson(outcome)},
+                 {"steps_by", outcome.chances.by_posture.empty() ? "the model alone, taken as exact"
+                                                                 : "the likeliest under the probabilities"},
+                 {"probabilities", stepChancesJson(outcome.chances, outcome.cell.units)}};
   if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
   if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
+  if (!outcome.left_out.empty()) result["left_out"] = outcome.left_out;
   if (request.padding > 0)
     result["padding"] = {{"sigmas", request.padding},
                          {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)}};
-  if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell.units);
+  if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell);
   return result;
 }
 
@@ -186,7 +195,9 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   const auto cell_file = folder.path() / "cell.yaml";
   folder.write("cell.yaml", outcome.calibration
                                 ? cellTextWithBase(outcome.cell,
-                                                   {outcome.model.X_WB, outcome.model.base_covariance, true}, cell_file)
+                                                   {outcome.model.X_WB, outcome.model.base_covariance, true,
+                                                    modelErrorByTouches(outcome.chances.error, outcome.touches.size())},
+                                                   cell_file)
                                 : cellTextAt(outcome.cell, cell_file));
   if (outcome.touches.empty())
     folder.remove("touches.csv");
@@ -196,6 +207,23 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();
 }
+
+namespace {
+
+std::string stepsHeading(const PlanOutcome& outcome) {
+  std::string text = fmt::format("{:<58}", "tubes by steps of the calibration tool that go in");
+  for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:7}", k);
+  return text + "\n";
+}
+
+std::string expectedText(const PlanOutcome& outcome) {
+  if (outcome.chances.by_posture.empty()) return "";
+  std::string text = fmt::format("  {:<56}", "as predicted, on the average");
+  for (const double count : expectedCounts(outcome.chances)) text += fmt::format("{:7.1f}", count);
+  return text + "\n";
+}
+
+}  // namespace
 
 std::string planText(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
@@ -209,11 +237,7 @@ std::string planText(const PlanOutcome& outcome) {
   std::string text;
   if (outcome.calibration) {
     const auto& base = outcome.calibration->flexible;
-    text += calibrationText(base, units);
-    if (base.p_value < 0.01)
-      text += fmt::format(
-          "  the model is off by more than the readings' noise; the base's covariance is widened by {:.0f}\n",
-          base.chi2 / base.degrees_of_freedom);
+    text += calibrationText(base, outcome.cell, false);
   }
   for (const auto& warning : outcome.cell.warnings) text += "warning: " + warning + "\n";
   if (!outcome.calibration && !outcome.cell.base_known)
@@ -222,6 +246,9 @@ std::string planText(const PlanOutcome& outcome) {
       "tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n",
       plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), unit,
       tilt / units.factor(dimension::kAngle), units.angle().name);
+  if (!outcome.left_out.empty())
+    text +=
+        fmt::format("  {} left out: they take no tool (--tubes all,plugged,stabilised has them)\n", outcome.left_out);
   for (std::size_t k = 0; k < std::min<std::size_t>(plan.unreachable.size(), 5); ++k) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.unreachable[k].tube)];
     text += fmt::format("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), plan.unreachable[k].reason);
@@ -234,20 +261,21 @@ std::string planText(const PlanOutcome& outcome) {
   text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
                       minClearance(outcome) / units.factor(dimension::kLength), unit,
                       outcome.model.scene.clearance / units.factor(dimension::kLength),
-                      outcome.padding > 0 ? fmt::format(", {:.3f} of it for where the base may be",
+                      outcome.padding > 0 ? fmt::format(", beyond what the base may be out: {:.3f} at a tip",
                                                         outcome.padding / units.factor(dimension::kLength))
                                           : "",
                       tightestText(outcome));
+  text += stepChancesText(outcome.chances, units);
+  if (outcome.scores.empty() && outcome.chances.by_posture.empty()) return text;
+  text += stepsHeading(outcome) + expectedText(outcome);
   if (outcome.scores.empty()) return text;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
-  text += fmt::format("{:<56}", "steps of the calibration tool that go in, by the true arm");
-  for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:5}", k);
-  text += "\n";
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
-    text += fmt::format("  {:<54}", std::string(planner::nameOf(kCompensations[mode])) + " compensation");
+    text += fmt::format("  {:<56}",
+                        "by the true arm, " + std::string(planner::nameOf(kCompensations[mode])) + " compensation");
     int scored = 0;
     for (int count : counts[mode]) {
-      text += fmt::format("{:5}", count);
+      text += fmt::format("{:7}", count);
       scored += count;
     }
     const int missed = static_cast<int>(outcome.scores.size()) - scored;

@@ -62,15 +62,13 @@ std::vector<calibration::Touch> touchesFor(const PlanRequest& request, const Pla
 /// The model's own view of each visit: where the tip goes, and how sure that is.
 void predict(PlanOutcome& outcome) {
   planner::TipPrediction tips(outcome.model);
+  std::vector<Eigen::VectorXd> postures;
   for (const auto& visit : outcome.plan.visits) {
     const auto hole = planner::holeCentre(outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
     outcome.predicted.push_back(planner::scoreVisit(tips, outcome.model, hole, visit.branch));
-    const auto tip = calibration::tipInWorld(outcome.model.arm, outcome.model.X_WB, visit.branch.q, outcome.model.load);
-    const Eigen::Matrix2d covariance =
-        calibration::tipCovariance(outcome.model.arm, tip, outcome.model.base_covariance).topLeftCorner<2, 2>();
-    outcome.probability_by_steps.push_back(
-        tubesheets::probabilityBySteps(outcome.model.tool, outcome.predicted.back().offset, covariance));
+    postures.push_back(visit.branch.q);
   }
+  outcome.chances = stepChances({outcome.cell, outcome.model, outcome.touches, postures, outcome.predicted});
 }
 
 void score(PlanOutcome& outcome) {
@@ -91,24 +89,46 @@ void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   outcome.tubes_removed = static_cast<int>(old.size()) - kept;
 }
 
+constexpr double kMostStandoff = 1;  // m
+
+double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
+  if (!request.standoff) return planner::CompensationOptions{}.standoff;
+  const double standoff = outcome.cell.units.toInternal(*request.standoff, dimension::kLength);
+  if (!(standoff > 0 && standoff <= kMostStandoff))
+    throw InputError(
+        "--standoff", fmt::format("{}", *request.standoff),
+        "a length above zero, at most " +
+            fmt::format("{:.3g} {}", lengthOf(kMostStandoff, outcome.cell.units), outcome.cell.units.length().name));
+  return standoff;
+}
+
 planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutcome& outcome) {
   planner::VisitPlanOptions options;
   options.seed = request.seed;
   options.reach.compensation.mode = outcome.compensation;
+  options.reach.compensation.standoff = standoffOf(request, outcome);
+  options.reach.padding = request.padding;
   options.conditions = outcome.conditions;
   return options;
 }
 
-/// Keeps the arm off by what the base may be out, on top of what the scene asks for.
-void pad(const PlanRequest& request, PlanOutcome& outcome) {
+/// The arm is kept off by what the base may be out, on top of what the scene asks for.
+void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   constexpr double kMostSigmas = 10;
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
     throw InputError("--padding", fmt::format("{}", request.padding), "standard deviations of the base, from 0 to 10");
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
     throw InputError("--padding", "a base without a covariance", "one that was found by touching",
                      "give --touches, or a cell that `calibrate` wrote");
-  outcome.padding = planner::paddingOf(outcome.model, request.padding);
-  outcome.model.scene.clearance += outcome.padding;
+}
+
+/// The most that a tip at a visited hole is padded by.
+double paddingAtHoles(const PlanRequest& request, const PlanOutcome& outcome) {
+  const planner::BasePadding padding(outcome.model, request.padding);
+  double most = 0;
+  for (const auto& visit : outcome.plan.visits)
+    most = std::max(most, padding.of({visit.branch.predicted_tip_W, visit.branch.predicted_tip_W, 0}));
+  return most;
 }
 
 /// The cell as the planner has it.
@@ -139,12 +159,12 @@ bool placeBase(PlanOutcome& outcome, std::vector<calibration::Touch> touches) {
 
 void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks, PlanKeeper* keeper,
           PlanOutcome& outcome) {
-  pad(request, outcome);
+  checkPadding(request, outcome);
   planner::PlanMemory forgotten;
   planner::PlanMemory& memory = keeper ? keeper->memory() : forgotten;
   if (keeper) {
-    keeper->begin(questionOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, request.seed,
-                              keeper->fromFingerprint()},
+    keeper->begin(questionOf({outcome.cell, outcome.model, outcome.conditions, request.compensation,
+                              standoffOf(request, outcome), request.padding, request.seed, keeper->fromFingerprint()},
                              tubes));
     hooks.keep = [keeper](const planner::PlanMemory&) { keeper->saveNowAndThen(); };
   }
@@ -153,6 +173,7 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
   if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(memory.visiting_order, outcome.conditions);
   countChanges(order_before, outcome);
+  if (request.padding > 0) outcome.padding = paddingAtHoles(request, outcome);
   predict(outcome);
   score(outcome);
 }
@@ -165,6 +186,7 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
   if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
   const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
+  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
   if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
   plan(request, selection.tube_indices, std::move(hooks), &keeper, outcome);
   return outcome;
@@ -177,6 +199,7 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
+  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
   plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;
 }

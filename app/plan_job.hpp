@@ -9,6 +9,7 @@
 #include "app/plan_conditions.hpp"
 #include "app/plan_keeper.hpp"
 #include "app/readers/cell_reader.hpp"
+#include "app/step_chances.hpp"
 #include "app/step_score.hpp"
 #include "app/touch_rehearsal.hpp"
 #include "planner/visit_plan.hpp"
@@ -24,7 +25,8 @@ struct PlanRequest {
   std::string compensation = "via-point";
   double load = 0;  ///< in the cell's unit of force
   ConditionsRequest conditions;
-  double padding = 0;  ///< of the base's standard deviations, kept beyond the scene's clearance
+  double padding = 0;              ///< of the base's standard deviations, kept beyond the scene's clearance
+  std::optional<double> standoff;  ///< below a hole, where approaches begin; in the cell's unit of length
   std::uint64_t seed = 1;
 };
 
@@ -36,13 +38,14 @@ struct PlanOutcome {
   std::vector<calibration::Touch> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitConditions conditions;
-  double padding = 0;      ///< m, within the model's clearance
+  std::string left_out;    ///< "12 plugged": tubes that were not planned for
+  double padding = 0;      ///< m, the most that a tip at a visited hole is kept off beyond the clearance
   std::vector<int> zones;  ///< per visit; empty where no tubes come first
   planner::VisitPlan plan;
-  int tubes_added = 0, tubes_removed = 0;                 ///< against the plan begun from, of those visited
-  std::vector<planner::Centring> predicted;               ///< by the model itself, per visit
-  std::vector<std::vector<double>> probability_by_steps;  ///< per visit, under the covariance of base and encoders
-  std::vector<ModeScores> scores;                         ///< per visit; empty without truth
+  int tubes_added = 0, tubes_removed = 0;    ///< against the plan begun from, of those visited
+  std::vector<planner::Centring> predicted;  ///< by the model itself, per visit
+  StepChances chances;                       ///< of steps, per visit
+  std::vector<ModeScores> scores;            ///< per visit; empty without truth
 };
 
 /// Reads, calibrates, plans and scores. Throws InputError for bad input. A calibration that is refused ends the job

@@ -18,8 +18,8 @@ namespace {
 
 // What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
 // own part; the tool's steps judge a plan, they do not shape it.
-constexpr std::array<std::string_view, 6> kOtherKeys{"name", "base", "identify", "tubesheet", "calibration_tool",
-                                                     "park"};
+constexpr std::array<std::string_view, 7> kOtherKeys{"name", "base",       "identify", "tubesheet", "calibration_tool",
+                                                     "park", "model_error"};
 constexpr std::array<std::string_view, 7> kModelParts{"program",   "arm and scene", "base", "load",
                                                       "clearance", "compensation",  "sheet"};
 
@@ -62,6 +62,13 @@ std::vector<std::string> differencesIn(const PlanQuestion& before, const PlanQue
   return differences;
 }
 
+std::string clearanceText(const QuestionInputs& inputs) {
+  const std::string clearance = fmt::format("{:a} m", inputs.model.scene.clearance);
+  return inputs.padding == 0 ? clearance
+                             : fmt::format("{} and {} sigmas of {}", clearance, inputs.padding,
+                                           numbersFingerprint(inputs.model.base_covariance));
+}
+
 }  // namespace
 
 std::string fingerprintOf(std::string_view bytes) {
@@ -92,8 +99,8 @@ PlanQuestion questionOf(const QuestionInputs& inputs, const std::vector<int>& tu
           {"arm and scene", modelFingerprint(inputs.cell)},
           {"base", numbersFingerprint(inputs.model.X_WB.matrix())},
           {"load", fmt::format("{} N", inputs.model.load)},
-          {"clearance", fmt::format("{:a} m", inputs.model.scene.clearance)},
-          {"compensation", inputs.compensation},
+          {"clearance", clearanceText(inputs)},
+          {"compensation", inputs.compensation + fmt::format(", standoff {:a} m", inputs.standoff)},
           {"sheet", inputs.model.sheet.fingerprint()},
           {"seed", std::to_string(inputs.seed)},
           {"list of tubes", fmt::format("{} tubes, {}", tubes.size(), fingerprintOf(tubes_text))},

@@ -22,6 +22,8 @@ struct QuestionInputs {
   const planner::Workcell& model;  ///< as planned with: base as calibrated, load
   const planner::VisitConditions& conditions;
   std::string compensation;
+  double standoff = 0;  ///< m
+  double padding = 0;   ///< standard deviations of the base's place
   std::uint64_t seed = 1;
   std::string from;  ///< fingerprint of the memory that the plan begins with; empty without
 };

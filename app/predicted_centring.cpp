@@ -29,7 +29,7 @@ struct Reached {
 
 std::vector<int> holesToLookAt(const Cell& cell) {
   const std::size_t most = deflection::isTurretArm(cell.arm) ? kHoles : kHolesOfSlowArms;
-  const std::size_t count = std::min(most, cell.sheet->tubes.size());
+  const std::size_t count = std::min(most, tubesheets::selectTubes(*cell.sheet, "all").tube_indices.size());
   return tubesheets::selectTubes(*cell.sheet, "spread:" + std::to_string(count)).tube_indices;
 }
 

@@ -13,8 +13,9 @@
 namespace tubeplan::app {
 
 std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count) {
-  const auto selection = tubesheets::selectTubes(
-      cell.sheet, "spread:" + std::to_string(std::min<std::size_t>(count, cell.sheet.tubes.size())));
+  const std::size_t there = tubesheets::selectTubes(cell.sheet, "all").tube_indices.size();
+  const auto selection =
+      tubesheets::selectTubes(cell.sheet, "spread:" + std::to_string(std::min<std::size_t>(count, there)));
   return touchCandidates(cell, selection.tube_indices);
 }
 

@@ -12,6 +12,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
+constexpr double kLackOfFit = 0.01;  // p below which the stated noise is refused, as in every fit
+
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 /// Best rigid placing of the arm's touched tips on the holes (Umeyama 1991, no scale); repeated, since the sag of the
@@ -172,6 +174,13 @@ std::vector<std::string> findMistakenHoles(TouchedArm& arm, const std::vector<To
   return names;
 }
 
+BaseStep stepBetween(const Isometry3d& from, const Isometry3d& to) {
+  const Eigen::AngleAxisd turn(Matrix3d(to.linear() * from.linear().transpose()));
+  BaseStep step;
+  step << to.translation() - from.translation(), turn.angle() * turn.axis();
+  return step;
+}
+
 BaseCalibration refused(std::string reason) {
   BaseCalibration result;
   result.status = CalibrationStatus::kRefused;
@@ -205,6 +214,8 @@ Eigen::Matrix<double, 6, 6> widenedCovariance(const BaseCalibration& calibration
   return calibration.covariance * std::max(1., calibration.chi2 / std::max(1, calibration.degrees_of_freedom));
 }
 
+bool isFitRefused(const BaseCalibration& calibration) { return calibration.p_value < kLackOfFit; }
+
 BaseCalibration calibrateBase(const deflection::Arm& given, const std::vector<Touch>& touches,
                               const Isometry3d& X_WB_start, const BaseCalibrationOptions& options) {
   if (const std::string problem = findTouchProblem(touches, options); !problem.empty()) return refused(problem);
@@ -216,6 +227,7 @@ BaseCalibration calibrateBase(const deflection::Arm& given, const std::vector<To
   result.p_value = fit.p_value;
   result.degrees_of_freedom = 3 * static_cast<int>(touches.size()) - 6;
   result.iterations = fit.solution.iterations;
+  result.from_start = stepBetween(X_WB_start, fit.X_WB);
   if (fit.solution.status != LeastSquaresStatus::kConverged) {
     result.status = CalibrationStatus::kNotConverged;
     result.reason = fit.solution.reason;

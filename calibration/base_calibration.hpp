@@ -47,7 +47,14 @@ struct BaseCalibration {
   double p_value = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;
   int iterations = 0;
+  /// From where the search started, which is where the base should stand: shift [m], then rotation vector [rad], world
+  /// axes.
+  BaseStep from_start = BaseStep::Constant(std::numeric_limits<double>::quiet_NaN());
 };
+
+/// Whether chi-square refuses the fit at the touches' stated noise (p < 0.01): what the arm does is not what its model
+/// says, or a touch is not where it is said to be.
+[[nodiscard]] bool isFitRefused(const BaseCalibration& calibration);
 
 /// Least-squares base pose on the flexible model, each touch weighted by its centring and encoder noise, starting from
 /// any pose. The covariance is that of the readings' noise; a model that is off shows in chi2, not in it.

@@ -110,10 +110,19 @@ struct ArmClearance::PreparedArms {
 
 ArmClearance::~ArmClearance() = default;
 
-ArmClearance::ArmClearance(const Workcell& cell)
+ArmClearance::ArmClearance(const Workcell& cell, double padding)
     : cell_(cell),
+      padding_(cell, padding),
       arms_(std::make_unique<PreparedArms>(cell)),
-      travel_(armTravelOf(cell, CollisionWorld(cell.scene).bodyReach())) {}
+      travel_(armTravelOf(cell, CollisionWorld(cell.scene).bodyReach())) {
+  travel_.bound.reach_per_joint *= 1 + padding_.slope();
+}
+
+void ArmClearance::find(const NearestPairs& pairs, const PlacedPostures& placed, std::span<NearestPair> found) const {
+  if (padding_.isNone()) return pairs.find(placed, found);
+  for (int lane = 0; lane < placed.count; ++lane)
+    found[static_cast<std::size_t>(lane)] = pairs.findPadded(placed, lane, padding_);
+}
 
 Clearance ArmClearance::lessBow(Clearance clearance, double bow) const {
   clearance.distance -= bow + travel_.jump;
@@ -125,7 +134,7 @@ Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
   const PlacedPostures& placed = arms_->of_thread.local().place(q);
   NearestPair found;
-  pairs.find(placed, {&found, 1});
+  find(pairs, placed, {&found, 1});
   return lessBow(pairs.named(placed, 0, found), placed.bow.front());
 }
 
@@ -136,7 +145,7 @@ MarginsSideBySide ArmClearance::together(const PostureColumns& q, ContactRule ru
   std::array<NearestPair, kernels::kMostLanes> found;
   for (Eigen::Index first = 0; first < q.cols(); first += placing.lanes()) {
     const PlacedPostures& placed = placing.place(q, first);
-    pairs.find(placed, found);
+    find(pairs, placed, found);
     std::optional<std::size_t> tightest;
     for (std::size_t l = 0; l < static_cast<std::size_t>(placed.count); ++l) {
       result.margins.push_back(found[l].distance - cell_.scene.clearance - (placed.bow[l] + travel_.jump));

@@ -4,10 +4,15 @@
 #include <memory>
 
 #include "planner/clearance.hpp"
+#include "planner/padding.hpp"
 #include "planner/travel_bound.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::planner {
+
+class NearestPairs;
+struct NearestPair;
+struct PlacedPostures;
 
 /// The tool may enter holes only while it approaches or retreats; in between it keeps off the sheet as everything does.
 enum class ContactRule { kTravel, kApproach };
@@ -35,8 +40,12 @@ struct MarginsSideBySide {
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
-  explicit ArmClearance(const Workcell& cell);
+  /// `padding`: standard deviations of the base's place that are taken off every distance from what stands in the
+  /// world, as each body feels them in each posture.
+  explicit ArmClearance(const Workcell& cell, double padding = 0);
   ~ArmClearance();
+
+  [[nodiscard]] const BasePadding& padding() const { return padding_; }
 
   /// Least margin at joint readings q, on the deflected shape; the bow of a bent member between its frames is taken
   /// off. A shape that does not settle has a NaN margin, with the reason in `other`.
@@ -61,9 +70,11 @@ class ArmClearance {
  private:
   struct PreparedArms;
 
+  void find(const NearestPairs& pairs, const PlacedPostures& placed, std::span<NearestPair> found) const;
   [[nodiscard]] Clearance lessBow(Clearance clearance, double bow) const;
 
   const Workcell& cell_;
+  BasePadding padding_;
   std::unique_ptr<PreparedArms> arms_;  ///< the scenes by rule, and an arm for each thread that asks
   ArmTravel travel_;
 };

@@ -55,6 +55,7 @@ struct TubeBranch {
 struct PredictedTip {
   Eigen::Vector3d p_WT;
   double tilt;
+  Eigen::Vector3d axis_W;  ///< of the tool, unit length
 };
 PredictedTip predictTip(const Workcell& cell, const Eigen::VectorXd& q);
 

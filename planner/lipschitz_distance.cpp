@@ -50,7 +50,7 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   return std::min(proved, least);
 }
 
-LipschitzMargins::LipschitzMargins(const Scene& scene) : scene_(scene) {
+LipschitzMargins::LipschitzMargins(const Scene& scene, const BasePadding& padding) : scene_(scene), padding_(padding) {
   const std::vector<int> group = rigidGroups(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
@@ -67,11 +67,13 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   };
   const Body& body = scene_.bodies[pair.body];
   Capsule capsule = placed(frameOf(body), capsuleAround(body));
+  const double padding =
+      pair.with_body || padding_.isNone() ? 0 : padding_.towards(*scene_.obstacles[pair.other].shape, capsule);
   if (pair.with_body) capsule = placed(frameOf(scene_.bodies[pair.other]).inverse(), capsule);
   const Shape& other = pair.with_body ? *scene_.bodies[pair.other].shape : *scene_.obstacles[pair.other].shape;
   const double half_length = (capsule.to - capsule.from).norm() / 2;
   const double middle = other.pointDistance((capsule.from + capsule.to) / 2);
-  return {&pair, capsule, &other, middle - half_length - capsule.radius};
+  return {&pair, capsule, &other, padding, middle - half_length - capsule.radius - padding};
 }
 
 double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
@@ -79,19 +81,20 @@ double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accu
   looks_.clear();
   for (const Pair& pair : pairs_) looks_.push_back(lookAt(pair, X_WL));
   std::ranges::stable_sort(looks_, {}, &Look::bound);
-  LipschitzOptions options{accuracy, share, scene_.clearance};
+  double enough = std::numeric_limits<double>::infinity();
   const Pair* nearest = nullptr;
   for (const Look& look : looks_) {
-    if (look.bound >= options.enough) break;
-    const double distance = lipschitzDistance(look.capsule, *look.other, options);
-    if (distance >= options.enough) continue;
-    options.enough = distance;
+    if (look.bound >= enough) break;
+    const LipschitzOptions options{accuracy, share, scene_.clearance + look.padding, enough + look.padding};
+    const double distance = lipschitzDistance(look.capsule, *look.other, options) - look.padding;
+    if (distance >= enough) continue;
+    enough = distance;
     nearest = look.pair;
   }
   if (names && nearest)
     *names = bodyLabel(scene_.bodies[nearest->body]) + ", " +
              (nearest->with_body ? bodyLabel(scene_.bodies[nearest->other]) : scene_.obstacles[nearest->other].name);
-  return options.enough - scene_.clearance;
+  return enough - scene_.clearance;
 }
 
 double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/scene.hpp"
+#include "planner/padding.hpp"
 
 namespace tubeplan::planner {
 
@@ -29,8 +29,8 @@ struct LipschitzOptions {
 /// The margins of one scene's postures; which pairs may not touch is found once. Each thread needs its own.
 class LipschitzMargins {
  public:
-  /// `scene` must outlive this, and stay as it is.
-  explicit LipschitzMargins(const Scene& scene);
+  /// `scene` must outlive this, and stay as it is. `padding` is taken off every distance from what stands in the world.
+  explicit LipschitzMargins(const Scene& scene, const BasePadding& padding = {});
 
   /// Lower bound of the least margin (distance less the scene's clearance) of all pairs that may not touch, the rows'
   /// bodies being at X_WL [m]; `accuracy` and `share` (of the margin) as above. `names` gets the tightest pair, "tool,
@@ -47,12 +47,14 @@ class LipschitzMargins {
     const Pair* pair;
     Capsule capsule;  ///< in the other's frame
     const Shape* other;
-    double bound;  ///< m, lower bound of the distance
+    double padding;  ///< m, taken off the distance
+    double bound;    ///< m, lower bound of what is left
   };
 
   [[nodiscard]] Look lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const;
 
   const Scene& scene_;
+  BasePadding padding_;
   std::vector<Pair> pairs_;
   std::vector<Look> looks_;
 };

@@ -182,6 +182,34 @@ void NearestPairs::find(const PlacedPostures& placed, std::span<NearestPair> fou
   }
 }
 
+NearestPair NearestPairs::findPadded(const PlacedPostures& placed, int lane, const BasePadding& padding) const {
+  NearestPair found;
+  if (!placed.settles[static_cast<std::size_t>(lane)]) return found;
+  for (const auto& body : bodies_)
+    if (!placed.X_WL(body.row, lane).matrix().allFinite()) return found;
+  found.distance = std::numeric_limits<double>::infinity();
+  std::vector<double> padded(scene_.bodies.size(), -1);  // in any direction, once asked for
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const kernels::PlainPair& pair = pairs_[k];
+    double away = 0;
+    if (pair.kind != PairKind::kBodyAndBody) {
+      const auto other = static_cast<std::size_t>(pair.other), body = static_cast<std::size_t>(pair.body);
+      const Capsule around_W = around(placed, lane, pair.body);
+      const Shape& obstacle = *scene_.obstacles[other].shape;
+      if (pair.kind == PairKind::kPlane) {
+        away = padding.towards(obstacle, around_W);
+      } else {
+        if (padded[body] < 0) padded[body] = padding.of(around_W);
+        away = padded[body];
+      }
+      if (isFarther(placed, lane, pair, found.distance + away)) continue;
+    }
+    const double here = separationOf(placed, lane, pair).distance - away;
+    if (here < found.distance) found = {here, static_cast<int>(k)};
+  }
+  return found;
+}
+
 Clearance NearestPairs::named(const PlacedPostures& placed, int lane, const NearestPair& found) const {
   Clearance clearance;
   if (!placed.settles[static_cast<std::size_t>(lane)]) {

@@ -11,6 +11,7 @@
 
 #include "planner/body_placing.hpp"
 #include "planner/clearance.hpp"
+#include "planner/padding.hpp"
 
 namespace tubeplan::planner {
 
@@ -28,6 +29,10 @@ class NearestPairs {
 
   /// One for each posture placed; NaN where the shape does not settle or a pose is not a number.
   void find(const PlacedPostures& placed, std::span<NearestPair> found) const;
+
+  /// The same of one posture, with the padding of the base taken off every distance from what stands in the world: pair
+  /// by pair, without a kernel.
+  [[nodiscard]] NearestPair findPadded(const PlacedPostures& placed, int lane, const BasePadding& padding) const;
 
   /// What `find` has found of the posture in a lane, in words, and where.
   [[nodiscard]] Clearance named(const PlacedPostures& placed, int lane, const NearestPair& found) const;

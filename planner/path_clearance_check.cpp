@@ -68,8 +68,8 @@ class PathClearance {
         find_(find),
         result_(result),
         travel_scene_(withoutContact(cell.scene)),
-        travelling_(travel_scene_),
-        approaching_(cell.scene),
+        travelling_(travel_scene_, BasePadding(cell, options.padding)),
+        approaching_(cell.scene, BasePadding(cell, options.padding)),
         placing_(cell),
         frames_(cell.arm.rows.size()) {
     const double thick = thickestBody(cell.scene);
@@ -80,6 +80,7 @@ class PathClearance {
       lever_ = deflection.stretch * lever_ + deflection.per_joint;
     else
       lever_ *= deflectionFactor(cell);
+    lever_ *= 1 + BasePadding(cell, options.padding).slope();
   }
 
   void run() {

@@ -35,6 +35,7 @@ struct PlanCheckOptions {
   double approach_tolerance =
       2.8e-5;              ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
   bool via_points = true;  ///< the approach was compensated at every via point
+  double padding = 0;      ///< standard deviations of the base's place, beyond the scene's clearance
   double least_travel = 1e-4;        ///< m, finest step of the clearance proof
   double distance_accuracy = 1e-5;   ///< m, of each posture's margin, or ...
   double distance_share = 0.05;      ///< ... this share of the margin, where that is more

@@ -7,12 +7,14 @@ namespace tubeplan::planner {
 Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
                     const Eigen::Vector3d& tip_error_W) {
   Centring score;
-  const Eigen::Vector3d off = tips.at(visit.q).p_WT + tip_error_W - hole_W;
+  const PredictedTip tip = tips.at(visit.q);
+  const Eigen::Vector3d off = tip.p_WT + tip_error_W - hole_W;
   score.offset = off.head<2>();
   score.error = score.offset.norm();
   score.height = off.z();
   score.approach_deviation = tips.lateralDeviation(hole_W - tip_error_W, visit.approach);
-  score.steps = tubesheets::stepsInserted(truth.tool, score.error);
+  score.lean = tip.axis_W.head<2>() / tip.axis_W.z();
+  score.steps = tubesheets::stepsInserted(truth.tool, score.offset, score.lean);
   return score;
 }
 

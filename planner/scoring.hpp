@@ -16,7 +16,9 @@ struct Centring {
   double height = std::numeric_limits<double>::quiet_NaN();                 ///< m, tip above the face
   double approach_deviation =
       std::numeric_limits<double>::quiet_NaN();  ///< m, most the tip is off the axis on the way up
-  int steps = -1;                                ///< of the tool that go in
+  /// Sideways for each length that the tool's axis rises, at the goal.
+  Eigen::Vector2d lean = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  int steps = -1;  ///< of the tool that go in, its lean counted over their lengths
 };
 
 /// Scores one visit against the truth. `tip_error_W` [m] is what the true arm does beyond its own model, in this

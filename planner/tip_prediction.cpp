@@ -13,7 +13,7 @@ PredictedTip TipPrediction::at(const VectorXd& q) {
   kinematics_.solve(postures_, tips_, {1e-13, 100});
   const auto X_BD = tips_.X_BD(0);
   const Vector3d axis_W = cell_.X_WB.linear() * X_BD.R * cell_.arm.tool_axis_L;
-  return {cell_.X_WB * X_BD.p, std::atan2(axis_W.cross(kHoleAxis_W).norm(), axis_W.dot(kHoleAxis_W))};
+  return {cell_.X_WB * X_BD.p, std::atan2(axis_W.cross(kHoleAxis_W).norm(), axis_W.dot(kHoleAxis_W)), axis_W};
 }
 
 double TipPrediction::lateralDeviation(const Vector3d& hole_W, const std::vector<VectorXd>& postures, int samples) {

@@ -46,8 +46,10 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   reach.status = ReachStatus::kUnreachable;
   reach.reason = "the place is out of the arm's reach";
   Hurdle furthest = Hurdle::kNone;
-  for (auto& branch :
-       compensate(clearance.cell(), holeCentre(clearance.cell().sheet.tubes.at(tube)), options.compensation)) {
+  const Eigen::Vector3d hole_W = holeCentre(clearance.cell().sheet.tubes.at(tube));
+  CompensationOptions compensation = options.compensation;
+  compensation.standoff += clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
+  for (auto& branch : compensate(clearance.cell(), hole_W, compensation)) {
     const BranchVerdict verdict = judge(clearance, branch, options);
     if (verdict.failed == Hurdle::kNone) {
       reach.branches.push_back(std::move(branch));

@@ -13,6 +13,9 @@ namespace tubeplan::planner {
 struct TubeReachOptions {
   CompensationOptions compensation;
   MotionCheckOptions check;
+  /// Standard deviations of the base's place, kept beyond the scene's clearance. A standoff is further below its hole
+  /// by what they come to there: `compensation.standoff` is what is left of it.
+  double padding = 0;
   double spare = 5.08e-4;  ///< m beyond the scene's clearance that a plan keeps in hand (0.020 in)
 };
 

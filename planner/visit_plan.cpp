@@ -176,7 +176,7 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
 VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                      const PlanHooks& hooks, PlanMemory& memory) {
   VisitPlan plan;
-  const ArmClearance clearance(cell);
+  const ArmClearance clearance(cell, options.reach.padding);
   const JointSpeeds speeds = jointSpeedsOf(cell.arm);
   std::vector<TubeReach> reach = reachAll(clearance, tubes, options.reach, hooks, memory, plan);
   if (shouldStop(hooks)) return stopped(plan);

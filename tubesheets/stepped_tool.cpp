@@ -15,6 +15,7 @@ constexpr double kNoWidth = 1e-14;     // of the radius: thinner spreads are a l
 constexpr double kRoundOff = 1e-12;    // of the larger variance: how negative rounding makes a zero one
 constexpr double kQuadrature = 1e-12;  // absolute, of each piece
 constexpr int kDeepest = 14;           // halvings of a piece
+constexpr int kDeepestLeaning = 3;     // where strips have corners that no halving smooths
 
 // The offset along its principal axes: `wide` has the larger deviation.
 struct PrincipalOffset {
@@ -68,7 +69,70 @@ double integrateStrips(double radius, const PrincipalOffset& offset) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
+// Where a place of the tool must be when it enters: within `radius` of the hole's axis, the tip then being `along` off
+// it.
+struct Ring {
+  double along, radius;
+};
+
+// Both ends of the first `count` steps, `along` counted in the direction of the lean.
+std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lean) {
+  std::vector<Ring> rings;
+  double below = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    rings.push_back({below * lean, tool.steps[k].tolerance});
+    below += tool.lengths[k];
+    rings.push_back({below * lean, tool.steps[k].tolerance});
+  }
+  return rings;
+}
+
+// The share of a normal offset within all rings, by strips along the lean. `mean` and `covariance` have the lean first.
+double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2d& mean,
+                            const Eigen::Matrix2d& covariance) {
+  double across = std::numeric_limits<double>::infinity();
+  for (const Ring& ring : rings) across = std::min(across, ring.radius);
+  if (rings.empty()) return 1;
+  const double thin = kNoWidth * across;
+  const double sigma = std::max(std::sqrt(std::max(0.0, covariance(1, 1))), thin);
+  const double slope = covariance(0, 1) / (sigma * sigma);
+  const double rest = std::max(std::sqrt(std::max(0.0, covariance(0, 0) - slope * covariance(0, 1))), thin);
+  const double lowest = std::max(mean[1] - kTail * sigma, -across), highest = std::min(mean[1] + kTail * sigma, across);
+  if (lowest >= highest) return 0;
+  const double middle = (lowest + highest) / 2, span = (highest - lowest) / 2;
+  const auto strip = [&](double turn) {
+    const double v = middle + span * std::sin(turn), u = (v - mean[1]) / sigma;
+    double from = -std::numeric_limits<double>::infinity(), to = -from;
+    for (const Ring& ring : rings) {
+      const double half = std::sqrt(std::max(0.0, (ring.radius - v) * (ring.radius + v)));
+      from = std::max(from, ring.along - half);
+      to = std::min(to, ring.along + half);
+    }
+    if (from >= to) return 0.0;
+    const double half = (to - from) / 2, centre = mean[0] + slope * (v - mean[1]) - (from + to) / 2;
+    const double density = std::exp(-u * u / 2) / (sigma * std::sqrt(2 * std::numbers::pi));
+    return density * probabilityOfBand(half, centre, rest) * span * std::cos(turn);
+  };
+  double sum = 0;
+  for (int piece = -2; piece < 2; ++piece)
+    sum += integrate(strip, piece * std::numbers::pi / 4, (piece + 1) * std::numbers::pi / 4, kDeepestLeaning);
+  return std::clamp(sum, 0.0, 1.0);
+}
+
 }  // namespace
+
+int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean) {
+  if (tool.lengths.size() != tool.steps.size()) return stepsInserted(tool, offset.norm());
+  double below = 0;
+  int entered = 0;
+  for (std::size_t k = 0; k < tool.steps.size(); ++k, ++entered) {
+    const double tolerance = tool.steps[k].tolerance;
+    if (!((offset - below * lean).norm() <= tolerance)) break;
+    below += tool.lengths[k];
+    if (!((offset - below * lean).norm() <= tolerance)) break;
+  }
+  return entered;
+}
 
 int stepsInserted(const SteppedTool& tool, double centring_error) {
   const auto stuck = std::find_if(tool.steps.begin(), tool.steps.end(),
@@ -89,14 +153,21 @@ double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset, cons
 }
 
 std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vector2d& mean_offset,
-                                       const Eigen::Matrix2d& covariance) {
+                                       const Eigen::Matrix2d& covariance, const Eigen::Vector2d& lean) {
+  const double size = lean.norm();
+  const bool leans = size > 0 && tool.lengths.size() == tool.steps.size();
+  const Eigen::Vector2d along = leans ? Eigen::Vector2d(lean / size) : Eigen::Vector2d::UnitX();
+  const Eigen::Matrix2d turn = (Eigen::Matrix2d() << along.x(), along.y(), -along.y(), along.x()).finished();
   // at_least[k]: the first k steps enter, which the tightest of them decides.
   std::vector<double> at_least{findPrincipalOffset(mean_offset, covariance) ? 1
                                                                             : std::numeric_limits<double>::quiet_NaN()};
   double tightest = std::numeric_limits<double>::infinity();
   for (const Step& step : tool.steps) {
     tightest = std::min(tightest, step.tolerance);
-    at_least.push_back(probabilityWithin(tightest, mean_offset, covariance));
+    const bool is_told = !std::isnan(at_least.front());
+    at_least.push_back(leans && is_told ? probabilityWithinAll(ringsOf(tool, at_least.size(), size), turn * mean_offset,
+                                                               turn * covariance * turn.transpose())
+                                        : probabilityWithin(tightest, mean_offset, covariance));
   }
   for (std::size_t k = 0; k + 1 < at_least.size(); ++k) at_least[k] -= std::min(at_least[k], at_least[k + 1]);
   return at_least;

@@ -25,14 +25,21 @@ struct SteppedTool {
 /// not shrink or that exceed the gap between step and hole, numbers that are not above zero.
 [[nodiscard]] std::vector<Problem> findToolProblems(const SteppedTool& tool, double hole_diameter);
 
-/// How many steps enter at that centring error [m]: those before the first whose tolerance is below it. None for NaN.
+/// How many steps enter at that centring error [m] of a tool that stands upright: those before the first whose
+/// tolerance is below it. None for NaN.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, double centring_error);
 
+/// The same of a tool that leans: its tip is `offset` [m] from the hole's axis, and its own axis goes sideways by
+/// `lean` for each length that it rises. The tip goes straight up, so that a place `a` below it enters at offset - a *
+/// lean; a step enters where both its ends keep its tolerance. A tool without lengths counts as all tip.
+[[nodiscard]] int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean);
+
 /// The probability that exactly 0, 1, ..., n steps enter when the tip's offset from the hole's axis is normal with that
-/// mean [m] and covariance [m^2] (singular ones too: a line, a point). Good to 1e-10. All NaN when the mean or
-/// covariance is not finite or the covariance has a negative variance.
+/// mean [m] and covariance [m^2] (singular ones too: a line, a point), the tool leaning as said. Good to 1e-10, to 1e-6
+/// for a tool that leans. All NaN when the mean or covariance is not finite or the covariance has a negative variance.
 [[nodiscard]] std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vector2d& mean_offset,
-                                                     const Eigen::Matrix2d& covariance);
+                                                     const Eigen::Matrix2d& covariance,
+                                                     const Eigen::Vector2d& lean = Eigen::Vector2d::Zero());
 
 /// The probability that such an offset is at most `radius` [m] long; NaN as above.
 [[nodiscard]] double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset,

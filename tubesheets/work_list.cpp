@@ -24,7 +24,7 @@ struct Item {
   [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
 };
 
-Selection refuse(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}}; }
+Selection refuse(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}}; }
 
 Selection refuse(const Item& item, const std::string& reason) {
   return refuse(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
@@ -92,6 +92,24 @@ std::vector<int> allTubes(const Sheet& sheet) {
   return all;
 }
 
+bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
+
+// Tubes that are asked for by their state or one by one, not as part of a range.
+std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items) {
+  const std::vector<int> all = allTubes(sheet);
+  std::vector<bool> is_named(all.size(), false);
+  for (const Item& item : items) {
+    if (item.role() != TermRole::kSource || item.is_minus || item.term != nullptr) continue;
+    const TermChoice choice = choose(item, sheet, all);
+    const bool is_one = choice.tubes.size() == 1 && item.text.find('-') == std::string_view::npos &&
+                        item.text.find_first_of("Cc") != std::string_view::npos &&
+                        item.text.find_first_of("Rr") != std::string_view::npos;
+    if (!findTubeState(item.text) && !is_one) continue;
+    for (const int tube : choice.tubes) is_named[tube] = true;
+  }
+  return is_named;
+}
+
 // Applies the sources, first those that add, then those that take away. The first reason to refuse stops it.
 Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
@@ -106,10 +124,21 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
       for (const int tube : choice.tubes) is_selected[tube] = !minus;
     }
   }
-  Selection selection{SelectionStatus::kSelected, "", {}, {}};
-  for (const int tube : all)
-    if (is_selected[tube]) selection.tube_indices.push_back(tube);
+  const std::vector<bool> is_named = namedTubes(sheet, items);
+  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}};
+  for (const int tube : all) {
+    if (!is_selected[tube]) continue;
+    const bool is_left_out = takesNoTool(sheet.tubes[tube].state) && !is_named[tube];
+    (is_left_out ? selection.left_out : selection.tube_indices).push_back(tube);
+  }
   return selection;
+}
+
+// What an empty selection has left out.
+std::string besides(const Sheet& sheet, const Selection& selection) {
+  const std::string left_out = leftOutText(sheet, selection);
+  return left_out.empty() ? ""
+                          : fmt::format(" but {}, which take no tool (ask for \"plugged\" to have them)", left_out);
 }
 
 std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
@@ -120,6 +149,21 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
 }
 
 }  // namespace
+
+std::string leftOutText(const Sheet& sheet, const Selection& selection) {
+  std::map<TubeState, int> counts;
+  for (const int tube : selection.left_out) ++counts[sheet.tubes[static_cast<std::size_t>(tube)].state];
+  // By a list's word a tube may be plugged that the sheet has open.
+  int by_list = 0;
+  std::vector<std::string> parts;
+  for (const auto& [state, count] : counts)
+    if (takesNoTool(state))
+      parts.push_back(fmt::format("{} {}", count, tubeStateName(state)));
+    else
+      by_list += count;
+  if (by_list > 0) parts.push_back(fmt::format("{} plugged by the list's word", by_list));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
 
 Selection selectTubes(const Sheet& sheet, const std::string& request) {
   const std::vector<Item> items = splitItems(request);
@@ -138,7 +182,7 @@ Selection selectTubes(const Sheet& sheet, const std::string& request) {
     selection.tube_indices = std::move(choice.tubes);
   }
   if (selection.status == SelectionStatus::kSelected && selection.tube_indices.empty())
-    return refuse(fmt::format("\"{}\" selects no tube of this sheet", request));
+    return refuse(fmt::format("\"{}\" selects no tube of this sheet{}", request, besides(sheet, selection)));
   return selection;
 }
 
@@ -146,19 +190,24 @@ Selection selectTubes(const Sheet& sheet, const WorkList& list) {
   if (list.status != WorkListStatus::kRead)
     return refuse(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
-  Selection selection{SelectionStatus::kSelected, "", {}, {}};
+  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}};
   for (const WorkListItem& item : list.items) {
     std::string fault = findListFault(item, sheet);
     if (!item.sheet.empty() && item.sheet != fingerprint)
       fault = fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
     if (!fault.empty()) return refuse(fmt::format("line {}: {}", item.line, fault));
-    selection.tube_indices.push_back(*sheet.indexOf(item.row, item.column));
+    const int tube = *sheet.indexOf(item.row, item.column);
+    if (takesNoTool(item.state.value_or(sheet.tubes[static_cast<std::size_t>(tube)].state))) {
+      selection.left_out.push_back(tube);
+      continue;
+    }
+    selection.tube_indices.push_back(tube);
     if (item.dwell) selection.dwell[selection.tube_indices.back()] = *item.dwell;
   }
   std::sort(selection.tube_indices.begin(), selection.tube_indices.end());
   const auto repeated = std::unique(selection.tube_indices.begin(), selection.tube_indices.end());
   if (repeated != selection.tube_indices.end()) return refuse("the work list names a tube twice");
-  if (selection.tube_indices.empty()) return refuse("the work list names no tube");
+  if (selection.tube_indices.empty()) return refuse("the work list names no tube" + besides(sheet, selection));
   return selection;
 }
 

@@ -5,6 +5,8 @@
 //   - The same with a minus (-plugged, -R3C4, -outer:1): taken away, from all tubes when nothing is asked for.
 //   - every:K, spread:N: a part of what the rest of the list selects, in the order written.
 //   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
+// Plugged and stabilised tubes take no tool: they are left out, and counted, unless asked for by their state
+// (`plugged`, as in `all,plugged`) or by their own name (R10C20).
 #pragma once
 
 #include <map>
@@ -27,7 +29,11 @@ struct Selection {
   std::string reason;             ///< when refused: names the item, the tube or the line
   std::vector<int> tube_indices;  ///< places in sheet.tubes, ascending, each once
   std::map<int, double> dwell;    ///< s to stay at a tube, where a list says so
+  std::vector<int> left_out;      ///< tubes that would have been selected, but are plugged or stabilised
 };
+
+/// "12 plugged, 3 stabilised"; empty where none is left out.
+[[nodiscard]] std::string leftOutText(const Sheet& sheet, const Selection& selection);
 
 /// Tubes by the language above. Refused: malformed items, tubes that are not on the sheet, another leg or sheet, an
 /// empty result.
@@ -39,8 +45,9 @@ struct WorkListItem {
   int column = 0;
   int line = 0;
   std::optional<Leg> leg;
-  std::string sheet;            ///< fingerprint; empty = any
-  std::optional<double> dwell;  ///< s to stay
+  std::string sheet;               ///< fingerprint; empty = any
+  std::optional<double> dwell;     ///< s to stay
+  std::optional<TubeState> state;  ///< of the tube, as the list has it
 };
 
 enum class WorkListStatus { kNotRun, kRead, kRefused };
@@ -51,13 +58,14 @@ struct WorkList {
   std::vector<WorkListItem> items;
 };
 
-/// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL), sheet (a fingerprint) and dwell_s
-/// (seconds to stay, from 0 to a day; empty: not said); the columns sg, zone, tool, state, priority, comment and x, y
-/// with a unit are allowed and ignored. Refused: the same tube twice, two legs or sheets in one list, missing or other
-/// columns, anything malformed, no tubes.
+/// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s
+/// (seconds to stay, from 0 to a day; empty: not said) and state (a tube state; empty: as the sheet has it); the
+/// columns sg, zone, tool, priority, comment and x, y with a unit are allowed and ignored. Refused: the same tube
+/// twice, two legs or sheets in one list, missing or other columns, anything malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
-/// The tubes of such a list. Refused: a refused list, another leg or sheet, tubes that are not on the sheet.
+/// The tubes of such a list, but for those that are plugged or stabilised by the list's word or, where it says nothing,
+/// by the sheet's. Refused: a refused list, another leg or sheet, tubes that are not on the sheet, none left.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const WorkList& list);
 
 }  // namespace tubeplan::tubesheets

@@ -50,11 +50,15 @@ WorkList parseWorkListCsv(std::string_view text) {
     const TubeNumbers numbers = parseTubeNumbers(table, row);
     if (numbers.problem) return refused(*numbers.problem);
     const std::string leg = fieldOf(table, row, "leg");
-    WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}};
+    WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}, {}};
     if (const std::string dwell = fieldOf(table, row, "dwell_s"); !dwell.empty()) {
       item.dwell = parseNumber(dwell);
       if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
         return refused({"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
+    }
+    if (const std::string state = fieldOf(table, row, "state"); !state.empty()) {
+      item.state = findTubeState(state);
+      if (!item.state) return refused({"state", "\"" + state + "\"", "one of " + tubeStateNames(), "", row.line});
     }
     if (!leg.empty() && !item.leg) return refused({"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
     const auto [first, is_new] = lines.try_emplace({item.row, item.column}, item.line);

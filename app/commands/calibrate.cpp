@@ -31,12 +31,13 @@ int run(const CalibrateOptions& options) {
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
-  const auto [result, figures] = calibrateCell(cell, touches, options.measurements);
+  const CalibrationOutcome outcome = calibrateCell(cell, touches, options.measurements);
+  const auto& result = outcome.calibration;
   if (result.status == CalibrationStatus::kDone && !options.out.empty())
-    writeFileAtomically(options.out, calibratedCellText(cell, result, options.out), "--out");
-  writeJson(options.json, figures);
-  if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell.units));
-  return result.status == CalibrationStatus::kDone ? kDone : kNegativeAnswer;
+    writeFileAtomically(options.out, calibratedCellText(cell, outcome, options.out), "--out");
+  writeJson(options.json, outcome.figures);
+  if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell));
+  return result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result) ? kDone : kNegativeAnswer;
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ int explainStop(PlanKeeper& keeper, const OutputFolder& folder) {
 int explain(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   if (outcome.calibration && outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone)
-    fmt::print(stderr, "{}", calibrationText(outcome.calibration->flexible, outcome.cell.units));
+    fmt::print(stderr, "{}", calibrationText(outcome.calibration->flexible, outcome.cell));
   else
     fmt::print(stderr, "no plan: {}\n", plan.reason);
   constexpr std::size_t kShown = 5;
@@ -88,7 +88,8 @@ Run configurePlan(CLI::App& cli) {
   auto& request = options->request;
   cli.add_option("CELL", request.cell, "the cell file")->required();
   cli.add_option("--tubes", request.tubes,
-                 "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, -plugged, or a CSV work list")
+                 "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged and "
+                 "stabilised ones only by name: all,plugged")
       ->capture_default_str();
   cli.add_option("--touches", request.touches,
                  "touched holes (CSV) that place the base, or auto: the true arm touches three");
@@ -106,6 +107,8 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--padding", request.padding,
                  "keep so many standard deviations of the base's place beyond the scene's clearance")
       ->capture_default_str();
+  cli.add_option("--standoff", request.standoff,
+                 "how far below a hole its approach begins, in the cell's unit of length (1 in; padding comes on top)");
   cli.add_option("--seed", request.seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
       ->required();

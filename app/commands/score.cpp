@@ -96,7 +96,8 @@ std::vector<ModeScores> modeScores(const Scored& scored) {
   return scores;
 }
 
-nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, const Units& units) {
+nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, const Cell& nominal) {
+  const Units& units = nominal.units;
   nlohmann::json tubes = nlohmann::json::array();
   for (const auto& scored_tube : scored.tubes) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(scored_tube.tube)];
@@ -109,13 +110,14 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
   }
   const auto counts = countByMode(modeScores(scored), static_cast<int>(cell.tool.steps.size()));
   return {{"units", unitsJson(units)},
-          {"calibration", calibrationJson(scored.calibration.flexible, units)},
+          {"calibration", calibrationJson(scored.calibration.flexible, nominal)},
           {"tubes", tubes},
           {"counts", {{kModeKeys[0], counts[0]}, {kModeKeys[1], counts[1]}, {kModeKeys[2], counts[2]}}}};
 }
 
-void printScored(const Scored& scored, const planner::Workcell& cell, const Units& units) {
-  fmt::print("{}", calibrationText(scored.calibration.flexible, units));
+void printScored(const Scored& scored, const planner::Workcell& cell, const Cell& nominal) {
+  const Units& units = nominal.units;
+  fmt::print("{}", calibrationText(scored.calibration.flexible, nominal));
   const auto scores = modeScores(scored);
   fmt::print("{} tubes scored, {} unreachable\n", scores.size(), scored.tubes.size() - scores.size());
   const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
@@ -197,11 +199,11 @@ int run(const ScoreOptions& options) {
   const auto selection = readTubes(options.tubes, model.sheet);
   const Scored scored = scoreAll(model, truth, selection.tube_indices, options.seed);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {
-    fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell.units));
+    fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell));
     return kNegativeAnswer;
   }
-  writeJson(options.json, scoredJson(scored, model, cell.units));
-  if (printsText(options.json)) printScored(scored, model, cell.units);
+  writeJson(options.json, scoredJson(scored, model, cell));
+  if (printsText(options.json)) printScored(scored, model, cell);
   return kDone;
 }
 

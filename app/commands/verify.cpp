@@ -13,7 +13,6 @@
 #include "app/readers/plan_reader.hpp"
 #include "app/workcell.hpp"
 #include "deflection/parameters.hpp"
-#include "planner/padding.hpp"
 
 namespace tubeplan::app {
 
@@ -41,7 +40,6 @@ planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const P
   work.X_WB = planned.X_WB;
   work.load = files.load;
   if (planned.base_covariance) work.base_covariance = *planned.base_covariance;
-  work.scene.clearance += planner::paddingOf(work, files.padding_sigmas);
   return work;
 }
 
@@ -80,6 +78,7 @@ int run(const VerifyOptions& options) {
   checkJsonTarget(options.json);
   const planner::Workcell work = checkedWorkcell(cell, planned, files);
   planner::PlanCheckOptions checks;
+  checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";
   // Without compensation the deflected tip is meant to miss: only the files' own statements are held against the model.
   if (files.compensation == "none") checks.centring_tolerance = 1;

@@ -37,14 +37,43 @@ Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   return covariance;
 }
 
+double readSigma(const YamlNode& node, const char* key, const Units& units, Dimension dimension, double otherwise) {
+  const YamlNode* value = node.find(key);
+  if (!value) return otherwise;
+  const double sigma = readQuantity(*value, units, dimension);
+  if (!(sigma > 0)) value->fail("a standard deviation that is not above zero", "one above zero", "");
+  return sigma;
+}
+
 void readBase(const YamlNode& node, Cell& cell) {
-  node.expectKeys({"position", "rpy", "known"}, {"covariance"});
+  node.expectKeys({"position", "rpy", "known"}, {"covariance", "prior"});
   cell.X_WB.translation() = readVector(node.at("position"), cell.units, dimension::kLength);
   cell.X_WB.linear() =
       deflection::rotationFromFixedAngles<double>(readVector(node.at("rpy"), cell.units, dimension::kAngle));
   cell.base_known = node.at("known").boolean();
   if (const YamlNode* covariance = node.find("covariance"))
     cell.base_covariance = readCovariance(*covariance, cell.units);
+  if (const YamlNode* prior = node.find("prior")) {
+    prior->expectKeys({}, {"shift", "turn"});
+    cell.base_prior.shift = readSigma(*prior, "shift", cell.units, dimension::kLength, cell.base_prior.shift);
+    cell.base_prior.turn = readSigma(*prior, "turn", cell.units, dimension::kAngle, cell.base_prior.turn);
+  }
+}
+
+// A length, or a map with how it was found.
+void readModelError(const YamlNode& node, Cell& cell) {
+  ModelError error;
+  const bool is_map = node.kind == YamlNode::Kind::kMap;
+  if (is_map) {
+    node.expectKeys({"sigma"}, {"degrees_of_freedom", "from"});
+    if (const YamlNode* freedom = node.find("degrees_of_freedom"))
+      error.degrees_of_freedom = freedom->integer(1, 1000000);
+    if (const YamlNode* from = node.find("from")) error.from = from->text();
+  }
+  const YamlNode& sigma = is_map ? node.at("sigma") : node;
+  error.sigma = readQuantity(sigma, cell.units, dimension::kLength);
+  if (!(error.sigma >= 0)) sigma.fail("a negative length", "zero or more", "");
+  cell.model_error = error;
 }
 
 // In the file's unit of angle, or of length for a sliding joint.
@@ -113,7 +142,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance", "park", "gravity", "prior"});
+                                    "link_shapes", "clearance", "park", "gravity", "prior", "model_error"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;
@@ -123,6 +152,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   if (const YamlNode* effects = root.find("effects")) cell.arm.effects = readEffects(*effects, cell.arm, cell.units);
   if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);
   if (const YamlNode* prior = root.find("prior")) readPriors(*prior, cell);
+  if (const YamlNode* error = root.find("model_error")) readModelError(*error, cell);
   const auto folder = std::filesystem::path(path).parent_path();
   if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);
   if (const YamlNode* tool = root.find("calibration_tool")) {

@@ -21,6 +21,21 @@ namespace tubeplan::app {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+/// How far the base may stand from where the cell has it before it is calibrated: standard deviation of each coordinate
+/// and about each axis.
+struct BasePrior {
+  double shift = 0.0127;  ///< m (0.5 in)
+  double turn = 0.0087;   ///< rad (0.5 deg)
+};
+
+/// What the arm does at a posture beyond its model, as somebody found it: standard deviation of each coordinate of the
+/// tip.
+struct ModelError {
+  double sigma = 0;            ///< m
+  int degrees_of_freedom = 0;  ///< by which it was found; 0: taken as known
+  std::string from;            ///< how it was found: "identify", "touches"; empty: somebody wrote it
+};
+
 /// Internal units throughout. The cell's file has its numbers in the arm's units.
 struct Cell {
   std::string path;
@@ -32,14 +47,16 @@ struct Cell {
   bool base_known = false;
   bool tool_axis_told = false;              ///< by the arm file or by the scene; else the arm has the default
   std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
+  BasePrior base_prior;
+  std::optional<ModelError> model_error;
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
   std::optional<Eigen::VectorXd> park;  ///< joint readings to rest in [rad, m]
-  planner::Scene scene;               ///< links only where the file has neither scene nor shapes
-  std::vector<SceneMesh> meshes;      ///< that the scene names
-  std::vector<std::string> warnings;  ///< of the scene, a sentence each
-  std::vector<std::string> identify;  ///< dotted names, or `geometry`
-  calibration::Priors priors;         ///< of what a fit frees
+  planner::Scene scene;                 ///< links only where the file has neither scene nor shapes
+  std::vector<SceneMesh> meshes;        ///< that the scene names
+  std::vector<std::string> warnings;    ///< of the scene, a sentence each
+  std::vector<std::string> identify;    ///< dotted names, or `geometry`
+  calibration::Priors priors;           ///< of what a fit frees
 
   YamlFile source;      ///< as read, for writing it again with changes
   YamlFile arm_source;  ///< the same of the arm's file; empty where it stands inline

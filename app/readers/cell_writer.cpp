@@ -46,11 +46,30 @@ Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
 }
 
+std::string withModelError(const std::string& text, const ModelError& error, const Units& units) {
+  std::string map = "sigma: " + formatNumber(units.toFile(error.sigma, dimension::kLength));
+  if (error.degrees_of_freedom > 0) map += fmt::format(", degrees_of_freedom: {}", error.degrees_of_freedom);
+  if (!error.from.empty()) map += ", from: " + error.from;
+  return withYamlValue(text, "model_error", "{" + map + "}");
+}
+
+/// As a fit found it. Where chi-square accepts the noise, the largest that so many readings would not have shown: their
+/// mean square is uncertain by a share of sqrt(2 / freedom).
+std::optional<ModelError> modelErrorOf(const calibration::Identification& result) {
+  if (result.degrees_of_freedom <= 0) return std::nullopt;
+  const double freedom = result.degrees_of_freedom;
+  const double unseen = result.noise_floor / std::sqrt(3.) * std::pow(2 / freedom, 0.25);
+  const double sigma = std::max(result.model_error, unseen);
+  if (!std::isfinite(sigma)) return std::nullopt;
+  return ModelError{sigma, result.degrees_of_freedom, "identify"};
+}
+
 std::string withBase(std::string text, const Cell& cell, const BaseChange& base) {
   const Eigen::Vector3d rpy = rollPitchYaw(base.X_WB.linear());
   text = withYamlValue(text, "base.position", listText(base.X_WB.translation(), cell.units, dimension::kLength));
   text = withYamlValue(text, "base.rpy", listText(rpy, cell.units, dimension::kAngle));
   text = withYamlValue(text, "base.known", base.known ? "true" : "false");
+  if (base.model_error) text = withModelError(text, *base.model_error, cell.units);
   return base.covariance ? withYamlValue(text, "base.covariance", covarianceText(*base.covariance, cell.units)) : text;
 }
 
@@ -188,6 +207,7 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   }
   if (!result.fitted.arm.effects.empty())
     text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
+  if (const auto error = modelErrorOf(result)) text = withModelError(text, *error, cell.units);
   if (result.fitted.placings.size() > 1)
     files.of_setups = cellsOfSetups(text, cell, result, out);
   else if (!result.fitted.placings.front().is_known)
@@ -238,7 +258,8 @@ CellFiles improvedCell(const Cell& original, const Cell& improved, const calibra
   CellFiles files = filesOf(original, result, out);
   if (!improved.identify.empty()) {
     files.cell.text = withYamlValue(files.cell.text, "identify", identifyList(improved.identify));
-    for (auto& file : files.of_setups) file.text = withYamlValue(file.text, "identify", identifyList(improved.identify));
+    for (auto& file : files.of_setups)
+      file.text = withYamlValue(file.text, "identify", identifyList(improved.identify));
   }
   requireReproduced(files, result, readings, original.units);
   return files;

@@ -15,6 +15,7 @@ struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; none removes nothing that the file has
   bool known = true;
+  std::optional<ModelError> model_error = {};  ///< none leaves the file's as it is
 };
 
 /// The cell's text with another base, to be written at `out`: the files it names are named relative to there.

@@ -121,8 +121,10 @@ function scoredCase(tube, mode, steps) {
   return Number.isInteger(score.steps) ? Math.max(0, Math.min(3, score.steps)) : stepsAtError(score.error, steps);
 }
 
-/// The case that the plan expects: the likeliest by its probabilities, else by the predicted error.
+/// The case that the plan expects: the likeliest by its probabilities, else by the predicted error; null where the plan
+/// says that it has none, since nobody placed the base.
 function predictedCase(tube, steps) {
+  if (tube.probability_by_steps === null) return null;
   const chances = numbers(tube.probability_by_steps, 4);
   return chances ? chances.indexOf(Math.max(...chances)) : stepsAtError(tube.predicted_error, steps);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/base_verdict.hpp"
 #include "app/calibration_json.hpp"
 #include "app/command_inputs.hpp"
 #include "app/plan_files.hpp"
@@ -47,7 +48,8 @@ json tubesData(const PlanOutcome& outcome) {
                   {"y", lengthOf(tube.y, units)},
                   {"tilt", angleOf(visit.branch.tilt, units)},
                   {"predicted_error", lengthOf(outcome.predicted[k].error, units)},
-                  {"probability_by_steps", outcome.probability_by_steps[k]}};
+                  {"probability_by_steps",
+                   outcome.chances.by_posture.empty() ? json(nullptr) : json(outcome.chances.by_posture[k])}};
     if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
     const char* names[] = {"none", "goal_point", "via_point"};
     for (int mode = 0; mode < 3; ++mode)
@@ -185,7 +187,7 @@ json bowlRadius(const PlanOutcome& outcome) {
 
 json calibrationData(const PlanOutcome& outcome) {
   if (!outcome.calibration) return nullptr;
-  json data = calibrationJson(outcome.calibration->flexible, outcome.cell.units);
+  json data = calibrationJson(outcome.calibration->flexible, outcome.cell);
   data["base_sigma"] = data["sigma"];
   return data;
 }
@@ -206,12 +208,23 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
                      worst / unit);
 }
 
+/// How many tubes should take how many steps, and whose opinion that is.
+std::string chancesText(const PlanOutcome& outcome) {
+  std::string text;
+  const auto counts = expectedCounts(outcome.chances);
+  for (std::size_t k = 0; k < counts.size(); ++k) text += fmt::format("{} steps in {:.1f} tubes, ", k, counts[k]);
+  text += stepChancesText(outcome.chances, outcome.cell.units);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
 json summaryData(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const double unit = outcome.cell.units.factor(dimension::kLength);
   json rows = json::array();
   rows.push_back(
       {"tubes planned", fmt::format("{} of {}", plan.visits.size(), plan.visits.size() + plan.unreachable.size())});
+  if (!outcome.left_out.empty()) rows.push_back({"left out", outcome.left_out});
   rows.push_back({"compensation", planner::nameOf(outcome.compensation)});
   rows.push_back({"error without compensation", errorText(outcome, 0)});
   rows.push_back({"error with compensation", errorText(outcome, 2)});
@@ -219,6 +232,10 @@ json summaryData(const PlanOutcome& outcome) {
                               ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
                                             outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
                               : std::string("as the cell has it")});
+  if (outcome.calibration)
+    for (const auto& warning : judgeBase(outcome.calibration->flexible, outcome.cell).warnings)
+      rows.push_back({"warning", warning});
+  rows.push_back({"steps, as predicted", chancesText(outcome)});
   rows.push_back({"whole path", fmt::format("{:.0f} s, {} detours", plan.total_time, plan.detours)});
   return rows;
 }

@@ -145,11 +145,12 @@ Answer calibrate(Workbench& workbench, const Request& request) {
     const Situation began = workbench.situation();
     const Cell& cell = currentModel(began).cell;
     beginStage(context, "calibration");
-    const auto [result, figures] = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
+    const CalibrationOutcome outcome = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
+    const auto& result = outcome.calibration;
     if (result.status != calibration::CalibrationStatus::kDone)
       throw InputError("touches", result.reason, "touches that place the base");
-    const Cell calibrated = rereadCell(cell, calibratedCellText(cell, result, cell.path));
-    finishJob(workbench, began, [&, &document = figures](Situation& situation) {
+    const Cell calibrated = rereadCell(cell, calibratedCellText(cell, outcome, cell.path));
+    finishJob(workbench, began, [&, &document = outcome.figures](Situation& situation) {
       const int id = pushModel(situation, "base calibrated", "calibration", calibrated);
       putResult(situation, "calibrate", id, document);
     });

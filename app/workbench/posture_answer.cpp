@@ -82,13 +82,16 @@ json centringJson(const Cell& cell, const Isometry3d& X_WD, int hole) {
   const auto& sheet = *cell.sheet;
   const Vector3d off = X_WD.translation() - planner::holeCentre(sheet.tubes.at(static_cast<std::size_t>(hole)));
   const double distance = off.head<2>().norm();
-  const double cosine = (X_WD.linear() * cell.arm.tool_axis_L).normalized().dot(planner::kHoleAxis_W);
+  const Vector3d axis_W = (X_WD.linear() * cell.arm.tool_axis_L).normalized();
+  const double cosine = axis_W.dot(planner::kHoleAxis_W);
   const double sign = sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
-  return {{"offset", {lengthOf(sign * off.x(), cell.units), lengthOf(off.y(), cell.units)}},
-          {"distance", lengthOf(distance, cell.units)},
-          {"height", lengthOf(off.z(), cell.units)},
-          {"steps", cell.tool ? json(tubesheets::stepsInserted(*cell.tool, distance)) : json()},
-          {"tilt", angleOf(std::acos(std::clamp(cosine, -1.0, 1.0)), cell.units)}};
+  return {
+      {"offset", {lengthOf(sign * off.x(), cell.units), lengthOf(off.y(), cell.units)}},
+      {"distance", lengthOf(distance, cell.units)},
+      {"height", lengthOf(off.z(), cell.units)},
+      {"steps",
+       cell.tool ? json(tubesheets::stepsInserted(*cell.tool, off.head<2>(), axis_W.head<2>() / axis_W.z())) : json()},
+      {"tilt", angleOf(std::acos(std::clamp(cosine, -1.0, 1.0)), cell.units)}};
 }
 
 }  // namespace

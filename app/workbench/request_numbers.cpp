@@ -45,11 +45,14 @@ std::string tubesText(const nlohmann::json& body, const tubesheets::Sheet& sheet
     return text;
   }
   std::vector<std::string> names;
-  for (const double number : numbersOf(body, "tubes")) {
+  const auto numbers = numbersOf(body, "tubes");
+  for (const double number : numbers) {
     if (!(number >= 0 && number < static_cast<double>(sheet.tubes.size())) || number != std::floor(number))
       throw InputError("tubes", fmt::format("{}", number), "indices of holes");
     const auto& tube = sheet.tubes[static_cast<std::size_t>(number)];
-    names.push_back(tubesheets::tubeName(tube.row, tube.column));
+    // Several are an area, whose plugged tubes are left out; a single one is meant.
+    names.push_back(numbers.size() > 1 ? fmt::format("R{0}-{0}C{1}-{1}", tube.row, tube.column)
+                                       : tubesheets::tubeName(tube.row, tube.column));
   }
   const std::string text = fmt::format("{}", fmt::join(names, ","));
   (void)selectedTubes(text, sheet);

@@ -195,6 +195,49 @@ TEST(ProbabilityBySteps, AgreesWithSampling) {
   }
 }
 
+TEST(StepsInserted, CountsTheLeanOverTheStepsLengths) {
+  const SteppedTool tool = thesisTool();
+  const Eigen::Vector2d centred = Eigen::Vector2d::Zero();
+  EXPECT_EQ(stepsInserted(tool, centred, centred), 3);
+  // The third step's far end is 1.5 in below the tip: 0.010 in of it are taken up by a lean of 1 in 150.
+  EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 151.}), 3);
+  EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 149.}), 2);
+  // An offset that the lean takes back helps the third step, and only there.
+  EXPECT_EQ(stepsInserted(tool, {0.012 * kInch, 0}, {0.01, 0}), 3);
+  EXPECT_EQ(stepsInserted(tool, {0.012 * kInch, 0}, {-0.01, 0}), 2);
+  EXPECT_EQ(stepsInserted(tool, {0.07 * kInch, 0}, {-0.05, 0}), 0);
+  EXPECT_EQ(stepsInserted({tool.steps, {}}, centred, {0.5, 0}), 3) << "without lengths nothing is known of it";
+}
+
+TEST(ProbabilityBySteps, OfALeaningToolAgreesWithSampling) {
+  const SteppedTool tool = thesisTool();
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    const Eigen::Vector2d mean = 0.01 * kInch * Eigen::Vector2d(normal(random), normal(random));
+    const Eigen::Vector2d lean = 0.01 * Eigen::Vector2d(normal(random), normal(random));
+    const Eigen::Matrix2d covariance = covarianceOf(0.02 * kInch, 0.006 * kInch * seed, 0.4 * seed);
+    const Eigen::Matrix2d root = covariance.llt().matrixL();
+    std::vector<double> counts(4, 0);
+    const int runs = 200000;
+    for (int i = 0; i < runs; ++i)
+      ++counts[stepsInserted(tool, mean + root * Eigen::Vector2d(normal(random), normal(random)), lean)];
+    const std::vector<double> probability = probabilityBySteps(tool, mean, covariance, lean);
+    for (int k = 0; k <= 3; ++k) {
+      const double sigma = std::sqrt(probability[k] * (1 - probability[k]) / runs);
+      EXPECT_NEAR(counts[k] / runs, probability[k], 4.5 * sigma + 1e-6) << k;
+    }
+  }
+}
+
+TEST(ProbabilityBySteps, OfAToolThatHardlyLeansIsThatOfAnUprightOne) {
+  const Eigen::Vector2d mean(0.004 * kInch, 0.01 * kInch);
+  const Eigen::Matrix2d covariance = covarianceOf(0.03 * kInch, 0.01 * kInch, 0.5);
+  const auto upright = probabilityBySteps(thesisTool(), mean, covariance);
+  const auto leaning = probabilityBySteps(thesisTool(), mean, covariance, {1e-9, 1e-9});
+  for (int k = 0; k <= 3; ++k) EXPECT_NEAR(upright[k], leaning[k], 1e-6);
+}
+
 TEST(ProbabilityBySteps, IsADistribution) {
   const SteppedTool tool = thesisTool();
   for (const double offset : {0.0, 1e-6, 0.01, 0.058, 0.1, 10.0})

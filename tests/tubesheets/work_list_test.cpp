@@ -67,6 +67,32 @@ TEST(SelectTubes, MinusTakesAway) {
   EXPECT_EQ(namesOf(sheet, "R1,-R1C4-8,-plugged"), "R1C1 R1C2");
 }
 
+TEST(SelectTubes, PluggedOnesAreLeftOutAndCountedUnlessAskedForByName) {
+  Sheet sheet = sheetWithStates();
+  sheet.tubes[*sheet.indexOf(4, 5)].state = TubeState::kStabilised;
+  EXPECT_EQ(countOf(sheet, "all"), 23u);
+  EXPECT_EQ(countOf(sheet, "R1-4C1-8"), 23u);
+  EXPECT_EQ(countOf(sheet, "all,plugged"), 25u);
+  EXPECT_EQ(countOf(sheet, "all,plugged,stabilised"), 26u);
+  EXPECT_EQ(namesOf(sheet, "R1C3"), "R1C3");
+  EXPECT_EQ(leftOutText(sheet, selectTubes(sheet, "all")), "2 plugged, 1 stabilised");
+  EXPECT_EQ(leftOutText(sheet, selectTubes(sheet, "all,plugged,stabilised")), "");
+  EXPECT_EQ(leftOutText(sheet, selectTubes(sheet, "all,-plugged")), "1 stabilised");
+  const Selection none = selectTubes(sheet, "R4C5-5");
+  EXPECT_EQ(none.status, SelectionStatus::kRefused);
+  EXPECT_NE(none.reason.find("1 stabilised"), std::string::npos) << none.reason;
+}
+
+TEST(SelectTubes, AWorkListsStateCountsBeforeTheSheets) {
+  const Sheet sheet = sheetWithStates();
+  const Selection selection =
+      selectTubes(sheet, parseWorkListCsv("row,column,state\n1,1,plugged\n1,2,\n1,3,open\n2,5,\n"));
+  ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
+  EXPECT_EQ(selection.tube_indices, (std::vector<int>{*sheet.indexOf(1, 2), *sheet.indexOf(1, 3)}));
+  EXPECT_EQ(leftOutText(sheet, selection), "1 plugged, 1 plugged by the list's word");
+  EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, WorkListStatus::kRefused);
+}
+
 TEST(SelectTubes, OuterPeelsTheSheet) {
   // By hand: only these ten have a hole on all four sides, and each touches one that has not.
   const Sheet sheet = makeSheet(smallDescription());
@@ -192,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRequest{"every:0", "above zero"}, BadRequest{"every:2.5", "above zero"},
                     BadRequest{"every:99999999999", "above zero"}, BadRequest{"-every:2", "with a minus"},
                     BadRequest{"-spread:2", "with a minus"}, BadRequest{"--plugged", "not understood"},
-                    BadRequest{"spread:27", "asks for 27 tubes, but the rest of the list selects 26"},
+                    BadRequest{"spread:27", "asks for 27 tubes, but the rest of the list selects 24"},
                     BadRequest{"R1C1,spread:2", "asks for 2 tubes"}, BadRequest{"zone:1:2:3in", "expected zone:"},
                     BadRequest{"zone:1:2:3:4", "expected zone:"}, BadRequest{"zone:1:2:3:4ft", "expected zone:"},
                     BadRequest{"zone:1:2:3:4:5in", "expected zone:"}, BadRequest{"zone:nan:2:3:4in", "expected zone:"},

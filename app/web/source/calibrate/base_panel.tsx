@@ -42,6 +42,12 @@ export function BasePanel() {
         </div>
       </header>
       <div class="panel-body">
+        {document.warnings.map((warning) => (
+          <p class="warning">{warning}</p>
+        ))}
+        {document.to_do.map((step) => (
+          <p class="muted">To do: {step}</p>
+        ))}
         <table>
           <thead>
             <tr>
@@ -58,6 +64,13 @@ export function BasePanel() {
             <FigureRow name="± sigma" values={document.sigma.rotation} />
           </tbody>
         </table>
+        <p class="muted">
+          {short(document.nominal.distance)} {length}
+          {document.nominal.pitches
+            ? ` (${document.nominal.pitches.map((pitches) => fixed(pitches, 2)).join(" and ")} pitches along x and y)`
+            : ""}{" "}
+          and {short(document.nominal.angle)} {angle} from nominal
+        </p>
         <h3>Left at each touch, {length}</h3>
         <table>
           <tbody>

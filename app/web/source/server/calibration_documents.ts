@@ -24,5 +24,9 @@ export interface CalibrateDocument {
   residuals: {id: string; hole: string; residual: Vector3; sigma: Vector3; size: number}[];
   distances: {from: string; to: string; by_arm: number; on_sheet: number; difference: number; sigma: number}[];
   suspects: unknown[];
+  verdict: "adequate" | "falls-short";
+  warnings: string[];
+  to_do: string[];
+  nominal: {distance: number; angle: number; pitches: [number, number] | null; implausible: boolean};
   units: Units;
 }

@@ -12,7 +12,7 @@ export interface PlannedTube {
   tilt: number;
   centring_error: number;
   approach_deviation: number;
-  probability_by_steps: number[];
+  probability_by_steps: number[] | null;
   scored?: Record<string, null | {error: number; dx: number; dy: number; steps: number}>;
 }
 

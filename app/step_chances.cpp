@@ -1,0 +1,140 @@
+#include "app/step_chances.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::ModelErrorSource;
+
+constexpr const char* kByTouches = "touches";
+
+std::vector<double> mixed(const std::vector<calibration::TipErrorCase>& cases, const planner::Centring& predicted,
+                          const tubesheets::SteppedTool& tool) {
+  std::vector<double> chances(tool.steps.size() + 1, cases.empty() ? std::numeric_limits<double>::quiet_NaN() : 0);
+  for (const auto& tip : cases) {
+    const auto of_case =
+        tubesheets::probabilityBySteps(tool, predicted.offset + tip.mean, tip.covariance, predicted.lean);
+    for (std::size_t k = 0; k < chances.size(); ++k) chances[k] += tip.weight * of_case[k];
+  }
+  return chances;
+}
+
+std::optional<calibration::StatedModelError> statedBy(const Cell& cell, bool has_touches) {
+  // What earlier touches told of the model the new ones tell again, perhaps being the same.
+  if (!cell.model_error || (has_touches && !isFoundElsewhere(cell.model_error))) return std::nullopt;
+  return calibration::StatedModelError{cell.model_error->sigma, cell.model_error->degrees_of_freedom};
+}
+
+std::vector<std::string> countedIn(const StepChances& chances) {
+  std::vector<std::string> counted{"the joints' readings"};
+  if (!chances.base_is_exact) counted.emplace_back("the base's place");
+  if (chances.error.source != ModelErrorSource::kLeftOut) counted.emplace_back("the model's own error");
+  return counted;
+}
+
+std::vector<std::string> leftOutOf(const StepChances& chances) {
+  std::vector<std::string> left_out;
+  if (chances.base_is_exact) left_out.emplace_back("the base's place, which the cell says is known");
+  if (chances.error.source == ModelErrorSource::kLeftOut)
+    left_out.emplace_back("the model's own error, which nobody has measured (touch holes, or `identify`)");
+  return left_out;
+}
+
+}  // namespace
+
+StepChances stepChances(const StepQuestion& question) {
+  const Cell& cell = question.cell;
+  StepChances chances;
+  chances.touches = static_cast<int>(question.touches.size());
+  if (question.touches.empty() && !cell.base_known && !cell.base_covariance) {
+    chances.reason = "nobody has placed the base: touch holes and calibrate (--touches)";
+    return chances;
+  }
+  chances.base_is_exact = question.touches.empty() && question.model.base_covariance.isZero(0);
+  const calibration::TipErrorQuestion asked{question.model.arm,
+                                            question.model.X_WB,
+                                            question.model.load,
+                                            question.touches,
+                                            question.model.base_covariance,
+                                            statedBy(cell, !question.touches.empty()),
+                                            question.postures};
+  chances.error = calibration::findTipError(asked);
+  chances.by_posture.resize(question.postures.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, chances.by_posture.size(), [&](std::size_t k) {
+    chances.by_posture[k] = mixed(chances.error.at[k], question.predicted[k], question.model.tool);
+  });
+  chances.error.at.clear();
+  return chances;
+}
+
+int likeliestSteps(const std::vector<double>& chances) {
+  return static_cast<int>(std::max_element(chances.begin(), chances.end()) - chances.begin());
+}
+
+std::vector<double> expectedCounts(const StepChances& chances) {
+  std::vector<double> counts;
+  for (const auto& of_hole : chances.by_posture) {
+    counts.resize(of_hole.size(), 0);
+    for (std::size_t k = 0; k < of_hole.size(); ++k)
+      if (std::isfinite(of_hole[k])) counts[k] += of_hole[k];
+  }
+  return counts;
+}
+
+nlohmann::json stepChancesJson(const StepChances& chances, const Units& units) {
+  if (!chances.reason.empty()) return {{"reason", chances.reason}};
+  nlohmann::json expected = nlohmann::json::array();
+  for (const double count : expectedCounts(chances)) expected.push_back(rounded(count));
+  nlohmann::json json = {{"counted", countedIn(chances)},
+                         {"left_out", leftOutOf(chances)},
+                         {"expected_counts", expected},
+                         {"model_error", nullptr}};
+  if (chances.error.source == ModelErrorSource::kLeftOut) return json;
+  json["model_error"] = {{"source", chances.error.source == ModelErrorSource::kTouches ? kByTouches : "cell"},
+                         {"value", lengthOf(chances.error.model_error, units)},
+                         {"range", {lengthOf(chances.error.lower, units), lengthOf(chances.error.upper, units)}}};
+  return json;
+}
+
+std::string stepChancesText(const StepChances& chances, const Units& units) {
+  if (!chances.reason.empty()) return "no probabilities of steps: " + chances.reason + "\n";
+  std::string text = fmt::format("probabilities of steps count {}", fmt::join(countedIn(chances), ", "));
+  if (chances.error.source != ModelErrorSource::kLeftOut)
+    text += fmt::format(
+        " ({:.3g} {} a coordinate, 95 % {:.2g} to {:.2g}, {})", lengthOf(chances.error.model_error, units),
+        units.length().name, lengthOf(chances.error.lower, units), lengthOf(chances.error.upper, units),
+        chances.error.source == ModelErrorSource::kTouches ? fmt::format("as the {} touches tell it", chances.touches)
+                                                           : "as the cell states it");
+  text += "\n";
+  for (const auto& left_out : leftOutOf(chances)) text += "  left out: " + left_out + "\n";
+  return text;
+}
+
+bool isFoundElsewhere(const std::optional<ModelError>& error) { return error && error->from != kByTouches; }
+
+nlohmann::json modelErrorJson(const ModelError& error, const Units& units) {
+  nlohmann::json json = {{"sigma", lengthOf(error.sigma, units)}};
+  if (error.degrees_of_freedom > 0) json["degrees_of_freedom"] = error.degrees_of_freedom;
+  if (!error.from.empty()) json["from"] = error.from;
+  return json;
+}
+
+std::optional<ModelError> modelErrorByTouches(const calibration::TipError& error, std::size_t touches) {
+  if (error.source != ModelErrorSource::kTouches) return std::nullopt;
+  const int freedom = 3 * static_cast<int>(touches) - 6;
+  const double middle = boost::math::median(boost::math::chi_squared(freedom));
+  return ModelError{error.model_error * std::sqrt(middle / freedom), freedom, kByTouches};
+}
+
+}  // namespace tubeplan::app
