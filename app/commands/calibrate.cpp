@@ -10,7 +10,8 @@
 #include "app/calibration_json.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
-#include "app/readers/measurements_reader.hpp"
+#include "app/commands/option_groups.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
 
@@ -22,20 +23,23 @@ using calibration::CalibrationStatus;
 
 struct CalibrateOptions {
   std::string cell, measurements, out, json, setup;
+  std::vector<std::string> assume;
 };
 
 int run(const CalibrateOptions& options) {
-  const Cell cell = readCell(options.cell);
-  const auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
-  requireDefinedFormulas(readings, cell, options.measurements);
+  Cell cell = readCell(options.cell);
+  cell.base_known = false;  // it is what is asked for
+  const auto [readings, checks] = readAndCheck(options.measurements, cell, {0, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   const auto [result, figures] = calibrateCell(cell, touches, options.measurements);
   if (result.status == CalibrationStatus::kDone && !options.out.empty())
     writeFileAtomically(options.out, calibratedCellText(cell, result, options.out), "--out");
-  writeJson(options.json, figures);
-  if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell.units));
+  nlohmann::json json = figures;
+  addChecks(checks, cell.units, json);
+  writeJson(options.json, json);
+  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), calibrationText(result, cell.units));
   return result.status == CalibrationStatus::kDone ? kDone : kNegativeAnswer;
 }
 
@@ -47,6 +51,7 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
+  addAssumeOption(cli, options->assume);
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

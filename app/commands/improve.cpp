@@ -11,6 +11,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/improvement_job.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/readers/cell_writer.hpp"
 
@@ -24,15 +25,35 @@ struct ImproveOptions {
   ImprovementRequest request;
 };
 
+/// Nothing is added to a model while a mistake with the readings explains its error.
+int refuse(const CellReadings& input, const calibration::MeasurementCheck& mistake, const ImproveOptions& options) {
+  const Units& units = input.cell.units;
+  nlohmann::json json = {{"units", unitsJson(units)},
+                         {"rungs", nlohmann::json::array()},
+                         {"steps",
+                          {{{"verdict", nameOf(calibration::Verdict::kInconclusive)},
+                            {"sentence", checkText(mistake, units)},
+                            {"added", nlohmann::json::array()}}}}};
+  addChecks(input.checks, units, json);
+  writeJson(options.json, json);
+  if (printsText(options.json))
+    fmt::print("{}not improved: {}\n", checksText(input.checks, units), checkText(mistake, units));
+  return kNegativeAnswer;
+}
+
 int run(const ImproveOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   checkWritableFile(options.out, "--out");
+  if (const auto* mistake = calibration::grossMistake(input.checks)) return refuse(input, *mistake, options);
   const auto result = improveModel(input, options.request, terminalWorkHooks());
   for (const auto& file : improvedCell(input.cell, result.cell, result.last, input.readings, options.out).inOrder())
     writeFileAtomically(file.path, file.text, "--out");
-  writeJson(options.json, improvementJson(result));
+  nlohmann::json json = improvementJson(result);
+  addChecks(input.checks, input.cell.units, json);
+  writeJson(options.json, json);
   if (!printsText(options.json)) return kDone;
+  fmt::print("{}", checksText(input.checks, input.cell.units));
   for (std::size_t k = 0; k < result.steps.size(); ++k)
     fmt::print("step {}: {}: {}\n", k + 1, nameOf(result.steps[k].verdict), result.steps[k].sentence);
   fmt::print("{}wrote {}\n", ladderText(result.rungs, result.cell.units), options.out);

@@ -50,7 +50,8 @@ bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading)
   if (!checked.sheet || reading.kind != MeasurementKind::kTouch || !reading.p_W) return false;
   const auto hole = holeOf(reading.point);
   const auto* tube = hole ? checked.sheet->find(hole->first, hole->second) : nullptr;
-  return tube && *reading.p_W == Eigen::Vector3d(tube->x, tube->y, 0);
+  constexpr double kRounding = 5e-5;  // m, of coordinates written with the hole's name
+  return tube && (*reading.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
 }
 
 const deflection::Joint<double>& jointAt(const deflection::Arm& arm, int joint) {
