@@ -243,6 +243,9 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   units.sigmas.push_back({"mil", 2.54e-5});
   units.sigmas.push_back({"um", 1e-6});
   units.forces = unitsOf(UnitKind::kForce);
+  units.forces.push_back({"kN", 1e3});
+  units.forces.push_back({"kip", 1e3 * findUnit(UnitKind::kForce, "lbf")->factor});
+  units.forces.push_back({"gf", 1e-3 * findUnit(UnitKind::kForce, "kgf")->factor});
   units.angle_units = unitsOf(UnitKind::kAngle);
   return units;
 }

@@ -249,7 +249,10 @@ class Checking {
   /// How much smaller a mistake makes what is touched: above 1 where it draws the tips together.
   double shrinkage(const Trial& trial) const { return as_is_.extent > 0 && trial.extent > 0 ? std::max(1., as_is_.extent / trial.extent) : 1; }
 
+  /// By how much less a mistake leaves than the readings as they are; where those cannot be fitted, by a lot.
   [[nodiscard]] double gain(const Trial& trial) const {
+    constexpr double kALot = 1e9;
+    if (!as_is_.ok) return kALot - trial.misfit;
     double rows = 0;
     if (shrinkage(trial) > 1) rows = 3 * static_cast<double>(pool_.counted.size());
     return as_is_.misfit - trial.misfit - rows * std::log(shrinkage(trial));
@@ -334,11 +337,14 @@ class Checking {
   double gainByShrinking(const Trial& trial) const { return -3 * static_cast<double>(pool_.counted_quickly.size()) * std::log(shrinkage(trial)); }
 
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
+    constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
+    if (!as_is_.ok) return suspect.drawn.error < kFits * reach_;
     return as_is_.error >= kFall * suspect.drawn.error * shrinkage(suspect.drawn) && gain(suspect.open) >= kOdds;
   }
 
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const {
     constexpr double kBack = 4, kHarm = 1.5;
+    if (!as_is_.ok) return false;
     const bool turns_back = as_is_.base_turn > kFarTurn && as_is_.base_turn >= kBack * suspect.open.base_turn;
     const bool shifts_back = as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.open.base_shift;
     const bool is_near = suspect.open.base_turn < kFarTurn && suspect.open.base_shift < kFarShift * reach_;
@@ -349,17 +355,17 @@ class Checking {
     auto suspects = screened();
     for (auto& suspect : suspects) suspect.open = tried(suspect.mend, Depth::kOpen);
     std::erase_if(suspects, [&](const Suspect& suspect) {
-      return !suspect.open.ok || (as_is_.ok && !explainsError(suspect) && !explainsBase(suspect));
+      return !suspect.open.ok || (!explainsError(suspect) && !explainsBase(suspect));
     });
     if (suspects.empty()) return;
     std::stable_sort(suspects.begin(), suspects.end(), [&](const Suspect& a, const Suspect& b) { return gain(a.open) > gain(b.open); });
     const Suspect& best = suspects.front();
     MeasurementCheck check;
     check.name = best.mend.mistake;
-    const bool is_of_error = !as_is_.ok || explainsError(best);
+    const bool is_of_error = explainsError(best);
     check.severity = is_of_error ? CheckSeverity::kMistake : CheckSeverity::kRemark;
     check.sentence = best.mend.sentence + (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(as_is_) + ")");
-    check.error_as_is = as_is_.error;
+    check.error_as_is = as_is_.ok ? as_is_.error : kNaN;
     check.error_if_mended = best.drawn.error;
     check.assume = best.mend.mistake + "=" + best.mend.value;
     for (std::size_t k = 1; k < suspects.size(); ++k)
