@@ -9,6 +9,7 @@
 #include "app/improvement_job.hpp"
 #include "app/input_error.hpp"
 #include "app/ladder_job.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_writer.hpp"
 #include "app/simulation_job.hpp"
@@ -172,6 +173,9 @@ Answer improve(Workbench& workbench, const Request& request) {
                   [&workbench, asked](JobContext& context) {
                     const Situation began = workbench.situation();
                     const CellReadings input = inputOf(began);
+                    if (const auto* mistake = calibration::grossMistake(input.checks))
+                      throw InputError(input.file, checkText(*mistake, input.cell.units),
+                                       "readings without a mistake that explains the error", "mend them and open them again");
                     const auto outcome = improveModel(input, asked, hooksOf(context));
                     const Cell improved =
                         improvedCell(input.cell, outcome.cell, outcome.last, input.readings, input.cell.path).reread();
