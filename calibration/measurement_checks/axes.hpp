@@ -27,8 +27,11 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-inline bool areMeasured(const std::vector<Measurement>& readings) {
-  return std::any_of(readings.begin(), readings.end(), [](const Measurement& reading) { return reading.p_W.has_value(); });
+/// Whether somebody has written coordinates; those of the sheet's holes have a mistake of their own (sheet_mirrored.hpp).
+inline bool areWritten(const CheckedReadings& checked) {
+  return std::any_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& reading) {
+    return reading.p_W && !isPlacedBySheet(checked, reading);
+  });
 }
 
 /// Of what is written and what the sheet tells alike: both are the places that were measured.
@@ -39,7 +42,7 @@ inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& read
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
-  if (!areMeasured(checked.readings)) return texts;
+  if (!areWritten(checked)) return texts;
   std::string order = "xyz";
   do {
     for (int signs = 0; signs < 8; ++signs) {

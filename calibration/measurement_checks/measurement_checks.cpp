@@ -120,7 +120,8 @@ double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
 /// Of the readings as they are or as one mistake would have them.
 struct Trial {
   bool ok = false;
-  double error = std::numeric_limits<double>::infinity();   // m
+  double error = std::numeric_limits<double>::infinity();   // m, by the drawing, base and tip free
+  double held_error = error;                                // m, the same with the tip as drawn
   double misfit = std::numeric_limits<double>::infinity();  // with the base's prior
   double base_shift = 0, base_turn = 0;                     // of the base from its nominal place; the largest
   double chi2_per_freedom = kNaN;
@@ -132,7 +133,11 @@ class Checking {
  public:
   Checking(const CheckedReadings& checked, const CheckOptions& options)
       : checked_(checked), options_(options), pool_(poolOf(checked.readings, options)), open_(allThatIsOpen(checked)),
-        drawn_{{"tool.tip"}, true, checked.free.priors}, reach_(deflection::reachOf(checked.start.arm)) {}
+        drawn_{{"tool.tip"}, true, checked.free.priors}, held_{{}, true, checked.free.priors},
+        reach_(deflection::reachOf(checked.start.arm)),
+        has_places_(std::any_of(checked.readings.begin(), checked.readings.end(), [](const Measurement& reading) {
+          return reading.p_W && (reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch);
+        })) {}
 
   MeasurementChecks run() {
     MeasurementChecks result;
@@ -140,6 +145,7 @@ class Checking {
     if (checked_.readings.empty()) return result;
     as_is_ = tried({}, Depth::kOpen);
     as_is_.error = tried({}, Depth::kDrawn).error;
+    as_is_.held_error = tried({}, Depth::kHeld).error;
     result.base_shift = as_is_.base_shift;
     result.base_turn = as_is_.base_turn;
     if (as_is_.ok) checkSigma(result.checks);
@@ -155,12 +161,12 @@ class Checking {
   }
 
  private:
-  enum class Depth { kDrawn, kOpen };
+  enum class Depth { kHeld, kDrawn, kOpen };
 
   /// Places of what is wrong are all by one fit: the drawing's with base and tip free, or with all that is open.
   RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, Depth depth, const std::string& zero = "") const {
     RobustFitOptions options;
-    options.free = depth == Depth::kOpen ? open_ : drawn_;
+    options.free = depth == Depth::kOpen ? open_ : depth == Depth::kDrawn ? drawn_ : held_;
     options.most_steps = depth == Depth::kOpen ? 10 : 5;
     options.stop = options_.stop;
     if (!zero.empty()) {
@@ -268,8 +274,12 @@ class Checking {
       rows += rowsOf(reading);
     }
     noise = std::sqrt(noise / static_cast<double>(pool_.counted.size()));
-    const bool is_far = as_is_.base_turn > kFarTurn || as_is_.base_shift > kFarShift * reach_;
-    return is_far || (as_is_.misfit - kNoisePerRow * rows > kOdds && as_is_.error > kFall * noise);
+    return isBaseFar() || (as_is_.misfit - kNoisePerRow * rows > kOdds && as_is_.held_error > kFall * noise);
+  }
+
+  /// Touches of unknown points alone say nothing of the base.
+  [[nodiscard]] bool isBaseFar() const {
+    return has_places_ && (as_is_.base_turn > kFarTurn || as_is_.base_shift > kFarShift * reach_);
   }
 
   bool isWithinLimits(const Mend& mend) const {
@@ -296,12 +306,16 @@ class Checking {
     Trial drawn, open;
   };
 
-  /// The zero as the readings have it best, from the value tried; nothing where that is no mistake.
+  /// The zero as the readings have it best, from the value tried; nothing where that is no mistake. The first joint's
+  /// zero and a base that is not known are one for the readings: it is looked for with the base where it nominally is.
   std::optional<Mend> zeroFound(const Mend& from) const {
+    PlacedArm start = startOf(from);
+    if (from.zero_of == 0)
+      for (auto& placing : start.placings) placing.is_known = true;
     const auto active = deflection::activeRows(checked_.start.arm);
     const auto& row = checked_.start.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(from.zero_of)])];
     const std::string name = row.name + ".joint.offset";
-    const auto best = fit(startOf(from), mended(from, Depth::kDrawn), Depth::kDrawn, name);
+    const auto best = fit(std::move(start), mended(from, Depth::kDrawn), Depth::kHeld, name);
     if (!best.ok) return std::nullopt;
     const auto before = deflection::findParameter(checked_.start.arm, name), after = deflection::findParameter(best.placed.arm, name);
     if (!before || !after) return std::nullopt;
@@ -339,12 +353,15 @@ class Checking {
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
     constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
     if (!as_is_.ok) return suspect.drawn.error < kFits * reach_;
-    return as_is_.error >= kFall * suspect.drawn.error * shrinkage(suspect.drawn) && gain(suspect.open) >= kOdds;
+    const double shrinks = shrinkage(suspect.drawn);
+    const bool falls = as_is_.error >= kFall * suspect.drawn.error * shrinks ||
+                       as_is_.held_error >= kFall * suspect.drawn.held_error * shrinks;
+    return falls && gain(suspect.open) >= kOdds;
   }
 
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const {
     constexpr double kBack = 4, kHarm = 1.5;
-    if (!as_is_.ok) return false;
+    if (!as_is_.ok || !isBaseFar()) return false;
     const bool turns_back = as_is_.base_turn > kFarTurn && as_is_.base_turn >= kBack * suspect.open.base_turn;
     const bool shifts_back = as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.open.base_shift;
     const bool is_near = suspect.open.base_turn < kFarTurn && suspect.open.base_shift < kFarShift * reach_;
@@ -353,7 +370,10 @@ class Checking {
 
   void searchMistakes(std::vector<MeasurementCheck>& checks) const {
     auto suspects = screened();
-    for (auto& suspect : suspects) suspect.open = tried(suspect.mend, Depth::kOpen);
+    for (auto& suspect : suspects) {
+      suspect.drawn.held_error = tried(suspect.mend, Depth::kHeld).error;
+      suspect.open = tried(suspect.mend, Depth::kOpen);
+    }
     std::erase_if(suspects, [&](const Suspect& suspect) {
       return !suspect.open.ok || (!explainsError(suspect) && !explainsBase(suspect));
     });
@@ -365,8 +385,9 @@ class Checking {
     const bool is_of_error = explainsError(best);
     check.severity = is_of_error ? CheckSeverity::kMistake : CheckSeverity::kRemark;
     check.sentence = best.mend.sentence + (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(as_is_) + ")");
-    check.error_as_is = as_is_.ok ? as_is_.error : kNaN;
-    check.error_if_mended = best.drawn.error;
+    const bool is_of_tip = as_is_.error < kFall * best.drawn.error && is_of_error;  // the tip alone would take it up
+    check.error_as_is = !as_is_.ok ? kNaN : is_of_tip ? as_is_.held_error : as_is_.error;
+    check.error_if_mended = is_of_tip ? best.drawn.held_error : best.drawn.error;
     check.assume = best.mend.mistake + "=" + best.mend.value;
     for (std::size_t k = 1; k < suspects.size(); ++k)
       if (gain(suspects[k].open) > gain(best.open) - kAsGood && suspects[k].drawn.error < kAsGoodError * best.drawn.error)
@@ -439,8 +460,8 @@ class Checking {
   /// How far the base is from its nominal place, where that is far, or where a row or column miscounted would do it.
   void checkBase(std::vector<MeasurementCheck>& checks) const {
     constexpr double kNearlyAPitch = 0.7, kBack = 3;
-    const bool is_far = as_is_.base_turn > kFarTurn || as_is_.base_shift > kFarShift * reach_;
-    const bool is_pitches = checked_.sheet && as_is_.base_shift > kNearlyAPitch * checked_.sheet->pitch;
+    const bool is_far = isBaseFar();
+    const bool is_pitches = checked_.sheet && has_places_ && as_is_.base_shift > kNearlyAPitch * checked_.sheet->pitch;
     if (!is_far && !is_pitches) return;
     const auto is_told = [](const MeasurementCheck& check) { return check.sentence.find("nominal place") != std::string::npos; };
     if (std::any_of(checks.begin(), checks.end(), is_told)) return;
@@ -460,8 +481,9 @@ class Checking {
   const CheckedReadings& checked_;
   const CheckOptions& options_;
   Pool pool_;
-  FreeChoice open_, drawn_;
+  FreeChoice open_, drawn_, held_;
   double reach_;
+  bool has_places_;
   Trial as_is_;
 };
 

@@ -6,7 +6,7 @@
 namespace tubeplan::calibration::mistakes::mirror {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  return axes::areMeasured(checked.readings) ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{};
+  return axes::areWritten(checked) ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{};
 }
 
 inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {

@@ -149,6 +149,11 @@ std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked, const 
 
 std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found) {
   constexpr double kSlack = 1.02;  // of the reach: an arm may sag a little further than it is long
+  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j) {
+    const auto& joint = jointAt(checked.start.arm, j);
+    const bool is_endless = joint.type == deflection::JointType::kPrismatic && !std::isfinite(joint.upper - joint.lower);
+    if (is_endless) return std::nullopt;  // a slide without limits reaches everywhere
+  }
   const double reach = kSlack * deflection::reachOf(checked.start.arm);
   std::vector<std::string> ids;
   for (const auto& reading : checked.readings) {
