@@ -122,6 +122,8 @@ struct Trial {
   bool ok = false;
   double error = std::numeric_limits<double>::infinity();   // m, by the drawing, base and tip free
   double held_error = error;                                // m, the same with the tip as drawn
+  double open_error = error;                                // m, with all that the drawing leaves open
+  double whole_error = error;                               // m, the same of all readings
   double misfit = std::numeric_limits<double>::infinity();  // with the base's prior
   double base_shift = 0, base_turn = 0;                     // of the base from its nominal place; the largest
   double chi2_per_freedom = kNaN;
@@ -198,7 +200,8 @@ class Checking {
     Trial trial;
     trial.ok = fit.ok;
     if (!fit.ok) return trial;
-    trial.error = fit.error;
+    trial.error = trial.open_error = fit.error;
+    trial.whole_error = fit.whole_error;
     trial.misfit = fit.misfit;
     trial.chi2_per_freedom = fit.chi2_per_freedom;
     trial.placed = fit.placed;
@@ -354,9 +357,12 @@ class Checking {
     constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
     if (!as_is_.ok) return suspect.drawn.error < kFits * reach_;
     const double shrinks = shrinkage(suspect.drawn);
-    const bool falls = as_is_.error >= kFall * suspect.drawn.error * shrinks ||
-                       as_is_.held_error >= kFall * suspect.drawn.held_error * shrinks;
-    return falls && gain(suspect.open) >= kOdds;
+    const auto falls = [&](double as_is, double mended) { return as_is >= kFall * mended * shrinks; };
+    // A base is one for all readings: one that has slipped is none for those before.
+    if (suspect.mend.frees_base && !falls(as_is_.whole_error, suspect.open.whole_error)) return false;
+    return gain(suspect.open) >= kOdds &&
+           (falls(as_is_.error, suspect.drawn.error) || falls(as_is_.held_error, suspect.drawn.held_error) ||
+            falls(as_is_.open_error, suspect.open.error));
   }
 
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const {
@@ -366,6 +372,18 @@ class Checking {
     const bool shifts_back = as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.open.base_shift;
     const bool is_near = suspect.open.base_turn < kFarTurn && suspect.open.base_shift < kFarShift * reach_;
     return (turns_back || shifts_back) && is_near && suspect.drawn.error <= kHarm * as_is_.error && gain(suspect.open) >= kOdds;
+  }
+
+  /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open.
+  void tellErrors(const Suspect& best, MeasurementCheck& check) const {
+    const std::pair<double, double> told[] = {{as_is_.error, best.drawn.error},
+                                              {as_is_.held_error, best.drawn.held_error},
+                                              {as_is_.open_error, best.open.error}};
+    const auto& [as_is, mended] = *std::max_element(std::begin(told), std::end(told), [](const auto& a, const auto& b) {
+      return a.first * b.second < b.first * a.second;
+    });
+    check.error_as_is = as_is_.ok ? as_is : kNaN;
+    check.error_if_mended = mended;
   }
 
   void searchMistakes(std::vector<MeasurementCheck>& checks) const {
@@ -385,9 +403,7 @@ class Checking {
     const bool is_of_error = explainsError(best);
     check.severity = is_of_error ? CheckSeverity::kMistake : CheckSeverity::kRemark;
     check.sentence = best.mend.sentence + (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(as_is_) + ")");
-    const bool is_of_tip = as_is_.error < kFall * best.drawn.error && is_of_error;  // the tip alone would take it up
-    check.error_as_is = !as_is_.ok ? kNaN : is_of_tip ? as_is_.held_error : as_is_.error;
-    check.error_if_mended = is_of_tip ? best.drawn.held_error : best.drawn.error;
+    tellErrors(best, check);
     check.assume = best.mend.mistake + "=" + best.mend.value;
     for (std::size_t k = 1; k < suspects.size(); ++k)
       if (gain(suspects[k].open) > gain(best.open) - kAsGood && suspects[k].drawn.error < kAsGoodError * best.drawn.error)

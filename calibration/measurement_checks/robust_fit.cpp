@@ -83,10 +83,10 @@ class StudentLoss {
   double variance_ = 1;
 };
 
-double bestError(const VectorXd& lengths) {
+double bestError(const VectorXd& lengths, double share) {
   std::vector<double> sorted(lengths.begin(), lengths.end());
   std::sort(sorted.begin(), sorted.end());
-  const auto kept = static_cast<std::size_t>(std::ceil(kBest * static_cast<double>(sorted.size())));
+  const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   double sum = 0;
   for (std::size_t k = 0; k < kept; ++k) sum += sorted[k] * sorted[k];
   return std::sqrt(sum / static_cast<double>(kept));
@@ -178,7 +178,9 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
   const auto at = whitenedResidual(start, unknowns.list, readings, *weights, descent.x(), false, options.stop);
   if (!at.ok) return fit;
   fit.misfit = descent.misfit();
-  fit.error = bestError(errorLengths(readings, *weights, at.error));
+  const VectorXd lengths = errorLengths(readings, *weights, at.error);
+  fit.error = bestError(lengths, kBest);
+  fit.whole_error = bestError(lengths, 1);
   const double free = static_cast<double>(std::min<std::size_t>(unknowns.list.size(), static_cast<std::size_t>(weights->rows) / 2));
   fit.chi2_per_freedom = descent.loss().chi2PerRow(std::max(0.1, (weights->degrees_of_freedom - free) / std::max(1, weights->rows)));
   fit.ok = std::isfinite(fit.error) && std::isfinite(fit.misfit);
