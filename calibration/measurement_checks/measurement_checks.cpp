@@ -26,7 +26,7 @@ constexpr double kFarTurn = 0.35;      // rad, of the base from its nominal plac
 constexpr double kFarShift = 0.25;     // of the arm's reach, the same
 constexpr double kUsualTurn = 0.05;    // rad, and ...
 constexpr double kUsualShift = 0.05;   // ... of the reach: what bases are usually off by
-constexpr std::size_t kQuickReadings = 60;
+constexpr std::size_t kQuickReadings = 40;
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;   // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
@@ -165,11 +165,11 @@ class Checking {
  private:
   enum class Depth { kHeld, kDrawn, kOpen };
 
-  /// Places of what is wrong are all by one fit: the drawing's with base and tip free, or with all that is open.
+  /// The drawing with the base free where it is not known, with the tip besides, or with all that is open.
   RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, Depth depth, const std::string& zero = "") const {
     RobustFitOptions options;
     options.free = depth == Depth::kOpen ? open_ : depth == Depth::kDrawn ? drawn_ : held_;
-    options.most_steps = depth == Depth::kOpen ? 10 : 5;
+    options.most_steps = depth == Depth::kOpen ? 8 : 5;
     options.stop = options_.stop;
     if (!zero.empty()) {
       options.free.names.push_back(zero);
@@ -339,7 +339,7 @@ class Checking {
         if (mend && mend->zero_of >= 0) mend = zeroFound(*mend);
         if (!mend || !isWithinLimits(*mend)) continue;
         if (mend->zero_of >= 0 && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) { return other.mend.mistake == mend->mistake && other.mend.value == mend->value; })) continue;
-        Trial trial = tried(*mend, Depth::kDrawn);
+        Trial trial = tried(*mend, Depth::kHeld);
         if (trial.ok) suspects.push_back({std::move(*mend), std::move(trial), {}});
       }
     const std::size_t kept = std::min(kFinalists, suspects.size());
@@ -389,7 +389,9 @@ class Checking {
   void searchMistakes(std::vector<MeasurementCheck>& checks) const {
     auto suspects = screened();
     for (auto& suspect : suspects) {
-      suspect.drawn.held_error = tried(suspect.mend, Depth::kHeld).error;
+      const double held_error = suspect.drawn.error;
+      suspect.drawn = tried(suspect.mend, Depth::kDrawn);
+      suspect.drawn.held_error = held_error;
       suspect.open = tried(suspect.mend, Depth::kOpen);
     }
     std::erase_if(suspects, [&](const Suspect& suspect) {

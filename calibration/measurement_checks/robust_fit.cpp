@@ -17,7 +17,7 @@ namespace {
 constexpr double kFreedom = 4;           // of Student's t
 constexpr double kBest = 0.9;            // share of the readings that an error is stated of
 constexpr int kScaleSteps = 40;
-constexpr double kConverged = 1e-3;      // fall of the misfit by a step that asks for no further one
+constexpr double kConverged = 0.05;      // fall of the misfit by a step that asks for no further one
 constexpr int kMostTrials = 6;           // of a step, each shorter than the one before
 
 /// Student's t about a common scale, for the whitened residuals of readings.
@@ -105,12 +105,13 @@ class Descent {
         loss_(readings, weights), x_(VectorXd::Zero(static_cast<Index>(unknowns.size()))) {}
 
   bool run() {
-    if (!residual_.evaluate(x_, r_, &jacobian_) || !r_.allFinite()) return false;
+    if (!residual_.evaluate(x_, r_, nullptr) || !r_.allFinite()) return false;
     misfit_ = loss_.settle(r_) + priorMisfit(unknowns_, x_);
     for (int step = 0; step < options_.most_steps && !unknowns_.empty(); ++step) {
       goOn(options_.stop);
       const double before = misfit_;
-      if (!jacobian_.allFinite() || !improve() || before - misfit_ < kConverged) break;
+      if (!residual_.evaluate(x_, r_, &jacobian_) || !jacobian_.allFinite()) break;
+      if (!improve() || before - misfit_ < kConverged) break;
     }
     return true;
   }
@@ -139,14 +140,13 @@ class Descent {
       VectorXd x = x_ + step, r;
       for (Index k = 0; k < x.size(); ++k)
         x[k] = std::clamp(x[k], unknowns_[static_cast<std::size_t>(k)].lower, unknowns_[static_cast<std::size_t>(k)].upper);
-      MatrixXd jacobian;
-      if (!residual_.evaluate(x, r, &jacobian) || !r.allFinite()) {
+      if (!residual_.evaluate(x, r, nullptr) || !r.allFinite()) {
         goOn(options_.stop);
         continue;
       }
       const double misfit = loss_.settle(r) + priorMisfit(unknowns_, x);
       if (!(misfit < misfit_)) continue;
-      x_ = x, r_ = r, jacobian_ = jacobian, misfit_ = misfit, damping_ /= 10;
+      x_ = x, r_ = r, misfit_ = misfit, damping_ /= 10;
       return true;
     }
     (void)loss_.settle(r_);
