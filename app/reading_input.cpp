@@ -103,7 +103,8 @@ calibration::CheckedReadings asChecked(const MeasurementTable& table, const Cell
 std::string adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   const auto checks = calibration::checkMeasurements(asChecked(table, cell));
   const auto* mistake = calibration::grossMistake(checks);
-  return mistake && !mistake->assume.empty() ? fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume) : "";
+  return mistake && !mistake->assume.empty() ? fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume)
+                                             : "";
 }
 
 }  // namespace

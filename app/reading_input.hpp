@@ -47,8 +47,8 @@ struct ReadingsWithChecks {
   calibration::MeasurementChecks checks;
 };
 
-/// readReadings() with the mistakes looked for; those that `options.assume` names are mended first, in the readings and,
-/// for a base that is not known after all, in the cell. Throws InputError.
+/// readReadings() with the mistakes looked for; those that `options.assume` names are mended first, in the readings
+/// and, for a base that is not known after all, in the cell. Throws InputError.
 [[nodiscard]] ReadingsWithChecks readAndCheck(const std::string& file, Cell& cell, const MeasurementOptions& options);
 
 /// The same from text.

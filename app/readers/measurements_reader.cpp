@@ -190,7 +190,8 @@ std::vector<Measurement> readMeasurements(const std::string& path, const deflect
 bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
   const auto active = deflection::activeRows(arm);
   for (std::size_t i = 0; i < active.size(); ++i)
-    if (isPast(arm.rows[static_cast<std::size_t>(active[i])].joint, reading.q[static_cast<Eigen::Index>(i)])) return true;
+    if (isPast(arm.rows[static_cast<std::size_t>(active[i])].joint, reading.q[static_cast<Eigen::Index>(i)]))
+      return true;
   return false;
 }
 
@@ -203,11 +204,11 @@ void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& a
       const auto& column = table.joints[i];
       const double q = reading.q[static_cast<Eigen::Index>(i)];
       if (!isPast(joint, q)) continue;
-      throw InputError(fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),
-                       fmt::format("a reading between the joint's limits, {} and {} {}",
-                                   formatNumber(joint.lower / column.factor), formatNumber(joint.upper / column.factor),
-                                   column.unit),
-                       advice);
+      throw InputError(
+          fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),
+          fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.factor),
+                      formatNumber(joint.upper / column.factor), column.unit),
+          advice);
     }
 }
 

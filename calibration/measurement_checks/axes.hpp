@@ -27,11 +27,11 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Whether somebody has written coordinates; those of the sheet's holes have a mistake of their own (sheet_mirrored.hpp).
+/// Whether somebody has written coordinates; those of the sheet's holes have a mistake of their own
+/// (sheet_mirrored.hpp).
 inline bool areWritten(const CheckedReadings& checked) {
-  return std::any_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& reading) {
-    return reading.p_W && !isPlacedBySheet(checked, reading);
-  });
+  return std::any_of(checked.readings.begin(), checked.readings.end(),
+                     [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
 }
 
 /// Of what is written and what the sheet tells alike: both are the places that were measured.
@@ -47,7 +47,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   do {
     for (int signs = 0; signs < 8; ++signs) {
       std::string text;
-      for (int k = 0; k < 3; ++k) text += (signs >> k & 1 ? "-" : "") + std::string(1, order[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < 3; ++k)
+        text += (signs >> k & 1 ? "-" : "") + std::string(1, order[static_cast<std::size_t>(k)]);
       const bool is_mirror = order == "xyz" && (signs == 0 || signs == 1 || signs == 2 || signs == 4);
       if (!is_mirror) texts.push_back(text);
     }
@@ -63,6 +64,8 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   return mend;
 }
 
-inline MistakeKind kind() { return {"axes", "ORDER", "the world's axes that the columns x, y, z hold, such as yxz or -yxz", values, mend}; }
+inline MistakeKind kind() {
+  return {"axes", "ORDER", "the world's axes that the columns x, y, z hold, such as yxz or -yxz", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::axes

@@ -31,14 +31,22 @@ inline void move(const CheckedReadings& checked, int rows, int columns, std::vec
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   char way = 0;
   int by = 0, used = 0;
-  const bool is_read = std::sscanf(value.c_str(), "%c%d%n", &way, &by, &used) == 2 && used == static_cast<int>(value.size());
+  const bool is_read =
+      std::sscanf(value.c_str(), "%c%d%n", &way, &by, &used) == 2 && used == static_cast<int>(value.size());
   if (!is_read || (way != 'R' && way != 'C') || by == 0 || std::abs(by) > 1000 || !checked.sheet) return std::nullopt;
   const int rows = way == 'R' ? by : 0, columns = way == 'C' ? by : 0;
-  Mend mend{"holes", value, "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") + (by > 0 ? " too low" : " too high")};
-  mend.apply = [checked = &checked, rows, columns](std::vector<Measurement>& readings) { move(*checked, rows, columns, readings); };
+  Mend mend{"holes", value,
+            "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
+                (by > 0 ? " too low" : " too high")};
+  mend.apply = [checked = &checked, rows, columns](std::vector<Measurement>& readings) {
+    move(*checked, rows, columns, readings);
+  };
   return mend;
 }
 
-inline MistakeKind kind() { return {"holes", "R+1|C-1|...", "what is to be added to the rows or columns of the holes' names, in a cell with a tube sheet", values, mend}; }
+inline MistakeKind kind() {
+  return {"holes", "R+1|C-1|...",
+          "what is to be added to the rows or columns of the holes' names, in a cell with a tube sheet", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::holes_off

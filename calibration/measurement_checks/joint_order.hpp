@@ -11,7 +11,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   const int joints = static_cast<int>(deflection::activeRows(arm).size());
   for (int a = 0; a < joints; ++a)
     for (int b = a + 1; b < joints; ++b)
-      if (jointAt(arm, a).type == jointAt(arm, b).type) texts.push_back(jointAt(arm, a).name + ":" + jointAt(arm, b).name);
+      if (jointAt(arm, a).type == jointAt(arm, b).type)
+        texts.push_back(jointAt(arm, a).name + ":" + jointAt(arm, b).name);
   return texts;
 }
 
@@ -23,12 +24,15 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.apply = [a, b](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       std::swap(reading.q[a], reading.q[b]);
-      if (!reading.senses.empty()) std::swap(reading.senses[static_cast<std::size_t>(a)], reading.senses[static_cast<std::size_t>(b)]);
+      if (!reading.senses.empty())
+        std::swap(reading.senses[static_cast<std::size_t>(a)], reading.senses[static_cast<std::size_t>(b)]);
     }
   };
   return mend;
 }
 
-inline MistakeKind kind() { return {"joint-order", "JOINT:JOINT", "two joints of the arm, such as theta3:theta4", values, mend}; }
+inline MistakeKind kind() {
+  return {"joint-order", "JOINT:JOINT", "two joints of the arm, such as theta3:theta4", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::joint_order

@@ -36,9 +36,12 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const int joint = jointNamed(checked.start.arm, name);
   double offset = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), offset);
-  if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(offset)) return std::nullopt;
+  if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(offset))
+    return std::nullopt;
   if (jointAt(checked.start.arm, joint).type != deflection::JointType::kRevolute) return std::nullopt;
-  Mend mend{"joint-zero", value, "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
+  Mend mend{
+      "joint-zero", value,
+      "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
   mend.apply = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q[joint] += by;
   };
@@ -46,6 +49,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"joint-zero", "JOINT:ANGLE", "a turning joint and what is to be added to its readings, in their unit, such as theta3:90", values, mend}; }
+inline MistakeKind kind() {
+  return {"joint-zero", "JOINT:ANGLE",
+          "a turning joint and what is to be added to its readings, in their unit, such as theta3:90", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::joint_zero

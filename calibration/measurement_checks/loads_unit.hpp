@@ -16,7 +16,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.forces, checked.units.loads, value);
   if (!factor) return std::nullopt;
-  Mend mend{"loads", value, "the loads are in " + value + ", not in " + checked.units.loads.name + " as their column says"};
+  Mend mend{"loads", value,
+            "the loads are in " + value + ", not in " + checked.units.loads.name + " as their column says"};
   mend.apply = [factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.load *= factor;
   };

@@ -17,22 +17,23 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFall = 3;            // of the error by the drawing, at least, that a mistake explains
-constexpr double kOdds = 14;           // log of a million
-constexpr double kAsGood = 3;          // log of the odds within which another mistake explains the readings as well
-constexpr double kAsGoodError = 1.5;   // times the error, for the same
-constexpr double kNoisePerRow = 0.6;   // misfit of a row by noise alone
-constexpr double kFarTurn = 0.35;      // rad, of the base from its nominal place
-constexpr double kFarShift = 0.25;     // of the arm's reach, the same
-constexpr double kUsualTurn = 0.05;    // rad, and ...
-constexpr double kUsualShift = 0.05;   // ... of the reach: what bases are usually off by
+constexpr double kFall = 3;           // of the error by the drawing, at least, that a mistake explains
+constexpr double kOdds = 14;          // log of a million
+constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
+constexpr double kAsGoodError = 1.5;  // times the error, for the same
+constexpr double kNoisePerRow = 0.6;  // misfit of a row by noise alone
+constexpr double kFarTurn = 0.35;     // rad, of the base from its nominal place
+constexpr double kFarShift = 0.25;    // of the arm's reach, the same
+constexpr double kUsualTurn = 0.05;   // rad, and ...
+constexpr double kUsualShift = 0.05;  // ... of the reach: what bases are usually off by
 constexpr std::size_t kQuickReadings = 40;
 constexpr std::size_t kFinalists = 8;
-constexpr double kLimitSlack = 0.05;   // rad or m past a joint's limit
+constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Indices of the readings to look at: all, or whole groups drawn by the seed; touches of one unknown point are a group.
+/// Indices of the readings to look at: all, or whole groups drawn by the seed; touches of one unknown point are a
+/// group.
 std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
   std::map<std::string, std::vector<std::size_t>> points;
   std::vector<std::vector<std::size_t>> groups;
@@ -71,7 +72,8 @@ Pool poolOf(const std::vector<Measurement>& readings, const CheckOptions& option
     for (const std::size_t near : {k - 1, k, k + 1})
       if (near < readings.size()) kept.insert(near);
   }
-  for (const std::size_t k : drawReadings(of_drawn, kQuickReadings, options.seed)) pool.counted_quickly.insert(of_drawn[k].id);
+  for (const std::size_t k : drawReadings(of_drawn, kQuickReadings, options.seed))
+    pool.counted_quickly.insert(of_drawn[k].id);
   for (const std::size_t k : kept) {
     pool.readings.push_back(readings[k]);
     pool.readings.back().is_held_out = false;
@@ -127,15 +129,19 @@ struct Trial {
   double misfit = std::numeric_limits<double>::infinity();  // with the base's prior
   double base_shift = 0, base_turn = 0;                     // of the base from its nominal place; the largest
   double chi2_per_freedom = kNaN;
-  double extent = 0;                                        // m, of predicted tips that touched unknown points
+  double extent = 0;  // m, of predicted tips that touched unknown points
   PlacedArm placed;
 };
 
 class Checking {
  public:
   Checking(const CheckedReadings& checked, const CheckOptions& options)
-      : checked_(checked), options_(options), pool_(poolOf(checked.readings, options)), open_(allThatIsOpen(checked)),
-        drawn_{{"tool.tip"}, true, checked.free.priors}, held_{{}, true, checked.free.priors},
+      : checked_(checked),
+        options_(options),
+        pool_(poolOf(checked.readings, options)),
+        open_(allThatIsOpen(checked)),
+        drawn_{{"tool.tip"}, true, checked.free.priors},
+        held_{{}, true, checked.free.priors},
         reach_(deflection::reachOf(checked.start.arm)),
         has_places_(std::any_of(checked.readings.begin(), checked.readings.end(), [](const Measurement& reading) {
           return reading.p_W && (reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch);
@@ -166,7 +172,8 @@ class Checking {
   enum class Depth { kHeld, kDrawn, kOpen };
 
   /// The drawing with the base free where it is not known, with the tip besides, or with all that is open.
-  RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, Depth depth, const std::string& zero = "") const {
+  RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, Depth depth,
+                const std::string& zero = "") const {
     RobustFitOptions options;
     options.free = depth == Depth::kOpen ? open_ : depth == Depth::kDrawn ? drawn_ : held_;
     options.most_steps = depth == Depth::kOpen ? 8 : 5;
@@ -245,7 +252,9 @@ class Checking {
     std::vector<Eigen::Vector3d> tips;
     for (const auto& reading : readings)
       if (reading.kind == MeasurementKind::kTouch && !reading.p_W)
-        if (const auto tip = predictReading(placed.arm, placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB, reading); tip.ok)
+        if (const auto tip = predictReading(
+                placed.arm, placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB, reading);
+            tip.ok)
           tips.push_back(tip.value);
     if (tips.size() < 2) return 0;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -256,7 +265,9 @@ class Checking {
   }
 
   /// How much smaller a mistake makes what is touched: above 1 where it draws the tips together.
-  double shrinkage(const Trial& trial) const { return as_is_.extent > 0 && trial.extent > 0 ? std::max(1., as_is_.extent / trial.extent) : 1; }
+  double shrinkage(const Trial& trial) const {
+    return as_is_.extent > 0 && trial.extent > 0 ? std::max(1., as_is_.extent / trial.extent) : 1;
+  }
 
   /// By how much less a mistake leaves than the readings as they are; where those cannot be fitted, by a lot.
   [[nodiscard]] double gain(const Trial& trial) const {
@@ -301,7 +312,8 @@ class Checking {
       return count;
     };
     return !readings.empty() && static_cast<double>(outside(readings)) <=
-           kShareOutside * static_cast<double>(readings.size()) + (mend.zero_of < 0 && outside(pool_.readings) > outside(readings) ? 1e9 : 0);
+                                    kShareOutside * static_cast<double>(readings.size()) +
+                                        (mend.zero_of < 0 && outside(pool_.readings) > outside(readings) ? 1e9 : 0);
   }
 
   struct Suspect {
@@ -320,12 +332,15 @@ class Checking {
     const std::string name = row.name + ".joint.offset";
     const auto best = fit(std::move(start), mended(from, Depth::kDrawn), Depth::kHeld, name);
     if (!best.ok) return std::nullopt;
-    const auto before = deflection::findParameter(checked_.start.arm, name), after = deflection::findParameter(best.placed.arm, name);
+    const auto before = deflection::findParameter(checked_.start.arm, name),
+               after = deflection::findParameter(best.placed.arm, name);
     if (!before || !after) return std::nullopt;
     const double tried = std::stod(partedAtColon(from.value).second) * checked_.units.angles.factor;
     double zero = std::remainder(tried + after->value - before->value, 2 * std::numbers::pi);
     constexpr double kQuarter = std::numbers::pi / 2, kNearQuarter = 0.035;
-    if (const double whole = std::round(zero / kQuarter) * kQuarter; whole != 0 && std::abs(zero - whole) < kNearQuarter) zero = whole;
+    if (const double whole = std::round(zero / kQuarter) * kQuarter;
+        whole != 0 && std::abs(zero - whole) < kNearQuarter)
+      zero = whole;
     if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
     return mistakes::joint_zero::mend(checked_, mistakes::joint_zero::textOf(checked_, from.zero_of, zero));
   }
@@ -338,7 +353,10 @@ class Checking {
         auto mend = kind.mend(checked_, value);
         if (mend && mend->zero_of >= 0) mend = zeroFound(*mend);
         if (!mend || !isWithinLimits(*mend)) continue;
-        if (mend->zero_of >= 0 && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) { return other.mend.mistake == mend->mistake && other.mend.value == mend->value; })) continue;
+        if (mend->zero_of >= 0 && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) {
+              return other.mend.mistake == mend->mistake && other.mend.value == mend->value;
+            }))
+          continue;
         Trial trial = tried(*mend, Depth::kHeld);
         if (trial.ok) suspects.push_back({std::move(*mend), std::move(trial), {}});
       }
@@ -351,7 +369,9 @@ class Checking {
     return suspects;
   }
 
-  double gainByShrinking(const Trial& trial) const { return -3 * static_cast<double>(pool_.counted_quickly.size()) * std::log(shrinkage(trial)); }
+  double gainByShrinking(const Trial& trial) const {
+    return -3 * static_cast<double>(pool_.counted_quickly.size()) * std::log(shrinkage(trial));
+  }
 
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
     constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
@@ -369,9 +389,11 @@ class Checking {
     constexpr double kBack = 4, kHarm = 1.5;
     if (!as_is_.ok || !isBaseFar()) return false;
     const bool turns_back = as_is_.base_turn > kFarTurn && as_is_.base_turn >= kBack * suspect.open.base_turn;
-    const bool shifts_back = as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.open.base_shift;
+    const bool shifts_back =
+        as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.open.base_shift;
     const bool is_near = suspect.open.base_turn < kFarTurn && suspect.open.base_shift < kFarShift * reach_;
-    return (turns_back || shifts_back) && is_near && suspect.drawn.error <= kHarm * as_is_.error && gain(suspect.open) >= kOdds;
+    return (turns_back || shifts_back) && is_near && suspect.drawn.error <= kHarm * as_is_.error &&
+           gain(suspect.open) >= kOdds;
   }
 
   /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open.
@@ -398,17 +420,20 @@ class Checking {
       return !suspect.open.ok || (!explainsError(suspect) && !explainsBase(suspect));
     });
     if (suspects.empty()) return;
-    std::stable_sort(suspects.begin(), suspects.end(), [&](const Suspect& a, const Suspect& b) { return gain(a.open) > gain(b.open); });
+    std::stable_sort(suspects.begin(), suspects.end(),
+                     [&](const Suspect& a, const Suspect& b) { return gain(a.open) > gain(b.open); });
     const Suspect& best = suspects.front();
     MeasurementCheck check;
     check.name = best.mend.mistake;
     const bool is_of_error = explainsError(best);
     check.severity = is_of_error ? CheckSeverity::kMistake : CheckSeverity::kRemark;
-    check.sentence = best.mend.sentence + (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(as_is_) + ")");
+    check.sentence = best.mend.sentence +
+                     (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(as_is_) + ")");
     tellErrors(best, check);
     check.assume = best.mend.mistake + "=" + best.mend.value;
     for (std::size_t k = 1; k < suspects.size(); ++k)
-      if (gain(suspects[k].open) > gain(best.open) - kAsGood && suspects[k].drawn.error < kAsGoodError * best.drawn.error)
+      if (gain(suspects[k].open) > gain(best.open) - kAsGood &&
+          suspects[k].drawn.error < kAsGoodError * best.drawn.error)
         check.equally.push_back(suspects[k].mend.mistake + "=" + suspects[k].mend.value);
     checks.push_back(std::move(check));
   }
@@ -434,9 +459,9 @@ class Checking {
   }
 
   void checkSigma(std::vector<MeasurementCheck>& checks) const {
-    constexpr double kFarBelow = 1. / 30;    // of chi-square per degree of freedom: readings agree five times better
-    constexpr double kAgrees = 5;            // times too large or small, the same: as good as sigmas are known
-    constexpr double kFinest = 2e-7;         // of the arm's reach: interferometers measure a machine to 0.5 um in a metre
+    constexpr double kFarBelow = 1. / 30;  // of chi-square per degree of freedom: readings agree five times better
+    constexpr double kAgrees = 5;          // times too large or small, the same: as good as sigmas are known
+    constexpr double kFinest = 2e-7;       // of the arm's reach: interferometers measure a machine to 0.5 um in a metre
     constexpr std::size_t kFew = 6;
     std::vector<double> sigmas;
     for (const auto& reading : checked_.readings) sigmas.push_back(reading.sigma);
@@ -452,9 +477,11 @@ class Checking {
       std::snprintf(text, sizeof text, "the readings agree %.2g times better than the noise that they state",
                     1 / std::sqrt(std::max(as_is_.chi2_per_freedom, 1e-30)));
     else
-      std::snprintf(text, sizeof text, "the stated noise (%.2g %s) is finer than any instrument measures an arm of this size",
+      std::snprintf(text, sizeof text,
+                    "the stated noise (%.2g %s) is finer than any instrument measures an arm of this size",
                     sigma / checked_.units.sigma.factor, checked_.units.sigma.name.c_str());
-    MeasurementCheck check{"sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNaN, kNaN, "", {}};
+    MeasurementCheck check{
+        "sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNaN, kNaN, "", {}};
     if (agrees || (is_fine && likeliest)) {
       check.sentence += ": " + likeliest->mend.sentence;
       check.assume = "sigma=" + likeliest->mend.value;
@@ -481,9 +508,17 @@ class Checking {
     const bool is_far = isBaseFar();
     const bool is_pitches = checked_.sheet && has_places_ && as_is_.base_shift > kNearlyAPitch * checked_.sheet->pitch;
     if (!is_far && !is_pitches) return;
-    const auto is_told = [](const MeasurementCheck& check) { return check.sentence.find("nominal place") != std::string::npos; };
+    const auto is_told = [](const MeasurementCheck& check) {
+      return check.sentence.find("nominal place") != std::string::npos;
+    };
     if (std::any_of(checks.begin(), checks.end(), is_told)) return;
-    MeasurementCheck check{"base-from-nominal", CheckSeverity::kRemark, "the base that fits best stands " + baseText(as_is_) + " from its nominal place", kNaN, kNaN, "", {}};
+    MeasurementCheck check{"base-from-nominal",
+                           CheckSeverity::kRemark,
+                           "the base that fits best stands " + baseText(as_is_) + " from its nominal place",
+                           kNaN,
+                           kNaN,
+                           "",
+                           {}};
     if (is_pitches)
       for (const auto& value : findMistakeKind("holes")->values(checked_))
         if (const auto mend = findMistakeKind("holes")->mend(checked_, value)) {
@@ -509,7 +544,8 @@ class Checking {
 
 MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckOptions& options) {
   auto result = Checking(checked, options).run();
-  std::stable_sort(result.checks.begin(), result.checks.end(), [](const MeasurementCheck& a, const MeasurementCheck& b) { return a.severity < b.severity; });
+  std::stable_sort(result.checks.begin(), result.checks.end(),
+                   [](const MeasurementCheck& a, const MeasurementCheck& b) { return a.severity < b.severity; });
   return result;
 }
 

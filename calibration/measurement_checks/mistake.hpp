@@ -40,15 +40,15 @@ struct Mend {
   std::string mistake, value;  ///< as `--assume MISTAKE=VALUE` takes them
   std::string sentence;        ///< "the coordinates are in mm, not in in as their columns say"
   std::function<void(std::vector<Measurement>&)> apply = [](std::vector<Measurement>&) {};
-  bool frees_base = false;     ///< the base is taken as not known
-  bool parts_setups = false;   ///< every set-up is taken alone, with a tip of its own
-  int zero_of = -1;            ///< joint whose zero is looked for from the value tried
+  bool frees_base = false;    ///< the base is taken as not known
+  bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own
+  int zero_of = -1;           ///< joint whose zero is looked for from the value tried
 };
 
 struct MistakeKind {
   const char* name;
-  const char* value;     ///< what stands after the sign of equality: "UNIT"
-  const char* expected;  ///< the same for messages: "a unit of length"
+  const char* value;                                           ///< what stands after the sign of equality: "UNIT"
+  const char* expected;                                        ///< the same for messages: "a unit of length"
   std::vector<std::string> (*values)(const CheckedReadings&);  ///< worth trying
   std::optional<Mend> (*mend)(const CheckedReadings&, const std::string& value);  ///< nothing: no such value
 };

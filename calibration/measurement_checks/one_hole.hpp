@@ -20,6 +20,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"hole", "ID:HOLE", "a reading and the hole that it touched, such as 7:R10C21", values, mend}; }
+inline MistakeKind kind() {
+  return {"hole", "ID:HOLE", "a reading and the hole that it touched, such as 7:R10C21", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::one_hole

@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kMostNamed = 5;    // readings in one sentence
+constexpr std::size_t kMostNamed = 5;     // readings in one sentence
 constexpr std::size_t kMostAssumed = 20;  // readings that one --assume leaves out
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -39,8 +39,16 @@ std::string assumeWithout(const std::vector<std::string>& ids) {
 /// All numbers that two rows of one reading have alike.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
-  return std::tuple{static_cast<int>(m.kind), m.point, m.setup, m.load, std::vector<double>(m.q.begin(), m.q.end()), p.x(), p.y(), p.z(),
-                    std::isfinite(m.distance) ? m.distance : 0, std::isfinite(m.time) ? m.time : 0};
+  return std::tuple{static_cast<int>(m.kind),
+                    m.point,
+                    m.setup,
+                    m.load,
+                    std::vector<double>(m.q.begin(), m.q.end()),
+                    p.x(),
+                    p.y(),
+                    p.z(),
+                    std::isfinite(m.distance) ? m.distance : 0,
+                    std::isfinite(m.time) ? m.time : 0};
 }
 
 std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
@@ -53,9 +61,14 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
     again.push_back(reading.id + " (as " + at->second + ")");
   }
   if (ids.empty()) return std::nullopt;
-  return MeasurementCheck{"duplicates", CheckSeverity::kRemark,
-                          std::string(ids.size() == 1 ? "a reading stands" : "readings stand") + " there twice, number for number: " + listOf(again),
-                          kNaN, kNaN, assumeWithout(ids), {}};
+  return MeasurementCheck{"duplicates",
+                          CheckSeverity::kRemark,
+                          std::string(ids.size() == 1 ? "a reading stands" : "readings stand") +
+                              " there twice, number for number: " + listOf(again),
+                          kNaN,
+                          kNaN,
+                          assumeWithout(ids),
+                          {}};
 }
 
 /// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
@@ -77,8 +90,14 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
     }
   }
   if (largest == 0) return std::nullopt;
-  return MeasurementCheck{"angles", CheckSeverity::kRemark,
-                          "no joint reading is larger than " + shortText(largest) + " " + checked.units.angles.name + ": are they radians?", kNaN, kNaN, "angles=rad", {}};
+  return MeasurementCheck{
+      "angles",
+      CheckSeverity::kRemark,
+      "no joint reading is larger than " + shortText(largest) + " " + checked.units.angles.name + ": are they radians?",
+      kNaN,
+      kNaN,
+      "angles=rad",
+      {}};
 }
 
 std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
@@ -92,10 +111,15 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
   for (const auto& reading : checked.readings) heaviest = std::max(heaviest, reading.load);
   if (weight == 0 || heaviest < kTimesTheArm * weight) return std::nullopt;
   const auto& unit = checked.units.loads;
-  return MeasurementCheck{"loads", CheckSeverity::kRemark,
-                          "a load of " + shortText(heaviest / unit.factor) + " " + unit.name + " hangs on an arm that weighs less than " +
-                              shortText(weight / unit.factor) + " " + unit.name + ": is the load's unit right?",
-                          kNaN, kNaN, "", {}};
+  return MeasurementCheck{"loads",
+                          CheckSeverity::kRemark,
+                          "a load of " + shortText(heaviest / unit.factor) + " " + unit.name +
+                              " hangs on an arm that weighs less than " + shortText(weight / unit.factor) + " " +
+                              unit.name + ": is the load's unit right?",
+                          kNaN,
+                          kNaN,
+                          "",
+                          {}};
 }
 
 int numbersTold(const std::vector<Measurement>& readings) {
@@ -117,10 +141,16 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   const int free = static_cast<int>(chooseUnknowns(placed, named).list.size());
   const int told = numbersTold(checked.readings);
   if (told - free >= kLeastFreedom) return std::nullopt;
-  return MeasurementCheck{"few-readings", CheckSeverity::kRemark,
-                          std::to_string(checked.readings.size()) + (checked.readings.size() == 1 ? " reading holds " : " readings hold ") + std::to_string(told) + " numbers for the " +
-                              std::to_string(free) + " that are free: an error of the model would hardly show; measure more, or free fewer",
-                          kNaN, kNaN, "", {}};
+  return MeasurementCheck{"few-readings",
+                          CheckSeverity::kRemark,
+                          std::to_string(checked.readings.size()) +
+                              (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
+                              std::to_string(told) + " numbers for the " + std::to_string(free) +
+                              " that are free: an error of the model would hardly show; measure more, or free fewer",
+                          kNaN,
+                          kNaN,
+                          "",
+                          {}};
 }
 
 }  // namespace
@@ -128,10 +158,14 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
 std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings) {
   std::vector<MissingColumn> missing;
   const auto none = [&](auto has) { return std::none_of(readings.begin(), readings.end(), has); };
-  if (none([](const Measurement& m) { return std::any_of(m.senses.begin(), m.senses.end(), [](int s) { return s != 0; }); }))
+  if (none([](const Measurement& m) {
+        return std::any_of(m.senses.begin(), m.senses.end(), [](int s) { return s != 0; });
+      }))
     missing.push_back({"<joint>_dir", "with the sense of each joint's last motion, hysteresis could be seen"});
   if (none([](const Measurement& m) { return m.load > 0; }))
-    missing.push_back({"load", "with several hung loads, what gives could be told from what is out of place, and a load's offset be seen"});
+    missing.push_back(
+        {"load",
+         "with several hung loads, what gives could be told from what is out of place, and a load's offset be seen"});
   if (none([](const Measurement& m) { return std::isfinite(m.temperature); }))
     missing.push_back({"temperature", "with the temperature, thermal growth could be seen"});
   if (none([](const Measurement& m) { return std::isfinite(m.time); }))
@@ -139,10 +173,12 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
   return missing;
 }
 
-std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked, const std::vector<MeasurementCheck>& suspected) {
+std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
+                                          const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
   for (const auto& look : {duplicates, smallAngles, heavyLoad, fewReadings})
-    if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(), [&](const auto& other) { return other.name == check->name; }))
+    if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(),
+                                                          [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));
   return found;
 }
@@ -151,7 +187,8 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   constexpr double kSlack = 1.02;  // of the reach: an arm may sag a little further than it is long
   for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j) {
     const auto& joint = jointAt(checked.start.arm, j);
-    const bool is_endless = joint.type == deflection::JointType::kPrismatic && !std::isfinite(joint.upper - joint.lower);
+    const bool is_endless =
+        joint.type == deflection::JointType::kPrismatic && !std::isfinite(joint.upper - joint.lower);
     if (is_endless) return std::nullopt;  // a slide without limits reaches everywhere
   }
   const double reach = kSlack * deflection::reachOf(checked.start.arm);
@@ -164,9 +201,14 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   }
   if (ids.empty()) return std::nullopt;
   const auto& unit = checked.units.coordinates;
-  return MeasurementCheck{"out-of-reach", CheckSeverity::kRemark,
-                          "farther from the base than the arm reaches (" + shortText(reach / kSlack / unit.factor) + " " + unit.name + "): reading" + (ids.size() > 1 ? "s " : " ") + listOf(ids),
-                          kNaN, kNaN, assumeWithout(ids), {}};
+  return MeasurementCheck{"out-of-reach",
+                          CheckSeverity::kRemark,
+                          "farther from the base than the arm reaches (" + shortText(reach / kSlack / unit.factor) +
+                              " " + unit.name + "): reading" + (ids.size() > 1 ? "s " : " ") + listOf(ids),
+                          kNaN,
+                          kNaN,
+                          assumeWithout(ids),
+                          {}};
 }
 
 std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, const PlacedArm& found) {
@@ -183,11 +225,18 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
     const tubesheets::Tube* nearest = nullptr;
     double least = checked.sheet->pitch / 2;
     for (const auto& tube : checked.sheet->tubes)
-      if (const double d = std::hypot(tube.x - tip.value[0], tube.y - tip.value[1]); d < least) least = d, nearest = &tube;
+      if (const double d = std::hypot(tube.x - tip.value[0], tube.y - tip.value[1]); d < least)
+        least = d, nearest = &tube;
     if (!nearest || (nearest->row == hole->first && nearest->column == hole->second)) continue;
     const std::string name = "R" + std::to_string(nearest->row) + "C" + std::to_string(nearest->column);
-    mistaken.push_back({"hole", CheckSeverity::kRemark, "reading " + reading.id + " named " + reading.point + " fits " + name + ": was the hole mistaken?",
-                        (tip.value - *reading.p_W).norm(), std::hypot(least, tip.value[2]), "hole=" + reading.id + ":" + name, {}});
+    mistaken.push_back(
+        {"hole",
+         CheckSeverity::kRemark,
+         "reading " + reading.id + " named " + reading.point + " fits " + name + ": was the hole mistaken?",
+         (tip.value - *reading.p_W).norm(),
+         std::hypot(least, tip.value[2]),
+         "hole=" + reading.id + ":" + name,
+         {}});
   }
   // Where most are off, it is no slip of a single name.
   return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;

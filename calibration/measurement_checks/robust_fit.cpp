@@ -14,11 +14,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFreedom = 4;           // of Student's t
-constexpr double kBest = 0.9;            // share of the readings that an error is stated of
+constexpr double kFreedom = 4;  // of Student's t
+constexpr double kBest = 0.9;   // share of the readings that an error is stated of
 constexpr int kScaleSteps = 40;
-constexpr double kConverged = 0.05;      // fall of the misfit by a step that asks for no further one
-constexpr int kMostTrials = 6;           // of a step, each shorter than the one before
+constexpr double kConverged = 0.05;  // fall of the misfit by a step that asks for no further one
+constexpr int kMostTrials = 6;       // of a step, each shorter than the one before
 
 /// Student's t about a common scale, for the whitened residuals of readings.
 class StudentLoss {
@@ -101,8 +101,11 @@ class Descent {
  public:
   Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
           const ReadingWeights& weights, const RobustFitOptions& options)
-      : unknowns_(unknowns), options_(options), residual_(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, options.stop),
-        loss_(readings, weights), x_(VectorXd::Zero(static_cast<Index>(unknowns.size()))) {}
+      : unknowns_(unknowns),
+        options_(options),
+        residual_(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, options.stop),
+        loss_(readings, weights),
+        x_(VectorXd::Zero(static_cast<Index>(unknowns.size()))) {}
 
   bool run() {
     if (!residual_.evaluate(x_, r_, nullptr) || !r_.allFinite()) return false;
@@ -139,7 +142,8 @@ class Descent {
       if (!step.allFinite()) continue;
       VectorXd x = x_ + step, r;
       for (Index k = 0; k < x.size(); ++k)
-        x[k] = std::clamp(x[k], unknowns_[static_cast<std::size_t>(k)].lower, unknowns_[static_cast<std::size_t>(k)].upper);
+        x[k] = std::clamp(x[k], unknowns_[static_cast<std::size_t>(k)].lower,
+                          unknowns_[static_cast<std::size_t>(k)].upper);
       if (!residual_.evaluate(x, r, nullptr) || !r.allFinite()) {
         goOn(options_.stop);
         continue;
@@ -181,8 +185,10 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
   const VectorXd lengths = errorLengths(readings, *weights, at.error);
   fit.error = bestError(lengths, kBest);
   fit.whole_error = bestError(lengths, 1);
-  const double free = static_cast<double>(std::min<std::size_t>(unknowns.list.size(), static_cast<std::size_t>(weights->rows) / 2));
-  fit.chi2_per_freedom = descent.loss().chi2PerRow(std::max(0.1, (weights->degrees_of_freedom - free) / std::max(1, weights->rows)));
+  const double free =
+      static_cast<double>(std::min<std::size_t>(unknowns.list.size(), static_cast<std::size_t>(weights->rows) / 2));
+  fit.chi2_per_freedom =
+      descent.loss().chi2PerRow(std::max(0.1, (weights->degrees_of_freedom - free) / std::max(1, weights->rows)));
   fit.ok = std::isfinite(fit.error) && std::isfinite(fit.misfit);
   return fit;
 }

@@ -1,4 +1,5 @@
-// A tip that was mounted anew between set-ups: each set-up has a tip of its own, so that they cannot be fitted together.
+// A tip that was mounted anew between set-ups: each set-up has a tip of its own, so that they cannot be fitted
+// together.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto& placings = checked.start.placings;
   if (std::none_of(placings.begin(), placings.end(), [&](const Placing& placing) { return placing.setup == value; }))
     return std::nullopt;
-  Mend mend{"setup", value, "the tip was mounted anew between the set-ups: each has a tip of its own and is to be fitted alone"};
+  Mend mend{"setup", value,
+            "the tip was mounted anew between the set-ups: each has a tip of its own and is to be fitted alone"};
   mend.apply = [value](std::vector<Measurement>& readings) {
     std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != value; });
   };

@@ -34,6 +34,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"sheet-mirrored", "rows|columns", "rows or columns, in a cell with a tube sheet", values, mend}; }
+inline MistakeKind kind() {
+  return {"sheet-mirrored", "rows|columns", "rows or columns, in a cell with a tube sheet", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::sheet_mirrored

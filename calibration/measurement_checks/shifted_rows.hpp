@@ -1,4 +1,5 @@
-// What was measured stands a row off from the joints and loads that it was measured at. What has no partner is left out.
+// What was measured stands a row off from the joints and loads that it was measured at. What has no partner is left
+// out.
 #pragma once
 
 #include <charconv>
@@ -39,11 +40,15 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), by);
   if (error != std::errc{} || end != value.data() + value.size() || by == 0 || std::abs(by) > 1000) return std::nullopt;
   const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
-  Mend mend{"shift", value, "what was measured stands " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
+  Mend mend{"shift", value,
+            "what was measured stands " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
   mend.apply = [by](std::vector<Measurement>& readings) { shift(by, readings); };
   return mend;
 }
 
-inline MistakeKind kind() { return {"shift", "ROWS", "how many rows lower the measured values stand than their joint readings, such as 1 or -1", values, mend}; }
+inline MistakeKind kind() {
+  return {"shift", "ROWS", "how many rows lower the measured values stand than their joint readings, such as 1 or -1",
+          values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::shifted_rows

@@ -1,5 +1,5 @@
-// The stated noise in another unit than its column says. No error tells it, only how small the error is beside it: it is
-// looked for apart (measurement_checks.cpp), so that no form of it is tried here.
+// The stated noise in another unit than its column says. No error tells it, only how small the error is beside it: it
+// is looked for apart (measurement_checks.cpp), so that no form of it is tried here.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

@@ -26,7 +26,8 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   const auto checks = checksOf(*set);
   const Naming naming = judgeNaming(kind, *mend, checks);
   EXPECT_TRUE(naming == Naming::kRight || naming == Naming::kEqually)
-      << *mend << " in " << set->name << ", found " << (checks.checks.empty() ? "nothing" : checks.checks.front().sentence);
+      << *mend << " in " << set->name << ", found "
+      << (checks.checks.empty() ? "nothing" : checks.checks.front().sentence);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
@@ -41,8 +42,8 @@ TEST(MeasurementChecksOf, CleanReadingsSuspectNothing) {
 }
 
 TEST(MeasurementChecksOf, PhysicsIsNoMistake) {
-  static constexpr const char* kHidden[] = {"backlash@tool.z:0.2deg", "joint-offset@theta3:3deg", "tool-weight@tool:-0.48",
-                                            "hysteresis@theta2:0.2deg"};
+  static constexpr const char* kHidden[] = {"backlash@tool.z:0.2deg", "joint-offset@theta3:3deg",
+                                            "tool-weight@tool:-0.48", "hysteresis@theta2:0.2deg"};
   for (const char* hidden : kHidden) {
     const auto set = simulatedSet("bench.yaml", "bench", 60, {hidden}, 3);
     ASSERT_TRUE(set) << hidden;

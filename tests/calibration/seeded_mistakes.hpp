@@ -17,8 +17,8 @@
 #include "app/readers/cell_reader.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/readers/measurements_writer.hpp"
-#include "app/reading_input.hpp"
 #include "app/readers/text_file.hpp"
+#include "app/reading_input.hpp"
 #include "app/simulation_job.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 #include "calibration/measurement_posture.hpp"
@@ -38,7 +38,9 @@ using SeededRandom = std::mt19937_64;
 inline double drawnBetween(double from, double to, SeededRandom& random) {
   return from + (to - from) * static_cast<double>(random() >> 11) / 9007199254740992.0;
 }
-inline int drawnBelow(int count, SeededRandom& random) { return static_cast<int>(random() % static_cast<std::uint64_t>(count)); }
+inline int drawnBelow(int count, SeededRandom& random) {
+  return static_cast<int>(random() % static_cast<std::uint64_t>(count));
+}
 
 inline app::Cell shippedCell(const std::string& name) {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
@@ -50,7 +52,8 @@ inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const
                                              const std::vector<std::string>& hidden, std::uint64_t seed,
                                              const std::function<void(app::SimulationTask&)>& change = {}) {
   SeededSet set{fmt::format("{} {} {} readings seed {} {}", cell_name, design, readings, seed, fmt::join(hidden, "+")),
-                shippedCell(cell_name), {}};
+                shippedCell(cell_name),
+                {}};
   app::SimulationRequest request;
   request.design = design;
   request.readings = readings;
@@ -61,21 +64,22 @@ inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const
   if (change) change(task);
   const auto campaign = app::simulateReadings(set.cell, task, seed, {});
   if (campaign.status != CampaignStatus::kDone) return std::nullopt;
-  set.table = app::parseMeasurementTable(app::measurementsCsv(campaign.readings, set.cell.arm, set.cell.units), "simulated.csv",
-                                         set.cell.arm, set.cell.sheet ? &*set.cell.sheet : nullptr);
+  set.table = app::parseMeasurementTable(app::measurementsCsv(campaign.readings, set.cell.arm, set.cell.units),
+                                         "simulated.csv", set.cell.arm, set.cell.sheet ? &*set.cell.sheet : nullptr);
   app::stateSigma(set.table.readings, set.cell, "simulated.csv", 0);
   return set;
 }
 
 inline MeasurementChecks checksOf(const SeededSet& set) {
-  const CheckedReadings checked{app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell),
-                                set.table.units, set.cell.sheet ? &*set.cell.sheet : nullptr};
+  const CheckedReadings checked{app::startOf(set.cell, set.table.readings), set.table.readings,
+                                app::freeNumbersOf(set.cell), set.table.units,
+                                set.cell.sheet ? &*set.cell.sheet : nullptr};
   return checkMeasurements(checked);
 }
 
 /// One way to go wrong. `make` does it and gives what mends it; nothing where the set has no room for it.
 struct SeededMistake {
-  const char* name;   ///< of the check that names it
+  const char* name;  ///< of the check that names it
   const char* label;
   std::optional<std::string> (*make)(SeededSet&, SeededRandom&);
 };
@@ -109,10 +113,16 @@ inline Made sigmaIn(SeededSet& set, const std::string& unit, double factor) {
   return "sigma=" + unit;
 }
 inline bool arePlaces(const SeededSet& set) {
-  return std::all_of(set.table.readings.begin(), set.table.readings.end(), [](const Measurement& m) { return m.p_W.has_value(); });
+  return std::all_of(set.table.readings.begin(), set.table.readings.end(),
+                     [](const Measurement& m) { return m.p_W.has_value(); });
 }
-inline bool areHoles(const SeededSet& set) { return set.cell.sheet && set.table.readings.front().kind == MeasurementKind::kTouch && holeOf(set.table.readings.front().point); }
-inline int drawnJoint(const SeededSet& set, SeededRandom& random) { return drawnBelow(static_cast<int>(set.table.joints.size()), random); }
+inline bool areHoles(const SeededSet& set) {
+  return set.cell.sheet && set.table.readings.front().kind == MeasurementKind::kTouch &&
+         holeOf(set.table.readings.front().point);
+}
+inline int drawnJoint(const SeededSet& set, SeededRandom& random) {
+  return drawnBelow(static_cast<int>(set.table.joints.size()), random);
+}
 inline std::string jointName(const SeededSet& set, int joint) { return jointAt(set.cell.arm, joint).name; }
 
 inline Made millimetres(SeededSet& s, SeededRandom&) { return writtenIn(s, "mm"); }
@@ -165,7 +175,8 @@ inline Made partOfATurn(SeededSet& s, SeededRandom& random) {
   return "joint-zero=" + jointName(s, joint);
 }
 inline Made jointOrder(SeededSet& s, SeededRandom& random) {
-  const int a = drawnJoint(s, random), b = (a + 1 + drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random)) % static_cast<int>(s.table.joints.size());
+  const int a = drawnJoint(s, random), b = (a + 1 + drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random)) %
+                                           static_cast<int>(s.table.joints.size());
   for (auto& m : s.table.readings) std::swap(m.q[a], m.q[b]);
   return "joint-order=" + jointName(s, std::min(a, b)) + ":" + jointName(s, std::max(a, b));
 }
@@ -223,7 +234,8 @@ inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
   if (!s.cell.base_known || !arePlaces(s)) return std::nullopt;
   const double reach = deflection::reachOf(s.cell.arm);
   Eigen::Vector3d shift, axis;
-  for (int k = 0; k < 3; ++k) shift[k] = drawnBetween(-0.15, 0.15, random) * reach, axis[k] = drawnBetween(-1, 1, random);
+  for (int k = 0; k < 3; ++k)
+    shift[k] = drawnBetween(-0.15, 0.15, random) * reach, axis[k] = drawnBetween(-1, 1, random);
   const Eigen::AngleAxisd turn(drawnBetween(0.05, 0.4, random), axis.normalized());
   for (auto& m : s.table.readings)
     if (m.kind == MeasurementKind::kPosition || m.kind == MeasurementKind::kTouch) *m.p_W = turn * *m.p_W + shift;
@@ -244,7 +256,8 @@ inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) {
     if (m.setup != setups.back() || !m.p_W) continue;
     // The base is where the cell has it but for what a set-up is off by: the tool's turn in the world is near enough.
-    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.placings.front().X_WB));
+    const auto shape =
+        deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.placings.front().X_WB));
     *m.p_W += placed.placings.front().X_WB.linear() * shape.X_BD.R * by;
   }
   return "setup=" + setups.front();
@@ -252,7 +265,9 @@ inline Made tipAnew(SeededSet& s, SeededRandom& random) {
 inline Made outOfReach(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s) || areHoles(s) || s.table.readings.size() < 12) return std::nullopt;
   auto& m = s.table.readings[static_cast<std::size_t>(drawnBelow(static_cast<int>(s.table.readings.size()), random))];
-  if (m.kind == MeasurementKind::kDeflection || m.kind == MeasurementKind::kDistance || m.p_W->cwiseAbs().maxCoeff() < 0.3) return std::nullopt;
+  if (m.kind == MeasurementKind::kDeflection || m.kind == MeasurementKind::kDistance ||
+      m.p_W->cwiseAbs().maxCoeff() < 0.3)
+    return std::nullopt;
   *m.p_W *= 10;
   return "without=" + m.id;
 }

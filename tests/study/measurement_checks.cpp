@@ -1,5 +1,5 @@
-// How well the checks of readings name the ordinary mistakes, and how often they suspect one where there is none: seeded
-// mistakes in clean sets, and sets with none among which physical effects hide and real robots stand.
+// How well the checks of readings name the ordinary mistakes, and how often they suspect one where there is none:
+// seeded mistakes in clean sets, and sets with none among which physical effects hide and real robots stand.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,7 +31,8 @@ MeasurementChecks timed(const SeededSet& set, Cost& cost) {
 std::string textOf(const MeasurementChecks& checks) {
   std::vector<std::string> texts;
   for (const auto& check : checks.checks)
-    texts.push_back(fmt::format("{}{} [{}] {:.4g}->{:.4g} m; equally {}", check.severity == CheckSeverity::kMistake ? "!" : "",
+    texts.push_back(fmt::format("{}{} [{}] {:.4g}->{:.4g} m; equally {}",
+                                check.severity == CheckSeverity::kMistake ? "!" : "",
                                 check.assume.empty() ? check.name : check.assume, check.sentence, check.error_as_is,
                                 check.error_if_mended, fmt::join(check.equally, " ")));
   return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, " | "));
@@ -60,7 +61,11 @@ void studyMistakes(int count, bool is_verbose, const std::string& only) {
     ++named[kind.label][static_cast<std::size_t>(naming)];
     ++all[static_cast<std::size_t>(naming)];
     if (is_verbose && naming != Naming::kRight)
-      fmt::print("  {} {}: {} ({}): {}\n", naming == Naming::kWrong ? "WRONG" : naming == Naming::kMissed ? "MISSED" : "equally", kind.label, *mend, set->name, textOf(checks));
+      fmt::print("  {} {}: {} ({}): {}\n",
+                 naming == Naming::kWrong    ? "WRONG"
+                 : naming == Naming::kMissed ? "MISSED"
+                                             : "equally",
+                 kind.label, *mend, set->name, textOf(checks));
   }
   fmt::print("{:<24}{:>8}{:>10}{:>8}{:>8}\n", "mistake", "first", "as well", "wrong", "missed");
   for (const auto& [label, counts] : named)
@@ -87,8 +92,9 @@ std::vector<SeededSet> setsBeside() {
   }
   for (const auto& entry : fs::directory_iterator(shared / "hidden-effects")) {
     const std::string name = entry.path().filename().string();
-    sets.push_back(*setOfFiles(fs::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / (name.starts_with("bench") ? "bench.yaml" : "bowl.yaml"),
-                               entry.path() / "measurements.csv"));
+    sets.push_back(*setOfFiles(
+        fs::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / (name.starts_with("bench") ? "bench.yaml" : "bowl.yaml"),
+        entry.path() / "measurements.csv"));
   }
   static constexpr std::pair<const char*, const char*> kReal[] = {
       {"hilti/cell.yaml", "hilti/measurements.csv"},
@@ -103,7 +109,8 @@ std::vector<SeededSet> setsBeside() {
       {"panda-touch/cell.yaml", "panda-touch/measurements.csv"},
       {"ur5/cell.yaml", "ur5/measurements.csv"},
       {"wam/cell.yaml", "wam/measurements.csv"}};
-  for (const auto& [cell, measurements] : kReal) sets.push_back(*setOfFiles(shared / "real" / cell, shared / "real" / measurements));
+  for (const auto& [cell, measurements] : kReal)
+    sets.push_back(*setOfFiles(shared / "real" / cell, shared / "real" / measurements));
   return sets;
 }
 
@@ -115,12 +122,14 @@ std::string drawnEffect(const deflection::Arm& arm, SeededRandom& random) {
     const auto places = deflection::placeTexts(arm, kind);
     if (places.empty() || kind.parameters.empty()) continue;
     const std::string at = places[random() % places.size()];
-    if (deflection::makeEffect(arm, kind.name, at).status == deflection::EffectStatus::kMade) return std::string(kind.name) + "@" + at;
+    if (deflection::makeEffect(arm, kind.name, at).status == deflection::EffectStatus::kMade)
+      return std::string(kind.name) + "@" + at;
   }
 }
 
 std::optional<SeededSet> hidingSet(std::uint64_t number) {
-  static constexpr std::pair<const char*, const char*> kDesigns[] = {{"bench.yaml", "bench"}, {"bowl.yaml", "bowl"}, {"bowl.yaml", "bench"}, {"bowl.yaml", "touch"}};
+  static constexpr std::pair<const char*, const char*> kDesigns[] = {
+      {"bench.yaml", "bench"}, {"bowl.yaml", "bowl"}, {"bowl.yaml", "bench"}, {"bowl.yaml", "touch"}};
   SeededRandom random(number + 5000);
   const auto& [cell, design] = kDesigns[number % 4];
   const int sizes[] = {24, 48, 96};
@@ -133,8 +142,9 @@ std::optional<SeededSet> hidingSet(std::uint64_t number) {
       const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
       for (std::size_t v = 0; v < effect.values.size() && v < kind.parameters.size(); ++v)
         if (!kind.parameters[v].is_shape)
-          effect.values[v] = std::clamp(kind.parameters[v].neutral + factor * (effect.values[v] - kind.parameters[v].neutral),
-                                        kind.parameters[v].lower, kind.parameters[v].upper);
+          effect.values[v] =
+              std::clamp(kind.parameters[v].neutral + factor * (effect.values[v] - kind.parameters[v].neutral),
+                         kind.parameters[v].lower, kind.parameters[v].upper);
     }
     if (number % 7 == 0)  // everything far softer than drawn: it sags by inches
       for (auto& row : task.truth.arm.rows) row.joint_stiffness /= 3;
@@ -148,7 +158,8 @@ void studyCleanSets(int count, bool is_verbose) {
     ++made;
     const auto checks = timed(set, cost);
     const bool is_mistake = grossMistake(checks) != nullptr;
-    const bool is_remark = std::any_of(checks.checks.begin(), checks.checks.end(), [](const auto& check) { return !check.assume.empty(); });
+    const bool is_remark = std::any_of(checks.checks.begin(), checks.checks.end(),
+                                       [](const auto& check) { return !check.assume.empty(); });
     mistakes += is_mistake;
     remarks += is_remark && !is_mistake;
     if (is_mistake || is_remark || is_verbose) fmt::print("  {}: {}\n", set.name, textOf(checks));
@@ -156,8 +167,9 @@ void studyCleanSets(int count, bool is_verbose) {
   for (const auto& set : setsBeside()) look(set);
   for (std::uint64_t number = 0; made < count && number < 10u * static_cast<std::uint64_t>(count); ++number)
     if (const auto set = hidingSet(number)) look(*set);
-  fmt::print("{} sets without a mistake: {} ({:.1f} %) suspected of one, {} more with a remark that proposes something\n", made, mistakes,
-             100. * mistakes / std::max(1, made), remarks);
+  fmt::print(
+      "{} sets without a mistake: {} ({:.1f} %) suspected of one, {} more with a remark that proposes something\n",
+      made, mistakes, 100. * mistakes / std::max(1, made), remarks);
   fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
 }
 
