@@ -24,12 +24,13 @@ using calibration::CalibrationStatus;
 struct CalibrateOptions {
   std::string cell, measurements, out, json, setup;
   std::vector<std::string> assume;
+  double sigma = 0;
 };
 
 int run(const CalibrateOptions& options) {
   Cell cell = readCell(options.cell);
   cell.base_known = false;  // it is what is asked for
-  const auto [readings, checks] = readAndCheck(options.measurements, cell, {0, {}, options.assume});
+  const auto [readings, checks] = readAndCheck(options.measurements, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
@@ -51,6 +52,8 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
+  cli.add_option("--sigma", options->sigma,
+                 "noise of a coordinate where neither file nor tool states one, in the cell's length unit");
   addAssumeOption(cli, options->assume);
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

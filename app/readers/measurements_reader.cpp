@@ -151,7 +151,7 @@ void checkKind(const RowReader& row, const KindRow& kind, const Measurement& m) 
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
   if (kind.needs_distance && !(m.distance > 0))
     row.failRow("a reading of kind distance without its length",
-                "a number above zero in the column distance_in (or _mm, _m, _ft)");
+                "a number above zero in the column distance_in (or _mm, _cm, _m, _ft)");
   if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
   if (m.load < 0) row.failRow("a negative load", "zero or more");
 }
