@@ -56,7 +56,8 @@ std::string checksText(const MeasurementChecks& checks, const Units& units) {
 std::vector<std::string> warningsWithChecks(const MeasurementChecks& checks, std::vector<std::string> warnings,
                                             const Units& units) {
   std::vector<std::string> all;
-  for (const auto& check : checks.checks) all.push_back(checkText(check, units));
+  for (const auto& check : checks.checks)
+    if (check.name != "base-from-nominal" && check.name != "few-readings") all.push_back(checkText(check, units));
   all.insert(all.end(), warnings.begin(), warnings.end());
   return all;
 }

@@ -94,6 +94,16 @@ CellReadings readCellReadings(const std::string& cell, const std::string& measur
 
 namespace {
 
+/// Of what has no column: the cell's.
+void nameUnits(const Cell& cell, calibration::ReadingUnits& units) {
+  const auto name = [](const Unit& unit, calibration::NamedUnit& named) {
+    if (named.name.empty()) named = {std::string(unit.name), unit.factor};
+  };
+  name(cell.units.length(), units.coordinates);
+  name(cell.units.length(), units.sigma);
+  name(cell.units.force(), units.loads);
+}
+
 calibration::CheckedReadings asChecked(const MeasurementTable& table, const Cell& cell) {
   return {startOf(cell, table.readings), table.readings, freeNumbersOf(cell), table.units,
           cell.sheet ? &*cell.sheet : nullptr};
@@ -113,6 +123,7 @@ ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& fil
                                  const MeasurementOptions& options) {
   checkText(file, text);
   MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  nameUnits(cell, table.units);
   stateSigma(table.readings, cell, file, options.sigma);
   const bool is_overruled = takeAssumptions(options.assume, table, cell);
   const bool is_past = std::any_of(table.readings.begin(), table.readings.end(),

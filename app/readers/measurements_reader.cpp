@@ -227,9 +227,10 @@ std::vector<calibration::NamedUnit> unitsOf(UnitKind kind) {
   return units;
 }
 
-/// The units as the columns name them; of what has no column, those internal.
+/// The units as the columns name them; of what has no column, without a name.
 calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   calibration::ReadingUnits units;
+  units.coordinates.name = units.loads.name = "";
   const auto take = [](const std::optional<NumberColumn>& column, calibration::NamedUnit& unit) {
     if (column) unit = {std::string(column->unit->name), column->unit->factor};
   };

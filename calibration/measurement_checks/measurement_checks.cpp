@@ -177,6 +177,7 @@ class Checking {
     RobustFitOptions options;
     options.free = depth == Depth::kOpen ? open_ : depth == Depth::kDrawn ? drawn_ : held_;
     options.most_steps = depth == Depth::kOpen ? 8 : 5;
+    options.judges_noise = depth == Depth::kOpen;
     options.stop = options_.stop;
     if (!zero.empty()) {
       options.free.names.push_back(zero);

@@ -17,8 +17,9 @@ namespace {
 constexpr double kFreedom = 4;  // of Student's t
 constexpr double kBest = 0.9;   // share of the readings that an error is stated of
 constexpr int kScaleSteps = 40;
-constexpr double kConverged = 0.05;  // fall of the misfit by a step that asks for no further one
-constexpr int kMostTrials = 6;       // of a step, each shorter than the one before
+constexpr double kLeastFreedom = 12;  // from which chi-square says anything of the noise
+constexpr double kConverged = 0.05;   // fall of the misfit by a step that asks for no further one
+constexpr int kMostTrials = 6;        // of a step, each shorter than the one before
 
 /// Student's t about a common scale, for the whitened residuals of readings.
 class StudentLoss {
@@ -63,17 +64,15 @@ class StudentLoss {
     return rows;
   }
 
-  /// Chi-square over the readings that fit best, per row, as the stated noise expects 1.
-  [[nodiscard]] double chi2PerRow(double freedom_share) const {
-    double sum = 0, rows = 0;
+  /// Chi-square of the readings that fit best over what so many degrees of freedom of all expect of them.
+  [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
+    constexpr double kShareOfBest = 0.74;  // the tenth that fits worst holds a quarter of chi-square of three
     auto sorted = square_;
     std::sort(sorted.begin(), sorted.end());
     const auto kept = static_cast<std::size_t>(std::ceil(kBest * static_cast<double>(sorted.size())));
+    double sum = 0;
     for (std::size_t k = 0; k < kept; ++k) sum += sorted[k];
-    for (std::size_t k = 0; k < square_.size(); ++k) rows += rowsOf(readings_[k]);
-    // The tenth that fits worst holds a quarter of chi-square of three.
-    constexpr double kShareOfBest = 0.74;
-    return sum / std::max(1., rows * freedom_share * kShareOfBest);
+    return sum / (degrees_of_freedom * kShareOfBest);
   }
 
  private:
@@ -179,16 +178,18 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
   Descent descent(start, unknowns.list, readings, *weights, options);
   if (!descent.run()) return fit;
   fit.placed = applied(start, unknowns.list, descent.x());
-  const auto at = whitenedResidual(start, unknowns.list, readings, *weights, descent.x(), false, options.stop);
+  const auto at =
+      whitenedResidual(start, unknowns.list, readings, *weights, descent.x(), options.judges_noise, options.stop);
   if (!at.ok) return fit;
   fit.misfit = descent.misfit();
   const VectorXd lengths = errorLengths(readings, *weights, at.error);
   fit.error = bestError(lengths, kBest);
   fit.whole_error = bestError(lengths, 1);
-  const double free =
-      static_cast<double>(std::min<std::size_t>(unknowns.list.size(), static_cast<std::size_t>(weights->rows) / 2));
-  fit.chi2_per_freedom =
-      descent.loss().chi2PerRow(std::max(0.1, (weights->degrees_of_freedom - free) / std::max(1, weights->rows)));
+  if (options.judges_noise) {
+    const auto covariance = posteriorCovariance(at.jacobian, unknowns.list);
+    const double freedom = weights->degrees_of_freedom - effectiveNumbers(covariance, unknowns.list);
+    if (freedom >= kLeastFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
+  }
   fit.ok = std::isfinite(fit.error) && std::isfinite(fit.misfit);
   return fit;
 }

@@ -25,6 +25,7 @@ struct RobustFit {
 struct RobustFitOptions {
   FreeChoice free;
   int most_steps = 8;
+  bool judges_noise = false;  ///< whether chi2_per_freedom is asked for
   StopQuestion stop = {};
 };
 
