@@ -266,8 +266,10 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
   if (result.verdict == Verdict::kNotRun) return text;
   text +=
-      fmt::format("chi-square {:.1f} for {} degrees of freedom; nothing missing has probability {:.3g}\n", result.chi2,
-                  result.degrees_of_freedom, result.nothing_probability);
+      fmt::format("chi-square {:.1f} for {} degrees of freedom{}\n", result.chi2, result.degrees_of_freedom,
+                  std::isfinite(result.nothing_probability)
+                      ? fmt::format("; nothing missing has probability {:.3g}", result.nothing_probability)
+                      : "");
   if (result.model_error > 0)
     text += fmt::format("about {} in each coordinate beyond the stated noise is no function of the readings\n",
                         lengthText(result.model_error, units));
