@@ -6,9 +6,10 @@
 
 namespace tubeplan::app {
 
-std::vector<calibration::Measurement> readingsMade(const std::string& file, const Cell& cell, double sigma) {
+ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
+                                const std::vector<std::string>& assume) {
   if (file.empty()) return {};
-  return readReadings(file, cell, sigma / cell.units.factor(dimension::kLength));
+  return readAndCheck(file, cell, {sigma / cell.units.factor(dimension::kLength), {}, assume});
 }
 
 calibration::Knowledge knowledgeOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/reading_input.hpp"
 #include "app/readers/cell_reader.hpp"
 #include "calibration/knowledge.hpp"
 
@@ -11,8 +12,9 @@ namespace tubeplan::app {
 
 /// The readings of a measurement file with a sigma each; none for an empty name. `sigma` [m] stands in where the file
 /// states none; 0: InputError then, unless the cell's tool tells it.
-[[nodiscard]] std::vector<calibration::Measurement> readingsMade(const std::string& file, const Cell& cell,
-                                                                 double sigma);
+/// `assume` as in MeasurementOptions.
+[[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
+                                              const std::vector<std::string>& assume = {});
 
 /// What the readings tell of the free numbers. `where` names what they were asked by, for the InputError about a name
 /// that is no number of the arm.

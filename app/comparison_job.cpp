@@ -4,6 +4,7 @@
 #include "app/comparison_json.hpp"
 #include "app/diagnosis_views_json.hpp"
 #include "app/input_error.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/report/diagnosis_report.hpp"
 #include "app/version.hpp"
 
@@ -51,9 +52,10 @@ ComparisonOutcome compareModel(const CellReadings& input, const ComparisonReques
   requireGoingOn(hooks);
   requireCompared(outcome.comparison, input);
   outcome.figures = comparisonJson(outcome.comparison, readings, cell.units);
-  outcome.figures["warnings"] = nlohmann::json::array();
   if (outcome.comparison.refit.status != calibration::IdentificationStatus::kNotRun)
-    outcome.figures["warnings"] = readingWarnings(outcome.comparison.refit, readings, cell);
+    outcome.warnings = fitWarnings(outcome.comparison.refit, readings);
+  outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
+  addChecks(input.checks, cell.units, outcome.figures);
   return outcome;
 }
 

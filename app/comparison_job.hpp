@@ -18,7 +18,8 @@ struct ComparisonRequest {
 
 struct ComparisonOutcome {
   calibration::Comparison comparison;
-  nlohmann::json figures;  ///< as `tubeplan compare --json` writes them
+  std::vector<std::string> warnings;  ///< of the fit
+  nlohmann::json figures;             ///< as `tubeplan compare --json` writes them
 };
 
 /// Throws InputError for a list `identify` that names no parameters and for readings that tell nothing,

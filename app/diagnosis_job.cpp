@@ -3,6 +3,7 @@
 #include "app/cell_fit.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/effect_warnings_json.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/report/diagnosis_report.hpp"
 #include "app/splitting_candidates.hpp"
 #include "app/splitting_json.hpp"
@@ -28,6 +29,17 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, con
   requireGoingOn(hooks);
 }
 
+/// No verdict on the model while a mistake with the readings explains its error.
+DiagnosisOutcome undiagnosed(const CellReadings& input, const calibration::MeasurementCheck& mistake) {
+  DiagnosisOutcome outcome;
+  outcome.diagnosis.verdict = calibration::Verdict::kInconclusive;
+  outcome.diagnosis.reason = checkText(mistake, input.cell.units);
+  outcome.figures = diagnosisJson(outcome.diagnosis, input.readings, input.cell.units);
+  outcome.figures["warnings"] = nlohmann::json::array();
+  addChecks(input.checks, input.cell.units, outcome.figures);
+  return outcome;
+}
+
 calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const DiagnosisRequest& request) {
   calibration::DiagnosisOptions options;
   options.baseline.free = freeNumbersOf(cell);
@@ -50,6 +62,7 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   options.hooks = hooks;
   const auto start = startOf(cell, readings);
   DiagnosisOutcome outcome;
+  if (const auto* mistake = calibration::grossMistake(input.checks)) return undiagnosed(input, *mistake);
   outcome.diagnosis = calibration::diagnose(start, readings, options);
   requireGoingOn(hooks);
   if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)
@@ -62,6 +75,7 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   outcome.figures = diagnosisJson(outcome.diagnosis, readings, cell.units);
   addNextReadings(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
   outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);
+  addChecks(input.checks, cell.units, outcome.figures);
   return outcome;
 }
 

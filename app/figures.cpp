@@ -21,7 +21,7 @@ nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
 }
 
 std::string lengthText(double metres, const Units& units, int digits) {
-  if (!std::isfinite(metres)) return "an unknown length";
+  if (!std::isfinite(metres)) return "none";
   return fmt::format("{:.{}g} {}", metres / units.factor(dimension::kLength), digits, units.length().name);
 }
 

@@ -6,6 +6,7 @@
 #include "app/effect_warnings_json.hpp"
 #include "app/identification_json.hpp"
 #include "app/input_error.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/overlap_report.hpp"
 #include "app/suggestion.hpp"
 
@@ -101,9 +102,10 @@ IdentificationOutcome identifyModel(const CellReadings& input, const Identificat
   requireGoingOn(hooks);
   requireAccepted(outcome.fit, request, input);
   beginStep(hooks, "what the fit tells");
-  outcome.warnings = readingWarnings(outcome.fit, readings, cell);
+  outcome.warnings = fitWarnings(outcome.fit, readings);
   outcome.figures = identificationJson(outcome.fit, readings, cell.units);
-  outcome.figures["warnings"] = outcome.warnings;
+  outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
+  addChecks(input.checks, cell.units, outcome.figures);
   outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, readings);
   if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);
   outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1, hooks.stop);

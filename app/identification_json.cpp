@@ -73,7 +73,14 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
 }
 
 std::string lengthFigure(double metres, const Units& units) {
-  return fmt::format("{:.4g}", metres / units.factor(dimension::kLength));
+  return std::isfinite(metres) ? fmt::format("{:.4g}", metres / units.factor(dimension::kLength)) : "none";
+}
+
+/// Open where there is no end: a stiffness that may be rigid.
+std::string intervalText(double lower, double upper) {
+  if (std::isfinite(lower) && std::isfinite(upper)) return fmt::format("95 % {:.6g} to {:.6g}", lower, upper);
+  if (std::isfinite(lower)) return fmt::format("95 % {:.6g} or more", lower);
+  return std::isfinite(upper) ? fmt::format("95 % {:.6g} or less", upper) : "95 % anything";
 }
 
 std::string sizeText(const char* title, const ErrorSize& size, const Units& units) {
@@ -86,8 +93,9 @@ std::string numberText(const IdentifiedNumber& number, const Units& units) {
   const Dimension unit = dimensionOf(number.unknown.quantity);
   const double factor = units.factor(unit);
   std::string text = fmt::format("  {:<36} {:>12.6g}", number.unknown.name, number.value / factor);
-  text += fmt::format(" {:<14} sigma {:>9.3g}  95 % {:.6g} to {:.6g}", units.nameOf(unit), number.sigma / factor,
-                      number.lower / factor, number.upper / factor);
+  text += fmt::format(" {:<14} sigma {:>9}  {}", units.nameOf(unit),
+                      std::isfinite(number.sigma) ? fmt::format("{:.3g}", number.sigma / factor) : "none",
+                      intervalText(number.lower / factor, number.upper / factor));
   text += fmt::format("  start {:.6g}  identifiable: {}\n", number.unknown.start / factor, identifiableText(number));
   if (!number.note.empty()) text += "      " + number.note + "\n";
   return text;
@@ -101,16 +109,14 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["parameters"] = nlohmann::json::array();
   if (result.status == IdentificationStatus::kRefused) return json;
   for (const auto& number : result.numbers)
-    if (number.unknown.owner == Unknown::Owner::kArm)
-      json["parameters"].push_back(numberJson(number, units));
+    if (number.unknown.owner == Unknown::Owner::kArm) json["parameters"].push_back(numberJson(number, units));
   json["bases"] = nlohmann::json::array();
   for (const auto& placing : result.fitted.placings)
     json["bases"].push_back(
         {{"setup", placing.setup}, {"known", placing.is_known}, {"base", poseJson(placing.X_WB, units)}});
   json["base_steps"] = nlohmann::json::array();
   for (const auto& number : result.numbers)
-    if (number.unknown.owner == Unknown::Owner::kBase)
-      json["base_steps"].push_back(numberJson(number, units));
+    if (number.unknown.owner == Unknown::Owner::kBase) json["base_steps"].push_back(numberJson(number, units));
   json["rms"] = {{"before", lengthJson(result.before.rms, units)},
                  {"after_base", lengthJson(result.after_base.rms, units)},
                  {"after", lengthJson(result.after.rms, units)},

@@ -12,6 +12,7 @@
 #include "app/diagnosis_json.hpp"
 #include "app/effect_addition.hpp"
 #include "app/figures.hpp"
+#include "app/measurement_checks_json.hpp"
 
 namespace tubeplan::app {
 
@@ -164,6 +165,18 @@ bool improveOnce(const CellReadings& input, const ImprovementRequest& request, c
 
 Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks) {
   Improvement result;
+  if (const auto* mistake = calibration::grossMistake(input.checks)) {
+    result.end = ImprovementEnd::kMistake;
+    result.steps.push_back({Verdict::kInconclusive,
+                            checkText(*mistake, input.cell.units),
+                            {},
+                            "a mistake with the readings explains the error: nothing is added to the model",
+                            {},
+                            {},
+                            {},
+                            {}});
+    return result;
+  }
   beginStep(hooks, "fit");
   ImprovedModel first = fitted("as given", input.cell, input, request.seed, hooks);
   if (first.fit.status == IdentificationStatus::kRefused)
@@ -192,6 +205,8 @@ const char* nameOf(ImprovementEnd end) {
       return "ambiguous";
     case ImprovementEnd::kDoesNotCarryOver:
       return "does-not-carry-over";
+    case ImprovementEnd::kMistake:
+      return "mistake";
     case ImprovementEnd::kInconclusive:
       return "inconclusive";
     case ImprovementEnd::kMostSteps:
@@ -208,8 +223,7 @@ std::vector<Rung> rungsOf(const Improvement& result) {
   return rungs;
 }
 
-nlohmann::json improvementJson(const Improvement& result) {
-  const Units& units = result.models.front().cell.units;
+nlohmann::json improvementJson(const Improvement& result, const Units& units) {
   const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
     return nlohmann::json{{"before", lengthJson(before.rms, units)}, {"after", lengthJson(after.rms, units)}};
   };

@@ -33,6 +33,7 @@ enum class ImprovementEnd {
   kNothingSure,       ///< something is, and no cause lowers the error where it was not fitted
   kAmbiguous,         ///< alternatives differ over the arm's range by more than the first gains
   kDoesNotCarryOver,  ///< the cause does not lower the error of readings kept out, or of the farthest poses
+  kMistake,           ///< a mistake with the readings explains the error
   kInconclusive,      ///< the readings allow no verdict
   kMostSteps,
   kNotFitted,  ///< the model as given cannot be fitted
@@ -68,7 +69,7 @@ struct Improvement {
 [[nodiscard]] const char* nameOf(ImprovementEnd end);
 
 /// As `tubeplan improve --json` writes it.
-[[nodiscard]] nlohmann::json improvementJson(const Improvement& result);
+[[nodiscard]] nlohmann::json improvementJson(const Improvement& result, const Units& units);
 
 /// The ladder of the models.
 [[nodiscard]] std::vector<Rung> rungsOf(const Improvement& result);

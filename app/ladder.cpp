@@ -110,9 +110,10 @@ std::string stepsText(const std::vector<Rung>& rungs, const Units& units) {
 }  // namespace
 
 std::string ladderText(const std::vector<Rung>& rungs, const Units& units) {
-  const auto length = [&](double metres) {
-    return std::isfinite(metres) ? fmt::format("{:.4g}", metres / units.factor(dimension::kLength)) : std::string("-");
+  const auto figure = [](double value, int digits) {
+    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : std::string("none");
   };
+  const auto length = [&](double metres) { return figure(metres / units.factor(dimension::kLength), 4); };
   double largest = 0;
   for (const auto& rung : rungs)
     if (std::isfinite(rung.heldout.rms)) largest = std::max(largest, rung.heldout.rms);
@@ -122,9 +123,9 @@ std::string ladderText(const std::vector<Rung>& rungs, const Units& units) {
     const int bar = largest > 0 && std::isfinite(rung.heldout.rms)
                         ? static_cast<int>(std::lround(40 * rung.heldout.rms / largest))
                         : 0;
-    text += fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8.3g}   {}\n", rung.name, length(rung.as_it_stands.rms),
-                        length(rung.fitted.rms), length(rung.heldout.rms), length(rung.noise_floor), rung.chi2_per_dof,
-                        std::string(static_cast<std::size_t>(bar), '#'));
+    text += fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   {}\n", rung.name, length(rung.as_it_stands.rms),
+                        length(rung.fitted.rms), length(rung.heldout.rms), length(rung.noise_floor),
+                        figure(rung.chi2_per_dof, 3), std::string(static_cast<std::size_t>(bar), '#'));
   }
   return text + stepsText(rungs, units);
 }

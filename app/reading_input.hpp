@@ -8,6 +8,7 @@
 #include "app/readers/cell_reader.hpp"
 #include "calibration/identification.hpp"
 #include "calibration/measurement.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
 
 namespace tubeplan::app {
 
@@ -30,13 +31,29 @@ struct CellReadings {
   Cell cell;
   std::string file;  ///< of the readings, for messages
   std::vector<calibration::Measurement> readings;
+  calibration::MeasurementChecks checks = {};  ///< what looks wrong with them
 };
 
 /// What a user may say of readings and of what is known beforehand, beside their files.
 struct MeasurementOptions {
   double sigma = 0;                 ///< in the cell's length unit; 0: not given
   std::vector<std::string> priors;  ///< as takePriors() wants them
+  std::vector<std::string> assume;  ///< as takeAssumptions() wants them
 };
+
+/// Readings, and what looks wrong with them.
+struct ReadingsWithChecks {
+  std::vector<calibration::Measurement> readings;
+  calibration::MeasurementChecks checks;
+};
+
+/// readReadings() with the mistakes looked for; those that `options.assume` names are mended first, in the readings
+/// and, for a base that is not known after all, in the cell. Throws InputError.
+[[nodiscard]] ReadingsWithChecks readAndCheck(const std::string& file, Cell& cell, const MeasurementOptions& options);
+
+/// The same from text.
+[[nodiscard]] ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
+                                               const MeasurementOptions& options);
 
 /// Both from their files, the readings as by readReadings. Throws InputError.
 [[nodiscard]] CellReadings readCellReadings(const std::string& cell, const std::string& measurements,
@@ -50,10 +67,8 @@ struct MeasurementOptions {
 [[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,
                                       const std::vector<calibration::Measurement>& readings, const std::string& file);
 
-/// Plain sentences about readings that look wrong: slips of units, touches of a neighbouring hole, loads beyond the
-/// arm's own weight. Nothing is changed by them.
-[[nodiscard]] std::vector<std::string> readingWarnings(const calibration::Identification& result,
-                                                       const std::vector<calibration::Measurement>& readings,
-                                                       const Cell& cell);
+/// Plain sentences about a fit that looks wrong though its readings do not.
+[[nodiscard]] std::vector<std::string> fitWarnings(const calibration::Identification& result,
+                                                   const std::vector<calibration::Measurement>& readings);
 
 }  // namespace tubeplan::app

@@ -282,10 +282,13 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
 }  // namespace
 
 TouchOutcome proposeTouches(const TouchRequest& asked) {
-  const Cell cell = readCell(asked.cell);
+  Cell cell = readCell(asked.cell);
   const TouchRequest request = completed(asked, cell);
-  return proposeTouches(asked, cell,
-                        readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength)));
+  const auto made = readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength),
+                                 request.assume);
+  TouchOutcome outcome = proposeTouches(asked, cell, made.readings);
+  outcome.checks = made.checks;
+  return outcome;
 }
 
 TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const std::vector<Measurement>& readings) {

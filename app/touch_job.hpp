@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "app/reading_candidates.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
 #include "calibration/next_readings.hpp"
 
 namespace tubeplan::app {
 
 struct TouchRequest {
-  std::string cell, readings;     ///< files; no readings: empty
+  std::string cell, readings;       ///< files; no readings: empty
+  std::vector<std::string> assume;  ///< of the readings, as MeasurementOptions has it
   std::vector<std::string> free;  ///< instead of the cell's `identify`
   std::string goal;               ///< base, parameters, both; empty: what the cell allows
   std::string tubes;              ///< the work list; empty: spread:60
@@ -39,6 +41,7 @@ struct TouchOutcome {
   std::string setup;               ///< that new readings belong to; empty where there is one for all
   int work = 0, work_lost = 0;     ///< postures that the tip shall be known in; tubes of the list that are out of reach
   std::vector<std::string> notes;
+  calibration::MeasurementChecks checks = {};  ///< of the readings made
 
   struct Proposal {
     std::vector<calibration::ReadingCandidate> candidates;

@@ -21,15 +21,4 @@ struct ReadingProblem {
 [[nodiscard]] std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                                const std::vector<Unknown>& unknowns);
 
-/// Something that looks like a slip of units or of a hole's name.
-struct ReadingSuspicion {
-  std::string what;                  ///< "the joint readings look like radians under a column in degrees"
-  double rms_as_is = 0, rms_if = 0;  ///< m, by the model with the bases placed
-};
-
-/// Tries the usual slips (radians for degrees, inches for millimetres, grams and kilograms for newtons) on all readings
-/// and names those that make the model, as it stands, fit far better.
-[[nodiscard]] std::vector<ReadingSuspicion> findUnitSlips(const PlacedArm& placed,
-                                                          const std::vector<Measurement>& readings);
-
 }  // namespace tubeplan::calibration

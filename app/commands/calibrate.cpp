@@ -10,7 +10,8 @@
 #include "app/calibration_json.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
-#include "app/readers/measurements_reader.hpp"
+#include "app/commands/option_groups.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/reading_input.hpp"
 #include "app/touch_input.hpp"
 
@@ -22,12 +23,14 @@ using calibration::CalibrationStatus;
 
 struct CalibrateOptions {
   std::string cell, measurements, out, json, setup;
+  std::vector<std::string> assume;
+  double sigma = 0;
 };
 
 int run(const CalibrateOptions& options) {
-  const Cell cell = readCell(options.cell);
-  const auto readings = readMeasurements(options.measurements, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
-  requireDefinedFormulas(readings, cell, options.measurements);
+  Cell cell = readCell(options.cell);
+  cell.base_known = false;  // it is what is asked for
+  const auto [readings, checks] = readAndCheck(options.measurements, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
@@ -35,8 +38,10 @@ int run(const CalibrateOptions& options) {
   const auto& result = outcome.calibration;
   if (result.status == CalibrationStatus::kDone && !options.out.empty())
     writeFileAtomically(options.out, calibratedCellText(cell, outcome, options.out), "--out");
-  writeJson(options.json, outcome.figures);
-  if (printsText(options.json)) fmt::print("{}", calibrationText(result, cell));
+  nlohmann::json json = outcome.figures;
+  addChecks(checks, cell.units, json);
+  writeJson(options.json, json);
+  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), calibrationText(result, cell));
   return result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result) ? kDone : kNegativeAnswer;
 }
 
@@ -48,6 +53,9 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
+  cli.add_option("--sigma", options->sigma,
+                 "noise of a coordinate where neither file nor tool states one, in the cell's length unit");
+  addAssumeOption(cli, options->assume);
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

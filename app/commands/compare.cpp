@@ -11,6 +11,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/comparison_job.hpp"
 #include "app/comparison_json.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/planning_hooks.hpp"
 
 namespace tubeplan::app {
@@ -27,13 +28,14 @@ int run(const CompareOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
-  const auto [comparison, figures] = compareModel(input, options.request, terminalWorkHooks());
+  const auto [comparison, warnings, figures] = compareModel(input, options.request, terminalWorkHooks());
   writeJson(options.json, figures);
   if (!options.report.empty())
     writeFileAtomically(options.report, comparisonPage(input, options.request, figures), "--report");
   if (printsText(options.json)) {
-    fmt::print("{}", comparisonText(comparison, input.readings, input.cell.units));
-    for (const auto& warning : figures["warnings"]) fmt::print("  warning: {}\n", warning.get<std::string>());
+    fmt::print("{}{}", checksText(input.checks, input.cell.units),
+               comparisonText(comparison, input.readings, input.cell.units));
+    for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
   return comparison.verdict == calibration::Adequacy::kAdequate ? kDone : kNegativeAnswer;
 }

@@ -12,6 +12,7 @@
 #include "app/diagnosis_job.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/effect_warnings_json.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/splitting_json.hpp"
 
@@ -35,6 +36,11 @@ int run(const DiagnoseOptions& options) {
   writeJson(options.json, outcome.figures);
   if (!printsText(options.json)) return kDone;
   const Units& units = input.cell.units;
+  fmt::print("{}", checksText(input.checks, units));
+  if (calibration::grossMistake(input.checks)) {
+    fmt::print("{}\n{}\n", nameOf(outcome.diagnosis.verdict), diagnosisSentence(outcome.diagnosis, units));
+    return kDone;
+  }
   fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units),
              splittingText(outcome.next, outcome.candidates, input.cell.arm, units));
   fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));

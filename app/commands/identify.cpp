@@ -12,6 +12,7 @@
 #include "app/effect_warnings_json.hpp"
 #include "app/identification_job.hpp"
 #include "app/identification_json.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/overlap_report.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/readers/cell_writer.hpp"
@@ -30,10 +31,11 @@ struct IdentifyOptions {
 
 int run(const IdentifyOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
-  const auto& [cell, file, readings] = input;
+  const auto& [cell, file, readings, checks] = input;
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   IdentificationRequest request = options.request;
+  if (printsText(options.json)) fmt::print("{}", checksText(checks, cell.units));
   if (printsText(options.json))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
       fmt::print("stage {}\n{}", stage + 1, identificationText(fit, input.readings, input.cell.units));

@@ -16,6 +16,7 @@
 #include "app/diagnosis_json.hpp"
 #include "app/figures.hpp"
 #include "app/improvement_job.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/planning_hooks.hpp"
 #include "app/readers/cell_writer.hpp"
 
@@ -94,8 +95,13 @@ int run(const ImproveOptions& options) {
   try {
     const auto result = improveModel(input, request, terminalWorkHooks());
     keeper.finish(result.isUsable());
-    writeJson(options.json, improvementJson(result));
-    if (printsText(options.json)) print(result, options, input.cell.units);
+    nlohmann::json json = improvementJson(result, input.cell.units);
+    addChecks(input.checks, input.cell.units, json);
+    writeJson(options.json, json);
+    if (printsText(options.json)) {
+      fmt::print("{}", checksText(input.checks, input.cell.units));
+      print(result, options, input.cell.units);
+    }
     return result.isUsable() ? kDone : kNegativeAnswer;
   } catch (const JobStopped&) {
     if (keeper.steps() == 0) throw;

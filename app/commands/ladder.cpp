@@ -10,6 +10,7 @@
 #include "app/command_inputs.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/ladder_job.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/planning_hooks.hpp"
 
 namespace tubeplan::app {
@@ -29,9 +30,9 @@ std::vector<LadderModel> modelsOf(const LadderOptions& options) {
   for (const auto& path : options.cells)
     models.push_back({path, readCellReadings(path, options.measurements, options.given)});
   if (options.with_rigid)
-    models.insert(models.begin(),
-                  {models.front().name + ", rigid",
-                   {rigidOf(models.front().input.cell), options.measurements, models.front().input.readings}});
+    models.insert(models.begin(), {models.front().name + ", rigid",
+                                   {rigidOf(models.front().input.cell), options.measurements,
+                                    models.front().input.readings, models.front().input.checks}});
   return models;
 }
 
@@ -40,13 +41,16 @@ int run(const LadderOptions& options) {
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
   const auto models = modelsOf(options);
   const auto outcome = climbLadder(models, options.steps, terminalWorkHooks());
-  writeJson(options.json, outcome.figures);
+  nlohmann::json figures = outcome.figures;
+  addChecks(models.back().input.checks, models.front().input.cell.units, figures);
+  writeJson(options.json, figures);
   if (!options.report.empty())
     writeFileAtomically(options.report, ladderPage(outcome.figures, options.measurements, options.steps.seed),
                         "--report");
   const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
-    fmt::print("{}{}", ladderText(outcome.rungs, units), ladderStepsText(outcome.steps, units));
+    fmt::print("{}{}{}", checksText(models.back().input.checks, units), ladderText(outcome.rungs, units),
+               ladderStepsText(outcome.steps, units));
   return kDone;
 }
 

@@ -7,7 +7,10 @@
 
 namespace tubeplan::app {
 
-/// --sigma and --prior, of every command that fits a model to readings.
+/// --sigma, --prior and --assume, of every command that fits a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
+
+/// --assume alone, of commands that take readings beside their own question.
+void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
 }  // namespace tubeplan::app

@@ -10,7 +10,9 @@
 #include "app/cell_knowledge.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/input_error.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/reading_candidates.hpp"
 #include "app/sensitivity_report.hpp"
 #include "app/touch_input.hpp"
@@ -25,6 +27,7 @@ constexpr int kPostures = 60, kTouchable = 40, kTouches = 3;
 
 struct SensitivityOptions {
   std::string cell, tubes, readings, json;
+  std::vector<std::string> assume;
   double load = 0;
   int postures = kPostures;
   std::uint64_t seed = 1;
@@ -103,10 +106,13 @@ int run(const SensitivityOptions& options) {
   if (!options.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
   SensitivityReport report;
   calibration::SensitivityTask task;
+  calibration::MeasurementChecks checks;
   task.load = parseLoad(options.load, cell.units);
   if (!options.readings.empty()) {
-    const auto knowledge = knowledgeOf(cell, readingsMade(options.readings, cell, 0), {cell.identify, !cell.base_known},
-                                       cell.path + " (identify)");
+    const auto made = readingsMade(options.readings, cell, 0, options.assume);
+    checks = made.checks;
+    const auto knowledge =
+        knowledgeOf(cell, made.readings, {cell.identify, !cell.base_known}, cell.path + " (identify)");
     if (!knowledge.note.empty())
       throw InputError(options.readings, knowledge.note, "readings that tell the parameters");
     cell = cellAsKnown(cell, knowledge);
@@ -130,8 +136,10 @@ int run(const SensitivityOptions& options) {
     fmt::print(stderr, "no sensitivities: {}\n", reason);
     return kNegativeAnswer;
   }
-  writeJson(options.json, sensitivityJson(report, cell));
-  if (printsText(options.json)) fmt::print("{}", sensitivityText(report, cell));
+  nlohmann::json json = sensitivityJson(report, cell);
+  if (!options.readings.empty()) addChecks(checks, cell.units, json);
+  writeJson(options.json, json);
+  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(report, cell));
   return kDone;
 }
 
@@ -145,6 +153,7 @@ Run configureSensitivity(CLI::App& cli) {
   cli.add_option(
       "--readings", options->readings,
       "readings (CSV) that tell the parameters listed under `identify`: errors are then of one sigma of each");
+  addAssumeOption(cli, options->assume);
   cli.add_option("--postures", options->postures, "random postures to work in, where there is no tube sheet")
       ->check(CLI::Range(3, 10000))
       ->capture_default_str();

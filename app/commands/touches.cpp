@@ -8,6 +8,8 @@
 #include "app/atomic_file.hpp"
 #include "app/command.hpp"
 #include "app/command_inputs.hpp"
+#include "app/commands/option_groups.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/touch_proposals.hpp"
 
 namespace tubeplan::app {
@@ -37,8 +39,10 @@ int run(const TouchesOptions& options) {
   nlohmann::json json = proposalsJson(outcome);
   json["seed"] = request.seed;
   json["optimality"] = options.optimality;
+  addChecks(outcome.checks, outcome.cell.units, json);
   writeJson(options.json, json);
-  if (printsText(options.json)) fmt::print("{}", proposalsText(outcome));
+  if (printsText(options.json))
+    fmt::print("{}{}", checksText(outcome.checks, outcome.cell.units), proposalsText(outcome));
   return is_done ? kDone : kNegativeAnswer;
 }
 
@@ -49,6 +53,7 @@ Run configureTouches(CLI::App& cli) {
   auto& request = options->request;
   cli.add_option("CELL", request.cell, "the cell file")->required();
   cli.add_option("--readings", request.readings, "readings made already (CSV): proposals add to what these tell");
+  addAssumeOption(cli, request.assume);
   cli.add_option("--free", request.free,
                  "parameters to sharpen instead of the cell's `identify`: dotted paths into the arm file, tool.tip, "
                  "geometry")

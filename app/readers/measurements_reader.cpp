@@ -86,23 +86,15 @@ const KindRow& readKind(const RowReader& row, const MeasurementColumns& columns)
 }
 
 // A reading may lie past a limit by its own noise, but not by more.
-void checkLimits(const RowReader& row, const NumberColumn& column, const deflection::Joint<double>& joint, double q) {
+bool isPast(const deflection::Joint<double>& joint, double q) {
   const double slack = 1e-9 + 5 * joint.encoder_sigma;
-  if (q >= joint.lower - slack && q <= joint.upper + slack) return;
-  row.fail(
-      column.index, row.field(column.index),
-      fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.unit->factor),
-                  formatNumber(joint.upper / column.unit->factor), column.unit->name));
+  return !(q >= joint.lower - slack && q <= joint.upper + slack);
 }
 
 Eigen::VectorXd readJoints(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm) {
   const auto active = deflection::activeRows(arm);
   Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t i = 0; i < active.size(); ++i) {
-    const double reading = row.number(columns.joints[i]);
-    checkLimits(row, columns.joints[i], arm.rows[static_cast<std::size_t>(active[i])].joint, reading);
-    q[static_cast<Eigen::Index>(i)] = reading;
-  }
+  for (std::size_t i = 0; i < active.size(); ++i) q[static_cast<Eigen::Index>(i)] = row.number(columns.joints[i]);
   return q;
 }
 
@@ -159,7 +151,7 @@ void checkKind(const RowReader& row, const KindRow& kind, const Measurement& m) 
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
   if (kind.needs_distance && !(m.distance > 0))
     row.failRow("a reading of kind distance without its length",
-                "a number above zero in the column distance_in (or _mm, _m, _ft)");
+                "a number above zero in the column distance_in (or _mm, _cm, _m, _ft)");
   if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
   if (m.load < 0) row.failRow("a negative load", "zero or more");
 }
@@ -195,15 +187,86 @@ std::vector<Measurement> readMeasurements(const std::string& path, const deflect
   return parseMeasurements(readTextFile(path), path, arm, sheet);
 }
 
+bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
+  const auto active = deflection::activeRows(arm);
+  for (std::size_t i = 0; i < active.size(); ++i)
+    if (isPast(arm.rows[static_cast<std::size_t>(active[i])].joint, reading.q[static_cast<Eigen::Index>(i)]))
+      return true;
+  return false;
+}
+
+void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
+                         const std::string& advice) {
+  const auto active = deflection::activeRows(arm);
+  for (const auto& reading : table.readings)
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const auto& joint = arm.rows[static_cast<std::size_t>(active[i])].joint;
+      const auto& column = table.joints[i];
+      const double q = reading.q[static_cast<Eigen::Index>(i)];
+      if (!isPast(joint, q)) continue;
+      throw InputError(
+          fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),
+          fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.factor),
+                      formatNumber(joint.upper / column.factor), column.unit),
+          advice);
+    }
+}
+
 std::vector<Measurement> parseMeasurements(const std::string& text, const std::string& file, const deflection::Arm& arm,
                                            const tubesheets::Sheet* sheet) {
+  auto table = parseMeasurementTable(text, file, arm, sheet);
+  requireWithinLimits(table, arm, file);
+  return std::move(table.readings);
+}
+
+namespace {
+
+std::vector<calibration::NamedUnit> unitsOf(UnitKind kind) {
+  std::vector<calibration::NamedUnit> units;
+  for (const auto& name : unitNames(kind)) units.push_back({name, findUnit(kind, name)->factor});
+  return units;
+}
+
+/// The units as the columns name them; of what has no column, without a name.
+calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
+  calibration::ReadingUnits units;
+  units.coordinates.name = units.loads.name = "";
+  const auto take = [](const std::optional<NumberColumn>& column, calibration::NamedUnit& unit) {
+    if (column) unit = {std::string(column->unit->name), column->unit->factor};
+  };
+  take(columns.distance, units.coordinates);
+  take(columns.x, units.coordinates);
+  take(columns.load, units.loads);
+  units.sigma = units.coordinates;
+  take(columns.sigma, units.sigma);
+  for (const auto& joint : columns.joints)
+    if (joint.unit->kind == UnitKind::kAngle) units.angles = {std::string(joint.unit->name), joint.unit->factor};
+  units.lengths = units.sigmas = unitsOf(UnitKind::kLength);
+  units.sigmas.push_back({"mil", 2.54e-5});
+  units.sigmas.push_back({"um", 1e-6});
+  units.forces = unitsOf(UnitKind::kForce);
+  units.forces.push_back({"kN", 1e3});
+  units.forces.push_back({"kip", 1e3 * findUnit(UnitKind::kForce, "lbf")->factor});
+  units.forces.push_back({"gf", 1e-3 * findUnit(UnitKind::kForce, "kgf")->factor});
+  units.angle_units = unitsOf(UnitKind::kAngle);
+  return units;
+}
+
+}  // namespace
+
+MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file, const deflection::Arm& arm,
+                                       const tubesheets::Sheet* sheet) {
   const tubesheets::CsvTable table = tubesheets::parseCsv(text);
   if (table.problem)
     throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found,
                      table.problem->expected, table.problem->advice);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
-  std::vector<Measurement> out;
+  MeasurementTable read;
+  read.units = unitsOf(columns);
+  for (const auto& joint : columns.joints)
+    read.joints.push_back({joint.name, std::string(joint.unit->name), joint.unit->factor});
+  std::vector<Measurement>& out = read.readings;
   std::map<std::string, int> lines;
   for (const auto& row : table.rows) {
     const RowReader reader(table, row, file);
@@ -213,7 +276,7 @@ std::vector<Measurement> parseMeasurements(const std::string& text, const std::s
       reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
                   fmt::format("it stands at line {} already", first->second));
   }
-  return out;
+  return read;
 }
 
 }  // namespace tubeplan::app

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibration/measurement.hpp"
+#include "calibration/measurement_checks/mistake.hpp"
 #include "deflection/arm.hpp"
 #include "tubesheets/sheet.hpp"
 
@@ -20,6 +21,29 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<calibration::Measurement> readMeasurements(const std::string& path,
                                                                      const deflection::Arm& arm,
                                                                      const tubesheets::Sheet* sheet = nullptr);
+
+/// Readings with what their columns say of themselves.
+struct MeasurementTable {
+  struct JointColumn {
+    std::string name, unit;  ///< "theta1_deg", "deg"
+    double factor = 1;       ///< rad or m per one of it
+  };
+  std::vector<calibration::Measurement> readings;
+  std::vector<JointColumn> joints;  ///< in the order of the arm's
+  calibration::ReadingUnits units;
+};
+
+/// The same with the columns' units, joint readings past their limits among them.
+[[nodiscard]] MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file,
+                                                     const deflection::Arm& arm,
+                                                     const tubesheets::Sheet* sheet = nullptr);
+
+/// Throws InputError for the first joint reading past its limits, with the advice.
+void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
+                         const std::string& advice = "");
+
+/// Whether a joint reading is past its limits, by more than its own noise.
+[[nodiscard]] bool isPastLimits(const calibration::Measurement& reading, const deflection::Arm& arm);
 
 /// The same from text; `file` is the name for messages.
 [[nodiscard]] std::vector<calibration::Measurement> parseMeasurements(const std::string& text, const std::string& file,

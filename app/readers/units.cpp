@@ -18,6 +18,7 @@ constexpr double kPoundForce = 4.4482216152605;  // exact: 0.45359237 kg at 9.80
 constexpr Unit kUnits[] = {
     {UnitKind::kLength, "in", 0.0254},
     {UnitKind::kLength, "mm", 0.001},
+    {UnitKind::kLength, "cm", 0.01},
     {UnitKind::kLength, "m", 1},
     {UnitKind::kLength, "ft", 0.3048},
     {UnitKind::kAngle, "deg", std::numbers::pi / 180},

@@ -29,7 +29,7 @@ struct Unit {
 /// Null where there is no such unit of that kind.
 [[nodiscard]] const Unit* findUnit(UnitKind kind, std::string_view name);
 
-/// The names of a kind: in, mm, m, ft.
+/// The names of a kind: in, mm, cm, m, ft.
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
 /// A quantity by its exponents; a temperature is a difference of two. Joint speeds and accelerations have none for

@@ -47,7 +47,10 @@ Answer uploadReadings(Workbench& workbench, const Request& request) {
   const auto name = request.query.find("name");
   auto set = std::make_shared<ReadingSet>();
   set->name = name == request.query.end() || name->second.empty() ? "readings.csv" : name->second.substr(0, 200);
-  set->readings = parseReadings(request.body, set->name, currentModel(workbench.situation()).cell);
+  Cell cell = currentModel(workbench.situation()).cell;
+  auto [readings, checks] = parseAndCheck(request.body, set->name, cell, {});
+  set->readings = std::move(readings);
+  set->checks = std::move(checks);
   take(workbench, set);
   return answerOf(stateJson(workbench));
 }

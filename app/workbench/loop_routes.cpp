@@ -9,6 +9,7 @@
 #include "app/improvement_job.hpp"
 #include "app/input_error.hpp"
 #include "app/ladder_job.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/readers/measurements_writer.hpp"
 #include "app/simulation_job.hpp"
@@ -171,7 +172,7 @@ Answer improve(Workbench& workbench, const Request& request) {
           int id = 0;
           for (std::size_t k = 0; k < improved.size(); ++k)
             id = pushModel(situation, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
-          putResult(situation, "improve", id, improvementJson(outcome));
+          putResult(situation, "improve", id, improvementJson(outcome, input.cell.units));
         });
         return "improve";
       });

@@ -13,6 +13,7 @@
 #include "app/workbench/model.hpp"
 #include "calibration/base_calibration.hpp"
 #include "calibration/measurement.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
 
 namespace tubeplan::app {
 
@@ -20,6 +21,7 @@ namespace tubeplan::app {
 struct ReadingSet {
   std::string name;
   std::vector<calibration::Measurement> readings;  ///< each with its sigma
+  calibration::MeasurementChecks checks = {};       ///< what looked wrong when they were opened
 };
 
 /// A hole touched, by the arm itself or by a simulated one.

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/command_inputs.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/diagnosis_views_json.hpp"
 #include "app/readers/measurements_writer.hpp"
 #include "app/version.hpp"
@@ -101,11 +102,13 @@ json measurementsJson(const Situation& situation) {
     setups.insert(reading.setup);
     if (!(sigma >= reading.sigma)) sigma = reading.sigma;
   }
-  return {{"name", situation.readings->name},
-          {"readings", situation.readings->readings.size()},
-          {"kinds", kinds},
-          {"setups", setups.size()},
-          {"sigma", lengthOf(sigma, currentModel(situation).cell.units)}};
+  json document = {{"name", situation.readings->name},
+                   {"readings", situation.readings->readings.size()},
+                   {"kinds", kinds},
+                   {"setups", setups.size()},
+                   {"sigma", lengthOf(sigma, currentModel(situation).cell.units)}};
+  addChecks(situation.readings->checks, currentModel(situation).cell.units, document);
+  return document;
 }
 
 json resultsJson(const Situation& situation) {

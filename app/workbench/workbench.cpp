@@ -60,12 +60,15 @@ std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& f
   auto set = std::make_shared<ReadingSet>();
   std::set<std::string> ids;
   for (const auto& file : files) {
-    const auto readings = readReadings(file, cell);
+    Cell own = cell;
+    const auto [readings, checks] = readAndCheck(file, own, {});
     for (const auto& reading : readings)
       if (!ids.insert(reading.id).second)
         throw InputError(file + ":" + std::to_string(reading.line) + " (id)", inQuotes(reading.id) + " again",
                          "an id of its own in all files");
     set->readings.insert(set->readings.end(), readings.begin(), readings.end());
+    set->checks.checks.insert(set->checks.checks.end(), checks.checks.begin(), checks.checks.end());
+    set->checks.missing = checks.missing;
     set->name += (set->name.empty() ? "" : " + ") + fs::path(file).filename().string();
   }
   return set;

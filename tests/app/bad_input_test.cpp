@@ -76,7 +76,7 @@ TEST_F(Program, refusesBadCells) {
 
 TEST_F(Program, refusesBadArms) {
   writeMockup("cobra-arm.yaml", "length: in", "length: inches");
-  expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:10:", "'inches'", "in, mm, m or ft"});
+  expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:10:", "'inches'", "in, mm, cm, m or ft"});
   writeMockup("cobra-arm.yaml", "{z: 5588}", "{z: -5588}");
   expectRefused("map mockup.yaml --json -", {"cobra-arm.yaml:38:", "tool.joint_stiffness.z", "-5588"});
   writeMockup("cobra-arm.yaml", "a: 26.406", "a: 0");

@@ -59,7 +59,7 @@ TEST(Units, refusesUnknownUnitsWithTheKnownOnes) {
   const std::string message = messageOf([] { (void)unitsOf("{length: inch, angle: deg, force: lbf}"); });
   expectSays(message, "units.length");
   expectSays(message, "'inch'");
-  expectSays(message, "in, mm, m or ft");
+  expectSays(message, "in, mm, cm, m or ft");
   expectSays(messageOf([] { (void)unitsOf("{length: in, angle: deg}"); }), "'force'");
   expectSays(messageOf([] { (void)unitsOf("{length: in, angle: deg, force: lbf, tim: s}"); }), "did you mean 'time'?");
 }

@@ -22,6 +22,7 @@ import {
   startDiagnose,
 } from "./loop";
 import {ParameterTable} from "./parameter_table";
+import {ReadingChecks} from "./reading_checks";
 import {ResidualArrows} from "./residual_arrows";
 import {ResidualPlot} from "./residual_plot";
 import {Splitting} from "./splitting";
@@ -88,6 +89,7 @@ export function ErrorView() {
   return (
     <div class="error-view">
       <VerdictBand />
+      <ReadingChecks readings={readings} />
       <section class="panel">
         <header>
           <h2>Error of each model</h2>

@@ -54,6 +54,24 @@ export interface ReadingsInfo {
   kinds: Record<string, number>;
   setups: number;
   sigma: number | null;
+  checks: ReadingCheck[];
+  missing_columns: MissingColumn[];
+}
+
+/** What looked wrong with the readings when they were opened. */
+export interface ReadingCheck {
+  name: string;
+  severity: "mistake" | "remark";
+  sentence: string;
+  error_as_is: number | null;
+  error_if_mended: number | null;
+  assume: string | null;
+  equally: string[];
+}
+
+export interface MissingColumn {
+  column: string;
+  sentence: string;
 }
 
 export interface Job {

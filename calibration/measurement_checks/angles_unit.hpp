@@ -1,0 +1,29 @@
+// Joint readings in radians under columns in degrees, or the reverse. Slides stay.
+#pragma once
+
+#include "calibration/measurement_checks/units_of_columns.hpp"
+
+namespace tubeplan::calibration::mistakes::angles_unit {
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  return otherNames(checked.units.angle_units, checked.units.angles);
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto factor = factorOf(checked.units.angle_units, checked.units.angles, value);
+  if (!factor) return std::nullopt;
+  Mend mend{"angles", value,
+            "the joint readings are in " + value + ", not in " + checked.units.angles.name + " as their columns say"};
+  Eigen::VectorXd factors =
+      Eigen::VectorXd::Ones(static_cast<Eigen::Index>(deflection::activeRows(checked.start.arm).size()));
+  for (Eigen::Index j = 0; j < factors.size(); ++j)
+    if (jointAt(checked.start.arm, static_cast<int>(j)).type == deflection::JointType::kRevolute) factors[j] = *factor;
+  mend.apply = [factors](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.q = reading.q.cwiseProduct(factors);
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"angles", "UNIT", "a unit of angle", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::angles_unit

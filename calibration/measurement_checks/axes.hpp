@@ -1,0 +1,71 @@
+// Coordinates whose axes are exchanged or turned round: all signed orders of x, y and z but that of the file and those
+// with a single sign changed (see mirror.hpp). "-yxz": the file's three numbers are -y, x and z of the world.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::axes {
+
+/// What takes the file's three numbers to the world's; nothing where the text is no signed order.
+inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
+  Eigen::Matrix3d to_world = Eigen::Matrix3d::Zero();
+  int column = 0;
+  double sign = 1;
+  for (const char letter : value) {
+    if (letter == '-' && sign > 0) {
+      sign = -1;
+      continue;
+    }
+    if (letter < 'x' || letter > 'z' || column == 3) return std::nullopt;
+    to_world(letter - 'x', column++) = sign;
+    sign = 1;
+  }
+  if (column != 3 || std::abs(std::abs(to_world.determinant()) - 1) > 0.5) return std::nullopt;
+  return to_world;
+}
+
+/// Whether somebody has written coordinates; those of the sheet's holes have a mistake of their own
+/// (sheet_mirrored.hpp).
+inline bool areWritten(const CheckedReadings& checked) {
+  return std::any_of(checked.readings.begin(), checked.readings.end(),
+                     [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
+}
+
+/// Of what is written and what the sheet tells alike: both are the places that were measured.
+inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
+  for (auto& reading : readings)
+    if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
+}
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  std::vector<std::string> texts;
+  if (!areWritten(checked)) return texts;
+  std::string order = "xyz";
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      std::string text;
+      for (int k = 0; k < 3; ++k)
+        text += (signs >> k & 1 ? "-" : "") + std::string(1, order[static_cast<std::size_t>(k)]);
+      const bool is_mirror = order == "xyz" && (signs == 0 || signs == 1 || signs == 2 || signs == 4);
+      if (!is_mirror) texts.push_back(text);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return texts;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
+  const auto to_world = matrixOf(value);
+  if (!to_world) return std::nullopt;
+  Mend mend{"axes", value, "the columns x, y and z hold " + value + " of the cell's world"};
+  mend.apply = [to_world = *to_world](std::vector<Measurement>& readings) { turn(to_world, readings); };
+  return mend;
+}
+
+inline MistakeKind kind() {
+  return {"axes", "ORDER", "the world's axes that the columns x, y, z hold, such as yxz or -yxz", values, mend};
+}
+
+}  // namespace tubeplan::calibration::mistakes::axes

@@ -1,0 +1,25 @@
+// A base that is said to be known and stands elsewhere.
+#pragma once
+
+#include <algorithm>
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::base_elsewhere {
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  const bool is_known = std::any_of(checked.start.placings.begin(), checked.start.placings.end(),
+                                    [](const Placing& placing) { return placing.is_known; });
+  return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
+}
+
+inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
+  if (value != "unknown") return std::nullopt;
+  Mend mend{"base", value, "the base does not stand where the cell says that it is known to stand"};
+  mend.frees_base = true;
+  return mend;
+}
+
+inline MistakeKind kind() { return {"base", "unknown", "unknown: the base is found with the rest", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::base_elsewhere

@@ -1,0 +1,34 @@
+// Coordinates and measured distances in another unit than their columns say. Places that the sheet tells stay.
+#pragma once
+
+#include "calibration/measurement_checks/units_of_columns.hpp"
+
+namespace tubeplan::calibration::mistakes::coordinates_unit {
+
+inline bool areWritten(const CheckedReadings& checked, const Measurement& reading) {
+  return reading.p_W && !isPlacedBySheet(checked, reading);
+}
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  for (const auto& reading : checked.readings)
+    if (areWritten(checked, reading)) return otherNames(checked.units.lengths, checked.units.coordinates);
+  return {};
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, value);
+  if (!factor) return std::nullopt;
+  Mend mend{"coordinates", value,
+            "the coordinates are in " + value + ", not in " + checked.units.coordinates.name + " as their columns say"};
+  mend.apply = [checked = &checked, factor = *factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) {
+      if (areWritten(*checked, reading)) *reading.p_W *= factor;
+      reading.distance *= factor;
+    }
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"coordinates", "UNIT", "a unit of length", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::coordinates_unit

@@ -1,0 +1,30 @@
+// A joint that is read with the other sign.
+#pragma once
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::joint_sign {
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  std::vector<std::string> names;
+  for (const int row : deflection::activeRows(checked.start.arm))
+    names.push_back(checked.start.arm.rows[static_cast<std::size_t>(row)].joint.name);
+  return names;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const int joint = jointNamed(checked.start.arm, value);
+  if (joint < 0) return std::nullopt;
+  Mend mend{"joint-sign", value, value + " is read with the other sign"};
+  mend.apply = [joint](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) {
+      reading.q[joint] = -reading.q[joint];
+      if (!reading.senses.empty()) reading.senses[static_cast<std::size_t>(joint)] *= -1;
+    }
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"joint-sign", "JOINT", "a joint of the arm", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::joint_sign

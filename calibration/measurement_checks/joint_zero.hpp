@@ -1,0 +1,57 @@
+// A joint whose zero is elsewhere than the drawing has it, by more than any machine is out of adjustment: homed to
+// another mark, or a quarter turn off.
+#pragma once
+
+#include <charconv>
+#include <numbers>
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::joint_zero {
+
+/// Least error of a zero that is a mistake and not a joint out of adjustment [rad]: five times what the prior of a
+/// joint's offset allows.
+inline constexpr double kLeast = 0.1;
+
+inline std::string textOf(const CheckedReadings& checked, int joint, double offset) {
+  const double number = offset / checked.units.angles.factor;
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", number);
+  return jointAt(checked.start.arm, joint).name + ":" + digits;
+}
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  std::vector<std::string> texts;
+  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j)
+    if (jointAt(checked.start.arm, j).type == deflection::JointType::kRevolute)
+      for (const int quarters : {-1, 1, 2}) texts.push_back(textOf(checked, j, quarters * std::numbers::pi / 2));
+  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j)
+    if (jointAt(checked.start.arm, j).type == deflection::JointType::kRevolute)
+      for (const int part : {-1, 1}) texts.push_back(textOf(checked, j, part * std::numbers::pi / 9));
+  return texts;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto [name, number] = partedAtColon(value);
+  const int joint = jointNamed(checked.start.arm, name);
+  double offset = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), offset);
+  if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(offset))
+    return std::nullopt;
+  if (jointAt(checked.start.arm, joint).type != deflection::JointType::kRevolute) return std::nullopt;
+  Mend mend{
+      "joint-zero", value,
+      "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
+  mend.apply = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.q[joint] += by;
+  };
+  mend.zero_of = joint;
+  return mend;
+}
+
+inline MistakeKind kind() {
+  return {"joint-zero", "JOINT:ANGLE",
+          "a turning joint and what is to be added to its readings, in their unit, such as theta3:90", values, mend};
+}
+
+}  // namespace tubeplan::calibration::mistakes::joint_zero

@@ -1,0 +1,29 @@
+// Hung loads in another unit than their column says: newtons, kilograms and pounds for one another.
+#pragma once
+
+#include <algorithm>
+
+#include "calibration/measurement_checks/units_of_columns.hpp"
+
+namespace tubeplan::calibration::mistakes::loads_unit {
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  const bool has_load = std::any_of(checked.readings.begin(), checked.readings.end(),
+                                    [](const Measurement& reading) { return reading.load > 0; });
+  return has_load ? otherNames(checked.units.forces, checked.units.loads) : std::vector<std::string>{};
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto factor = factorOf(checked.units.forces, checked.units.loads, value);
+  if (!factor) return std::nullopt;
+  Mend mend{"loads", value,
+            "the loads are in " + value + ", not in " + checked.units.loads.name + " as their column says"};
+  mend.apply = [factor = *factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.load *= factor;
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"loads", "UNIT", "a unit of force", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::loads_unit

@@ -1,0 +1,23 @@
+// Coordinates with the sign of one axis turned round.
+#pragma once
+
+#include "calibration/measurement_checks/axes.hpp"
+
+namespace tubeplan::calibration::mistakes::mirror {
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  return axes::areWritten(checked) ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{};
+}
+
+inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
+  if (value != "x" && value != "y" && value != "z") return std::nullopt;
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
+  signs[value[0] - 'x'] = -1;
+  Mend mend{"mirror", value, "the coordinates are mirrored: " + value + " has the other sign"};
+  mend.apply = [signs](std::vector<Measurement>& readings) { axes::turn(signs.asDiagonal(), readings); };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"mirror", "AXIS", "x, y or z", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::mirror

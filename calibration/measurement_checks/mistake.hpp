@@ -1,0 +1,74 @@
+// What is ordinarily done wrong with readings: the open table of mistakes. Each kind is a file here and a row of the
+// table in mistakes.cpp; nothing else names it. A kind says which forms of it are worth trying, and how the readings
+// would have to be taken if it were so; which form explains the readings is for measurement_checks.cpp to find.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "calibration/placed_arm.hpp"
+#include "tubesheets/sheet.hpp"
+
+namespace tubeplan::calibration {
+
+struct NamedUnit {
+  std::string name;
+  double factor = 1;  ///< internal units per one of it
+};
+
+/// The units that a file's columns say they are in, and those that they might be in.
+struct ReadingUnits {
+  NamedUnit coordinates{"m", 1}, loads{"N", 1}, angles{"rad", 1}, sigma{"m", 1};
+  std::vector<NamedUnit> lengths, forces, angle_units, sigmas;
+};
+
+/// Readings as their file has them, and what they are held against.
+struct CheckedReadings {
+  PlacedArm start;  ///< as the cell says; a placing for every set-up
+  std::vector<Measurement> readings;
+  FreeChoice free;
+  ReadingUnits units;
+  const tubesheets::Sheet* sheet = nullptr;  ///< none: null; must outlive this
+};
+
+/// The readings as they would be taken if one mistake had been made.
+struct Mend {
+  std::string mistake, value;  ///< as `--assume MISTAKE=VALUE` takes them
+  std::string sentence;        ///< "the coordinates are in mm, not in in as their columns say"
+  std::function<void(std::vector<Measurement>&)> apply = [](std::vector<Measurement>&) {};
+  bool frees_base = false;    ///< the base is taken as not known
+  bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own
+  int zero_of = -1;           ///< joint whose zero is looked for from the value tried
+};
+
+struct MistakeKind {
+  const char* name;
+  const char* value;                                           ///< what stands after the sign of equality: "UNIT"
+  const char* expected;                                        ///< the same for messages: "a unit of length"
+  std::vector<std::string> (*values)(const CheckedReadings&);  ///< worth trying
+  std::optional<Mend> (*mend)(const CheckedReadings&, const std::string& value);  ///< nothing: no such value
+};
+
+const std::vector<MistakeKind>& mistakeKinds();
+
+[[nodiscard]] const MistakeKind* findMistakeKind(const std::string& name);
+
+/// A reading whose place is that of the hole it names: nobody has written its coordinates.
+[[nodiscard]] bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading);
+
+/// Row and column of a hole's name, "R10C20".
+[[nodiscard]] std::optional<std::pair<int, int>> holeOf(const std::string& point);
+
+/// Joint's index by its name; -1 where there is none.
+[[nodiscard]] int jointNamed(const deflection::Arm& arm, const std::string& name);
+
+[[nodiscard]] const deflection::Joint<double>& jointAt(const deflection::Arm& arm, int joint);
+
+/// Two joint names or a joint and a number, parted at the colon; empty where there is none.
+[[nodiscard]] std::pair<std::string, std::string> partedAtColon(const std::string& value);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "calibration/measurement_checks/angles_unit.hpp"
+#include "calibration/measurement_checks/axes.hpp"
+#include "calibration/measurement_checks/base_elsewhere.hpp"
+#include "calibration/measurement_checks/coordinates_unit.hpp"
+#include "calibration/measurement_checks/holes_off.hpp"
+#include "calibration/measurement_checks/joint_order.hpp"
+#include "calibration/measurement_checks/joint_sign.hpp"
+#include "calibration/measurement_checks/joint_zero.hpp"
+#include "calibration/measurement_checks/loads_unit.hpp"
+#include "calibration/measurement_checks/mirror.hpp"
+#include "calibration/measurement_checks/mistake.hpp"
+#include "calibration/measurement_checks/one_hole.hpp"
+#include "calibration/measurement_checks/setup_alone.hpp"
+#include "calibration/measurement_checks/sheet_mirrored.hpp"
+#include "calibration/measurement_checks/shifted_rows.hpp"
+#include "calibration/measurement_checks/sigma_unit.hpp"
+#include "calibration/measurement_checks/without.hpp"
+
+namespace tubeplan::calibration {
+
+const std::vector<MistakeKind>& mistakeKinds() {
+  static const std::vector<MistakeKind> kKinds = {
+      mistakes::coordinates_unit::kind(), mistakes::loads_unit::kind(),     mistakes::angles_unit::kind(),
+      mistakes::sigma_unit::kind(),       mistakes::mirror::kind(),         mistakes::axes::kind(),
+      mistakes::joint_sign::kind(),       mistakes::joint_zero::kind(),     mistakes::joint_order::kind(),
+      mistakes::shifted_rows::kind(),     mistakes::holes_off::kind(),      mistakes::one_hole::kind(),
+      mistakes::sheet_mirrored::kind(),   mistakes::base_elsewhere::kind(), mistakes::setup_alone::kind(),
+      mistakes::without::kind(),
+  };
+  return kKinds;
+}
+
+const MistakeKind* findMistakeKind(const std::string& name) {
+  for (const MistakeKind& kind : mistakeKinds())
+    if (kind.name == name) return &kind;
+  return nullptr;
+}
+
+std::optional<std::pair<int, int>> holeOf(const std::string& point) {
+  int row = 0, column = 0, used = 0;
+  if (std::sscanf(point.c_str(), "R%dC%d%n", &row, &column, &used) != 2) return std::nullopt;
+  if (used != static_cast<int>(point.size())) return std::nullopt;
+  return std::pair{row, column};
+}
+
+bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading) {
+  if (!checked.sheet || reading.kind != MeasurementKind::kTouch || !reading.p_W) return false;
+  const auto hole = holeOf(reading.point);
+  const auto* tube = hole ? checked.sheet->find(hole->first, hole->second) : nullptr;
+  constexpr double kRounding = 5e-5;  // m, of coordinates written with the hole's name
+  return tube && (*reading.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
+}
+
+const deflection::Joint<double>& jointAt(const deflection::Arm& arm, int joint) {
+  const auto active = deflection::activeRows(arm);
+  return arm.rows.at(static_cast<std::size_t>(active.at(static_cast<std::size_t>(joint)))).joint;
+}
+
+int jointNamed(const deflection::Arm& arm, const std::string& name) {
+  const auto active = deflection::activeRows(arm);
+  for (std::size_t j = 0; j < active.size(); ++j)
+    if (arm.rows[static_cast<std::size_t>(active[j])].joint.name == name) return static_cast<int>(j);
+  return -1;
+}
+
+std::pair<std::string, std::string> partedAtColon(const std::string& value) {
+  const std::size_t colon = value.rfind(':');
+  if (colon == std::string::npos) return {"", ""};
+  return {value.substr(0, colon), value.substr(colon + 1)};
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,27 @@
+// One touch that names another hole than was touched. Looked for reading by reading (measurement_checks.cpp).
+#pragma once
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::one_hole {
+
+inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto [id, name] = partedAtColon(value);
+  const auto hole = holeOf(name);
+  const auto* tube = hole && checked.sheet ? checked.sheet->find(hole->first, hole->second) : nullptr;
+  if (!tube) return std::nullopt;
+  Mend mend{"hole", value, "reading " + id + " touched " + name};
+  mend.apply = [id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](std::vector<Measurement>& readings) {
+    for (auto& reading : readings)
+      if (reading.id == id) reading.point = name, reading.p_W = place;
+  };
+  return mend;
+}
+
+inline MistakeKind kind() {
+  return {"hole", "ID:HOLE", "a reading and the hole that it touched, such as 7:R10C21", values, mend};
+}
+
+}  // namespace tubeplan::calibration::mistakes::one_hole

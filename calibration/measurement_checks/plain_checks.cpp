@@ -1,0 +1,245 @@
+#include "calibration/measurement_checks/plain_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr std::size_t kMostNamed = 5;     // readings in one sentence
+constexpr std::size_t kMostAssumed = 20;  // readings that one --assume leaves out
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string shortText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string listOf(const std::vector<std::string>& ids) {
+  std::string text;
+  for (std::size_t k = 0; k < ids.size() && k < kMostNamed; ++k) text += (k ? ", " : "") + ids[k];
+  return ids.size() > kMostNamed ? text + " and " + std::to_string(ids.size() - kMostNamed) + " more" : text;
+}
+
+std::string assumeWithout(const std::vector<std::string>& ids) {
+  if (ids.size() > kMostAssumed) return "";
+  std::string text;
+  for (const auto& id : ids) text += (text.empty() ? "without=" : ",without=") + id;
+  return text;
+}
+
+/// All numbers that two rows of one reading have alike.
+auto contentOf(const Measurement& m) {
+  const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
+  return std::tuple{static_cast<int>(m.kind),
+                    m.point,
+                    m.setup,
+                    m.load,
+                    std::vector<double>(m.q.begin(), m.q.end()),
+                    p.x(),
+                    p.y(),
+                    p.z(),
+                    std::isfinite(m.distance) ? m.distance : 0,
+                    std::isfinite(m.time) ? m.time : 0};
+}
+
+std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
+  std::map<decltype(contentOf(checked.readings.front())), std::string> first;
+  std::vector<std::string> ids, again;
+  for (const auto& reading : checked.readings) {
+    const auto [at, is_new] = first.emplace(contentOf(reading), reading.id);
+    if (is_new) continue;
+    ids.push_back(reading.id);
+    again.push_back(reading.id + " (as " + at->second + ")");
+  }
+  if (ids.empty()) return std::nullopt;
+  return MeasurementCheck{"duplicates",
+                          CheckSeverity::kRemark,
+                          std::string(ids.size() == 1 ? "a reading stands" : "readings stand") +
+                              " there twice, number for number: " + listOf(again),
+                          kNaN,
+                          kNaN,
+                          assumeWithout(ids),
+                          {}};
+}
+
+/// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
+/// Touches of points that nobody measured fit either way, so no error tells.
+std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr std::size_t kFew = 4;
+  const auto& arm = checked.start.arm;
+  const double factor = checked.units.angles.factor;
+  if (checked.readings.size() < kFew || factor == 1) return std::nullopt;
+  double largest = 0;
+  for (int j = 0; j < static_cast<int>(deflection::activeRows(arm).size()); ++j) {
+    const auto& joint = jointAt(arm, j);
+    if (joint.type != deflection::JointType::kRevolute) continue;
+    for (const auto& reading : checked.readings) {
+      const double number = reading.q[j] / factor;
+      if (std::abs(number) > kTurn || number < joint.lower || number > joint.upper) return std::nullopt;
+      largest = std::max(largest, std::abs(number));
+    }
+  }
+  if (largest == 0) return std::nullopt;
+  return MeasurementCheck{
+      "angles",
+      CheckSeverity::kRemark,
+      "no joint reading is larger than " + shortText(largest) + " " + checked.units.angles.name + ": are they radians?",
+      kNaN,
+      kNaN,
+      "angles=rad",
+      {}};
+}
+
+std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
+  constexpr double kTimesTheArm = 10;
+  const auto& arm = checked.start.arm;
+  double weight = 0, heaviest = 0;
+  for (const auto& row : arm.rows) {
+    weight += row.weight.end + row.weight.distributed * deflection::reachOf(arm);
+    for (const auto& lump : row.weight.lumps) weight += lump.weight;
+  }
+  for (const auto& reading : checked.readings) heaviest = std::max(heaviest, reading.load);
+  if (weight == 0 || heaviest < kTimesTheArm * weight) return std::nullopt;
+  const auto& unit = checked.units.loads;
+  return MeasurementCheck{"loads",
+                          CheckSeverity::kRemark,
+                          "a load of " + shortText(heaviest / unit.factor) + " " + unit.name +
+                              " hangs on an arm that weighs less than " + shortText(weight / unit.factor) + " " +
+                              unit.name + ": is the load's unit right?",
+                          kNaN,
+                          kNaN,
+                          "",
+                          {}};
+}
+
+int numbersTold(const std::vector<Measurement>& readings) {
+  std::map<std::string, int> points;
+  int count = 0;
+  for (const auto& reading : readings) {
+    count += rowsOf(reading);
+    if (reading.kind == MeasurementKind::kTouch && !reading.p_W) points[reading.point] = 1;
+  }
+  return count - 3 * static_cast<int>(points.size());
+}
+
+/// So few that no error would show what is wrong with them.
+std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
+  constexpr int kLeastFreedom = 6;
+  PlacedArm placed = checked.start;
+  FreeChoice named = checked.free;
+  std::erase(named.names, "geometry");
+  const int free = static_cast<int>(chooseUnknowns(placed, named).list.size());
+  const int told = numbersTold(checked.readings);
+  if (told - free >= kLeastFreedom) return std::nullopt;
+  return MeasurementCheck{"few-readings",
+                          CheckSeverity::kRemark,
+                          std::to_string(checked.readings.size()) +
+                              (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
+                              std::to_string(told) + " numbers for the " + std::to_string(free) +
+                              " that are free: an error of the model would hardly show; measure more, or free fewer",
+                          kNaN,
+                          kNaN,
+                          "",
+                          {}};
+}
+
+}  // namespace
+
+std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings) {
+  std::vector<MissingColumn> missing;
+  const auto none = [&](auto has) { return std::none_of(readings.begin(), readings.end(), has); };
+  if (none([](const Measurement& m) {
+        return std::any_of(m.senses.begin(), m.senses.end(), [](int s) { return s != 0; });
+      }))
+    missing.push_back({"<joint>_dir", "with the sense of each joint's last motion, hysteresis could be seen"});
+  if (none([](const Measurement& m) { return m.load > 0; }))
+    missing.push_back(
+        {"load",
+         "with several hung loads, what gives could be told from what is out of place, and a load's offset be seen"});
+  if (none([](const Measurement& m) { return std::isfinite(m.temperature); }))
+    missing.push_back({"temperature", "with the temperature, thermal growth could be seen"});
+  if (none([](const Measurement& m) { return std::isfinite(m.time); }))
+    missing.push_back({"time", "with the time, a base that slips or drifts could be seen"});
+  return missing;
+}
+
+std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
+                                          const std::vector<MeasurementCheck>& suspected) {
+  std::vector<MeasurementCheck> found;
+  for (const auto& look : {duplicates, smallAngles, heavyLoad, fewReadings})
+    if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(),
+                                                          [&](const auto& other) { return other.name == check->name; }))
+      found.push_back(std::move(*check));
+  return found;
+}
+
+std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found) {
+  constexpr double kSlack = 1.02;  // of the reach: an arm may sag a little further than it is long
+  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j) {
+    const auto& joint = jointAt(checked.start.arm, j);
+    const bool is_endless =
+        joint.type == deflection::JointType::kPrismatic && !std::isfinite(joint.upper - joint.lower);
+    if (is_endless) return std::nullopt;  // a slide without limits reaches everywhere
+  }
+  const double reach = kSlack * deflection::reachOf(checked.start.arm);
+  std::vector<std::string> ids;
+  for (const auto& reading : checked.readings) {
+    const bool is_place = reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch;
+    if (!is_place || !reading.p_W) continue;
+    const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
+    if (!((*reading.p_W - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
+  }
+  if (ids.empty()) return std::nullopt;
+  const auto& unit = checked.units.coordinates;
+  return MeasurementCheck{"out-of-reach",
+                          CheckSeverity::kRemark,
+                          "farther from the base than the arm reaches (" + shortText(reach / kSlack / unit.factor) +
+                              " " + unit.name + "): reading" + (ids.size() > 1 ? "s " : " ") + listOf(ids),
+                          kNaN,
+                          kNaN,
+                          assumeWithout(ids),
+                          {}};
+}
+
+std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, const PlacedArm& found) {
+  constexpr std::size_t kMostTried = 2000;
+  std::vector<MeasurementCheck> mistaken;
+  if (!checked.sheet) return mistaken;
+  std::size_t tried = 0;
+  for (const auto& reading : checked.readings) {
+    const auto hole = holeOf(reading.point);
+    if (!hole || !reading.p_W || reading.kind != MeasurementKind::kTouch || ++tried > kMostTried) continue;
+    const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
+    const auto tip = predictReading(found.arm, X_WB, reading);
+    if (!tip.ok || !((tip.value - *reading.p_W).norm() > checked.sheet->pitch / 2)) continue;
+    const tubesheets::Tube* nearest = nullptr;
+    double least = checked.sheet->pitch / 2;
+    for (const auto& tube : checked.sheet->tubes)
+      if (const double d = std::hypot(tube.x - tip.value[0], tube.y - tip.value[1]); d < least)
+        least = d, nearest = &tube;
+    if (!nearest || (nearest->row == hole->first && nearest->column == hole->second)) continue;
+    const std::string name = "R" + std::to_string(nearest->row) + "C" + std::to_string(nearest->column);
+    mistaken.push_back(
+        {"hole",
+         CheckSeverity::kRemark,
+         "reading " + reading.id + " named " + reading.point + " fits " + name + ": was the hole mistaken?",
+         (tip.value - *reading.p_W).norm(),
+         std::hypot(least, tip.value[2]),
+         "hole=" + reading.id + ":" + name,
+         {}});
+  }
+  // Where most are off, it is no slip of a single name.
+  return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;
+}
+
+}  // namespace tubeplan::calibration

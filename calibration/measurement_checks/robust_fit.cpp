@@ -1,0 +1,197 @@
+#include "calibration/measurement_checks/robust_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/campaign_residual.hpp"
+#include "calibration/fit.hpp"
+#include "calibration/prior.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kFreedom = 4;  // of Student's t
+constexpr double kBest = 0.9;   // share of the readings that an error is stated of
+constexpr int kScaleSteps = 40;
+constexpr double kLeastFreedom = 12;  // from which chi-square says anything of the noise
+constexpr double kConverged = 0.05;   // fall of the misfit by a step that asks for no further one
+constexpr int kMostTrials = 6;        // of a step, each shorter than the one before
+
+/// Student's t about a common scale, for the whitened residuals of readings.
+class StudentLoss {
+ public:
+  StudentLoss(const std::vector<Measurement>& readings, const ReadingWeights& weights)
+      : readings_(readings), weights_(weights), square_(readings.size()), weight_(readings.size()) {}
+
+  /// -log likelihood at the best scale, which it settles with the weights.
+  double settle(const VectorXd& r) {
+    for (std::size_t k = 0; k < square_.size(); ++k)
+      square_[k] = r.segment(weights_.first_row[k], rowsOf(readings_[k])).squaredNorm();
+    auto sorted = square_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    variance_ = std::max(1., *middle / 3);
+    for (int step = 0; step < kScaleSteps; ++step) {
+      const double before = variance_;
+      double sum = 0;
+      int rows = 0;
+      for (std::size_t k = 0; k < square_.size(); ++k) {
+        const int d = rowsOf(readings_[k]);
+        weight_[k] = (kFreedom + d) / (kFreedom + square_[k] / variance_);
+        sum += weight_[k] * square_[k];
+        rows += d;
+      }
+      variance_ = std::max(1., sum / rows);
+      if (std::abs(variance_ - before) < 1e-3 * variance_) break;
+    }
+    double value = 0;
+    for (std::size_t k = 0; k < square_.size(); ++k) {
+      const int d = rowsOf(readings_[k]);
+      value += d * std::log(variance_) / 2 + (kFreedom + d) / 2 * std::log1p(square_[k] / (kFreedom * variance_));
+    }
+    return value;
+  }
+
+  /// Roots of the weights of each row, over the scale.
+  [[nodiscard]] VectorXd rowWeights() const {
+    VectorXd rows(weights_.rows);
+    for (std::size_t k = 0; k < weight_.size(); ++k)
+      rows.segment(weights_.first_row[k], rowsOf(readings_[k])).setConstant(std::sqrt(weight_[k] / variance_));
+    return rows;
+  }
+
+  /// Chi-square of the readings that fit best over what so many degrees of freedom of all expect of them.
+  [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
+    constexpr double kShareOfBest = 0.74;  // the tenth that fits worst holds a quarter of chi-square of three
+    auto sorted = square_;
+    std::sort(sorted.begin(), sorted.end());
+    const auto kept = static_cast<std::size_t>(std::ceil(kBest * static_cast<double>(sorted.size())));
+    double sum = 0;
+    for (std::size_t k = 0; k < kept; ++k) sum += sorted[k];
+    return sum / (degrees_of_freedom * kShareOfBest);
+  }
+
+ private:
+  const std::vector<Measurement>& readings_;
+  const ReadingWeights& weights_;
+  std::vector<double> square_, weight_;
+  double variance_ = 1;
+};
+
+double bestError(const VectorXd& lengths, double share) {
+  std::vector<double> sorted(lengths.begin(), lengths.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  double sum = 0;
+  for (std::size_t k = 0; k < kept; ++k) sum += sorted[k] * sorted[k];
+  return std::sqrt(sum / static_cast<double>(kept));
+}
+
+double priorMisfit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
+  return priorResiduals(unknowns, x).squaredNorm() / 2;
+}
+
+/// The fit under way.
+class Descent {
+ public:
+  Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
+          const ReadingWeights& weights, const RobustFitOptions& options)
+      : unknowns_(unknowns),
+        options_(options),
+        residual_(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, options.stop),
+        loss_(readings, weights),
+        x_(VectorXd::Zero(static_cast<Index>(unknowns.size()))) {}
+
+  bool run() {
+    if (!residual_.evaluate(x_, r_, nullptr) || !r_.allFinite()) return false;
+    misfit_ = loss_.settle(r_) + priorMisfit(unknowns_, x_);
+    for (int step = 0; step < options_.most_steps && !unknowns_.empty(); ++step) {
+      goOn(options_.stop);
+      const double before = misfit_;
+      if (!residual_.evaluate(x_, r_, &jacobian_) || !jacobian_.allFinite()) break;
+      if (!improve() || before - misfit_ < kConverged) break;
+    }
+    return true;
+  }
+
+  [[nodiscard]] const VectorXd& x() const { return x_; }
+  [[nodiscard]] double misfit() const { return misfit_; }
+  StudentLoss& loss() { return loss_; }
+  [[nodiscard]] const VectorXd& residual() const { return r_; }
+
+ private:
+  bool improve() {
+    const VectorXd roots = loss_.rowWeights();
+    const MatrixXd J = roots.asDiagonal() * jacobian_;
+    const VectorXd slopes = priorSlopes(unknowns_);
+    MatrixXd A = J.transpose() * J;
+    A.diagonal() += slopes.cwiseAbs2();
+    const VectorXd g = J.transpose() * roots.cwiseProduct(r_) + slopes.cwiseProduct(priorResiduals(unknowns_, x_));
+    for (int trial = 0; trial < kMostTrials; ++trial, damping_ = std::max(4 * damping_, 1e-4)) {
+      MatrixXd damped = A;
+      for (Index k = 0; k < A.rows(); ++k) {
+        const double typical = unknowns_[static_cast<std::size_t>(k)].typical;
+        damped(k, k) += damping_ * A(k, k) + 1e-12 / (typical * typical);
+      }
+      const VectorXd step = damped.ldlt().solve(-g);
+      if (!step.allFinite()) continue;
+      VectorXd x = x_ + step, r;
+      for (Index k = 0; k < x.size(); ++k)
+        x[k] = std::clamp(x[k], unknowns_[static_cast<std::size_t>(k)].lower,
+                          unknowns_[static_cast<std::size_t>(k)].upper);
+      if (!residual_.evaluate(x, r, nullptr) || !r.allFinite()) {
+        goOn(options_.stop);
+        continue;
+      }
+      const double misfit = loss_.settle(r) + priorMisfit(unknowns_, x);
+      if (!(misfit < misfit_)) continue;
+      x_ = x, r_ = r, misfit_ = misfit, damping_ /= 10;
+      return true;
+    }
+    (void)loss_.settle(r_);
+    return false;
+  }
+
+  const std::vector<Unknown>& unknowns_;
+  const RobustFitOptions& options_;
+  CampaignResidual residual_;
+  StudentLoss loss_;
+  VectorXd x_, r_;
+  MatrixXd jacobian_;
+  double misfit_ = std::numeric_limits<double>::infinity(), damping_ = 0;
+};
+
+}  // namespace
+
+RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings, const RobustFitOptions& options) {
+  RobustFit fit;
+  if (readings.empty()) return fit;
+  alignPlacings(start, readings);
+  auto unknowns = chooseUnknowns(start, options.free);
+  const auto weights = weighReadings(start, readings, {}, 0, options.stop);
+  goOn(options.stop);
+  if (!weights) return fit;
+  Descent descent(start, unknowns.list, readings, *weights, options);
+  if (!descent.run()) return fit;
+  fit.placed = applied(start, unknowns.list, descent.x());
+  const auto at =
+      whitenedResidual(start, unknowns.list, readings, *weights, descent.x(), options.judges_noise, options.stop);
+  if (!at.ok) return fit;
+  fit.misfit = descent.misfit();
+  const VectorXd lengths = errorLengths(readings, *weights, at.error);
+  fit.error = bestError(lengths, kBest);
+  fit.whole_error = bestError(lengths, 1);
+  if (options.judges_noise) {
+    const auto covariance = posteriorCovariance(at.jacobian, unknowns.list);
+    const double freedom = weights->degrees_of_freedom - effectiveNumbers(covariance, unknowns.list);
+    if (freedom >= kLeastFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
+  }
+  fit.ok = std::isfinite(fit.error) && std::isfinite(fit.misfit);
+  return fit;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,23 @@
+// The stated noise in another unit than its column says. No error tells it, only how small the error is beside it: it
+// is looked for apart (measurement_checks.cpp), so that no form of it is tried here.
+#pragma once
+
+#include "calibration/measurement_checks/units_of_columns.hpp"
+
+namespace tubeplan::calibration::mistakes::sigma_unit {
+
+inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto factor = factorOf(checked.units.sigmas, checked.units.sigma, value);
+  if (!factor) return std::nullopt;
+  Mend mend{"sigma", value, "sigma is in " + value + ", not in " + checked.units.sigma.name + " as its column says"};
+  mend.apply = [factor = *factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.sigma *= factor;
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::sigma_unit

@@ -1,0 +1,192 @@
+// How well the checks of readings name the ordinary mistakes, and how often they suspect one where there is none:
+// seeded mistakes in clean sets, and sets with none among which physical effects hide and real robots stand.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <map>
+
+#include "deflection/effects/effect.hpp"
+#include "tests/calibration/seeded_mistakes.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Cost {
+  double total = 0, most = 0;  // s
+  int count = 0;
+  void add(double seconds) { total += seconds, most = std::max(most, seconds), ++count; }
+};
+
+MeasurementChecks timed(const SeededSet& set, Cost& cost) {
+  const auto began = std::chrono::steady_clock::now();
+  auto checks = checksOf(set);
+  cost.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+  return checks;
+}
+
+std::string textOf(const MeasurementChecks& checks) {
+  std::vector<std::string> texts;
+  for (const auto& check : checks.checks)
+    texts.push_back(fmt::format("{}{} [{}] {:.4g}->{:.4g} m; equally {}",
+                                check.severity == CheckSeverity::kMistake ? "!" : "",
+                                check.assume.empty() ? check.name : check.assume, check.sentence, check.error_as_is,
+                                check.error_if_mended, fmt::join(check.equally, " ")));
+  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, " | "));
+}
+
+void studyMistakes(int count, bool is_verbose, const std::string& only) {
+  const auto& kinds = seededMistakes();
+  std::map<std::string, std::array<int, 4>> named;
+  Cost cost;
+  int made = 0;
+  std::array<int, 4> all{};
+  for (std::uint64_t number = 0; made < count && number < 20u * static_cast<std::uint64_t>(count); ++number) {
+    const auto& kind = kinds[number % kinds.size()];
+    if (!only.empty() && std::string(kind.label).find(only) == std::string::npos) continue;
+    SeededRandom random(number + 1000);
+    std::optional<std::string> mend;
+    std::optional<SeededSet> set;
+    for (std::uint64_t next = 0; next < 10 && !mend; ++next) {
+      set = cleanSet(number / kinds.size() + 7 * (number % kinds.size()) + next);
+      if (set) mend = kind.make(*set, random);
+    }
+    if (!mend) continue;
+    ++made;
+    const auto checks = timed(*set, cost);
+    const Naming naming = judgeNaming(kind, *mend, checks);
+    ++named[kind.label][static_cast<std::size_t>(naming)];
+    ++all[static_cast<std::size_t>(naming)];
+    if (is_verbose && naming != Naming::kRight)
+      fmt::print("  {} {}: {} ({}): {}\n",
+                 naming == Naming::kWrong    ? "WRONG"
+                 : naming == Naming::kMissed ? "MISSED"
+                                             : "equally",
+                 kind.label, *mend, set->name, textOf(checks));
+  }
+  fmt::print("{:<24}{:>8}{:>10}{:>8}{:>8}\n", "mistake", "first", "as well", "wrong", "missed");
+  for (const auto& [label, counts] : named)
+    fmt::print("{:<24}{:>8}{:>10}{:>8}{:>8}\n", label, counts[0], counts[1], counts[2], counts[3]);
+  fmt::print("{} mistakes: {:.1f} % named first, {:.1f} % among those that explain the readings as well\n", made,
+             100. * all[0] / std::max(1, made), 100. * all[1] / std::max(1, made));
+  fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
+}
+
+std::optional<SeededSet> setOfFiles(const fs::path& cell, const fs::path& measurements) {
+  SeededSet set{measurements.string(), app::readCell(cell.string()), {}};
+  set.table = app::parseMeasurementTable(app::readTextFile(measurements.string()), measurements.string(), set.cell.arm,
+                                         set.cell.sheet ? &*set.cell.sheet : nullptr);
+  app::stateSigma(set.table.readings, set.cell, set.name, 0);
+  return set;
+}
+
+std::vector<SeededSet> setsBeside() {
+  const fs::path shared = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared";
+  std::vector<SeededSet> sets;
+  if (!fs::exists(shared)) {
+    fmt::print("no sets of real robots beside the project: simulated ones alone\n");
+    return sets;
+  }
+  for (const auto& entry : fs::directory_iterator(shared / "hidden-effects")) {
+    const std::string name = entry.path().filename().string();
+    sets.push_back(*setOfFiles(
+        fs::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / (name.starts_with("bench") ? "bench.yaml" : "bowl.yaml"),
+        entry.path() / "measurements.csv"));
+  }
+  static constexpr std::pair<const char*, const char*> kReal[] = {
+      {"hilti/cell.yaml", "hilti/measurements.csv"},
+      {"irb120/cell.yaml", "irb120/measurements.csv"},
+      {"justin-right/cell.yaml", "justin-right/measurements.csv"},
+      {"justin-right/cell-assumed-weights.yaml", "justin-right/measurements.csv"},
+      {"kuka-iiwa7/cell.yaml", "kuka-iiwa7/measurements-allaxes.csv"},
+      {"kuka-iiwa7/cell-payload.yaml", "kuka-iiwa7/measurements-payload.csv"},
+      {"motoman/cell.yaml", "motoman/measurements.csv"},
+      {"motoman/cell-left.yaml", "motoman/measurements-left.csv"},
+      {"motoman/cell-wide.yaml", "motoman/measurements-wide.csv"},
+      {"panda-touch/cell.yaml", "panda-touch/measurements.csv"},
+      {"ur5/cell.yaml", "ur5/measurements.csv"},
+      {"wam/cell.yaml", "wam/measurements.csv"}};
+  for (const auto& [cell, measurements] : kReal)
+    sets.push_back(*setOfFiles(shared / "real" / cell, shared / "real" / measurements));
+  return sets;
+}
+
+/// "effect@at" by a number, as large as the largest that real machines have, or twice as large.
+std::string drawnEffect(const deflection::Arm& arm, SeededRandom& random) {
+  for (;;) {
+    const auto& kinds = deflection::effectKinds();
+    const auto& kind = kinds[random() % kinds.size()];
+    const auto places = deflection::placeTexts(arm, kind);
+    if (places.empty() || kind.parameters.empty()) continue;
+    const std::string at = places[random() % places.size()];
+    if (deflection::makeEffect(arm, kind.name, at).status == deflection::EffectStatus::kMade)
+      return std::string(kind.name) + "@" + at;
+  }
+}
+
+std::optional<SeededSet> hidingSet(std::uint64_t number) {
+  static constexpr std::pair<const char*, const char*> kDesigns[] = {
+      {"bench.yaml", "bench"}, {"bowl.yaml", "bowl"}, {"bowl.yaml", "bench"}, {"bowl.yaml", "touch"}};
+  SeededRandom random(number + 5000);
+  const auto& [cell, design] = kDesigns[number % 4];
+  const int sizes[] = {24, 48, 96};
+  const auto arm = shippedCell(cell).arm;
+  std::vector<std::string> hidden;
+  for (std::uint64_t k = 0; k < 1 + number % 3 / 2; ++k) hidden.push_back(drawnEffect(arm, random));
+  const double factor = drawnBetween(1, 10, random);
+  return simulatedSet(cell, design, sizes[number / 4 % 3], hidden, number, [&](app::SimulationTask& task) {
+    for (auto& effect : task.truth.arm.effects) {
+      const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
+      for (std::size_t v = 0; v < effect.values.size() && v < kind.parameters.size(); ++v)
+        if (!kind.parameters[v].is_shape)
+          effect.values[v] =
+              std::clamp(kind.parameters[v].neutral + factor * (effect.values[v] - kind.parameters[v].neutral),
+                         kind.parameters[v].lower, kind.parameters[v].upper);
+    }
+    if (number % 7 == 0)  // everything far softer than drawn: it sags by inches
+      for (auto& row : task.truth.arm.rows) row.joint_stiffness /= 3;
+  });
+}
+
+void studyCleanSets(int count, bool is_verbose) {
+  Cost cost;
+  int made = 0, mistakes = 0, remarks = 0;
+  const auto look = [&](const SeededSet& set) {
+    ++made;
+    const auto checks = timed(set, cost);
+    const bool is_mistake = grossMistake(checks) != nullptr;
+    const bool is_remark = std::any_of(checks.checks.begin(), checks.checks.end(),
+                                       [](const auto& check) { return !check.assume.empty(); });
+    mistakes += is_mistake;
+    remarks += is_remark && !is_mistake;
+    if (is_mistake || is_remark || is_verbose) fmt::print("  {}: {}\n", set.name, textOf(checks));
+  };
+  for (const auto& set : setsBeside()) look(set);
+  for (std::uint64_t number = 0; made < count && number < 10u * static_cast<std::uint64_t>(count); ++number)
+    if (const auto set = hidingSet(number)) look(*set);
+  fmt::print(
+      "{} sets without a mistake: {} ({:.1f} %) suspected of one, {} more with a remark that proposes something\n",
+      made, mistakes, 100. * mistakes / std::max(1, made), remarks);
+  fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
+
+int main(int argc, char** argv) {
+  CLI::App cli{"Mistakes named, and mistakes suspected where there are none"};
+  int mistakes = 500, clean = 300;
+  bool is_verbose = false;
+  std::string only;
+  cli.add_option("--mistakes", mistakes, "seeded mistakes to name");
+  cli.add_option("--clean", clean, "sets without a mistake");
+  cli.add_option("--only", only, "mistakes whose label holds this");
+  cli.add_flag("--verbose", is_verbose, "what was not named first, and what clean sets are told");
+  CLI11_PARSE(cli, argc, argv);
+  if (mistakes > 0) tubeplan::calibration::studyMistakes(mistakes, is_verbose, only);
+  if (clean > 0) tubeplan::calibration::studyCleanSets(clean, is_verbose);
+  return 0;
+}
