@@ -77,7 +77,7 @@ void print(const Improvement& result, const ImproveOptions& options, const Units
   if (result.end == ImprovementEnd::kNotFitted)
     fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
   if (result.end == ImprovementEnd::kMostSteps) fmt::print("ended after --steps {}\n", options.request.steps);
-  fmt::print("{}", ladderText(rungsOf(result), units));
+  if (!result.models.empty()) fmt::print("{}", ladderText(rungsOf(result), units));
   if (!result.isUsable())
     fmt::print("nothing was written\n");
   else
