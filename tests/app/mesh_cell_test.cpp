@@ -110,7 +110,7 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   EXPECT_EQ(std::filesystem::canonical(again.meshes[0].path), std::filesystem::canonical(folder / "dam.stl"));
   // The same question to a plan, until what is in the file changes.
   const auto question = [](const Cell& c) {
-    return partOf(questionOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 1, ""}, {1, 2}), "arm and scene");
+    return partOf(questionOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}), "arm and scene");
   };
   EXPECT_EQ(question(cell), question(again));
   write("dam.stl", stlBytes(cylinderMesh(5.9, 3, 96)));
