@@ -58,7 +58,8 @@ TEST_F(Improve, WritesNothingWhereNoVerdictIsPossible) {
 
 /// What is added as the diagnosis gives it does what the diagnosis promised, a slip's time included.
 TEST_F(Improve, WhatADiagnosisGivesToAddKeepsItsPromise) {
-  for (const std::string hidden : {"base-slip@base:time=100,x=0.03,yaw=0.02", "stiffening@tool.z:softness=5,knee=200"}) {
+  for (const std::string hidden :
+       {"base-slip@base:time=100,x=0.03,yaw=0.02", "stiffening@tool.z:softness=5,knee=200"}) {
     simulate(hidden, 150);
     const auto diagnosed = run("diagnose " + bench() + " set/measurements.csv --json -");
     ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;

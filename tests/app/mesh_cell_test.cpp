@@ -110,7 +110,8 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   EXPECT_EQ(std::filesystem::canonical(again.meshes[0].path), std::filesystem::canonical(folder / "dam.stl"));
   // The same question to a plan, until what is in the file changes.
   const auto question = [](const Cell& c) {
-    return partOf(questionOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}), "arm and scene");
+    return partOf(questionOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
+                  "arm and scene");
   };
   EXPECT_EQ(question(cell), question(again));
   write("dam.stl", stlBytes(cylinderMesh(5.9, 3, 96)));
@@ -143,7 +144,8 @@ TEST_F(MeshCell, InTheWayItIsNamedAsTheCylinderIs) {
   nlohmann::json plans[2];
   for (int k = 0; k < 2; ++k) {
     const std::string kind = k == 0 ? "mesh" : "cylinder";
-    const auto planned = run("plan " + kind + ".yaml --tubes R20C57,R26C57-58,R15C30,R27C50,R3C10,R10C95 --seed 1 --out " + kind);
+    const auto planned =
+        run("plan " + kind + ".yaml --tubes R20C57,R26C57-58,R15C30,R27C50,R3C10,R10C95 --seed 1 --out " + kind);
     ASSERT_EQ(planned.exit_code, 0) << planned.err;
     plans[k] = planOf(kind);
   }

@@ -15,8 +15,8 @@ class NextReadings : public ProgramTest {
 
   [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
 
-  void simulate(const std::string& hide) {
-    const auto outcome = run("simulate " + bench() + " --design bench --readings 60 --seed 7 --out " + path("set") +
+  void simulate(const std::string& hide, const std::string& size = "--readings 60") {
+    const auto outcome = run("simulate " + bench() + " --design bench " + size + " --seed 7 --out " + path("set") +
                              (hide.empty() ? "" : " --hide " + hide));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
@@ -35,7 +35,7 @@ bool hasKind(const json& warnings, const std::string& kind) {
 
 TEST_F(NextReadings, AreProposedWhereTheAnswerIsOneOfSeveral) {
   // A tool that bends sideways looks much as a joint that gives behind it does.
-  simulate("link-bending@tool.z:1e-6");
+  simulate("link-bending@tool.z:1e-6", "--readings 120 --spread 0.1");
   const json diagnosed = answer("diagnose " + bench() + " " + path("set/measurements.csv") + " --next 4");
   ASSERT_EQ(diagnosed["verdict"], "ambiguous") << diagnosed["sentence"];
   const json& splitting = diagnosed["splitting"];

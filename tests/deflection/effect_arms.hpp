@@ -39,6 +39,7 @@ inline Arm sixAxisArm() {
   arm.rows[4].joint_stiffness[0] = 1e4;
   arm.rows[1].beam = Beam<double>{7e10, {kRigid, 4e-7, 4e-7}, 2.6e10, 6e-7, 2};
   for (auto& row : arm.rows) row.weight.distributed = 40;
+  arm.rows[3].joint.gear_ratio = 40;
   arm.rows[1].weight.lumps = {{60, {0.3, 0.05, 0.02}}};
   arm.rows[3].weight.end = 30;
   arm.p_LT = {0.02, 0.1, 0.25};

@@ -303,6 +303,53 @@ void scaleError() {
   expectSame(scaled, at({0.3}), arm, at({0.3}));
 }
 
+void gearWave() {
+  Arm arm = elbow();
+  arm.rows[1].joint.gear_ratio = 50;
+  const Posture posture = at({0.2, 0.37});
+  Posture changed = posture;
+  changed.q[1] += 2e-3 * std::sin(50 * 0.37) - 1e-3 * std::cos(50 * 0.37);
+  expectSame(withEffect(arm, "gear-wave", "bend", {2e-3, -1e-3}), posture, arm, changed);
+}
+
+void toolRemount() {
+  const Arm arm = withEffect(boom(), "tool-remount", "second floor", {0.01, -0.02, 0.03});
+  Posture posture = at({0}, 0);
+  EXPECT_LE((solve(arm, posture).X_BD.p - Vector3d(kLength, 0, 0)).norm(), 1e-15);
+  posture.setup = "second floor";
+  EXPECT_LE((solve(arm, posture).X_BD.p - Vector3d(kLength + 0.01, -0.02, 0.03)).norm(), 1e-15);
+}
+
+void gravitySag() {
+  // Gravity down along y turns the boom by what its parts and its tip have of level reach.
+  const double x = 4e-3, y = 1e-3, tip = 2e-3, reading = 0.3;
+  const double level = (x + kLength * tip) * std::cos(reading) - y * std::sin(reading);
+  const Arm arm = boom(kRigid);
+  expectSame(withEffect(arm, "gravity-sag", "turn", {x, y, tip}), at({reading}), arm, at({reading - level}));
+}
+
+void cableStretch() {
+  const double stretch = 2e-5, friction = 5e-6, reading = 0.3;
+  const Arm arm = boom(kRigid), cabled = withEffect(arm, "cable-stretch", "turn", {stretch, friction});
+  const double moment = -kLoad * kLength * std::cos(reading);
+  for (const int sense : {-1, 0, 1}) {
+    Posture posture = at({reading});
+    posture.senses = {sense};
+    expectSame(cabled, posture, arm, at({reading + stretch * moment + friction * std::abs(moment) * sense}));
+  }
+}
+
+void slideBending() {
+  const double out = 0.4, linear = 2e-6, square = 1e-6;
+  const Arm arm = mastArm();
+  Arm soft = arm;
+  soft.rows[3].joint_stiffness[0] = 1 / (linear * out + square * out * out);
+  const auto& slide = arm.rows[3].joint;
+  const Posture posture =
+      at({0.2, 0.3, -0.4, slide.lower + out * (slide.upper - slide.lower)}, kLoad, -Vector3d::UnitZ());
+  expectSame(withEffect(arm, "slide-bending", "slider.x", {linear, square}), posture, soft, posture);
+}
+
 const std::map<std::string, void (*)()>& closedForms() {
   static const std::map<std::string, void (*)()> kCases{{"joint-offset", jointOffset},
                                                         {"joint-scale", jointScale},
@@ -327,7 +374,12 @@ const std::map<std::string, void (*)()>& closedForms() {
                                                         {"backlash", backlash},
                                                         {"base-slip", baseSlip},
                                                         {"base-drift", baseDrift},
-                                                        {"scale-error", scaleError}};
+                                                        {"scale-error", scaleError},
+                                                        {"gear-wave", gearWave},
+                                                        {"tool-remount", toolRemount},
+                                                        {"gravity-sag", gravitySag},
+                                                        {"cable-stretch", cableStretch},
+                                                        {"slide-bending", slideBending}};
   return kCases;
 }
 
@@ -342,7 +394,8 @@ TEST_P(EffectClosedForm, Holds) {
 std::vector<std::string> kindNames() {
   std::vector<std::string> names;
   for (const EffectKind& kind : effectKinds())
-    if (std::string(kind.name) != "formula") names.emplace_back(kind.name);  // formula_test.cpp: the user writes its law
+    if (std::string(kind.name) != "formula")
+      names.emplace_back(kind.name);  // formula_test.cpp: the user writes its law
   return names;
 }
 

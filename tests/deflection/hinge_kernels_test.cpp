@@ -1,9 +1,8 @@
 // Kernels: the same shapes whatever solves them, in any number of lanes.
-#include "deflection/hinges/kernels.hpp"
-
 #include <gtest/gtest.h>
 
 #include "deflection/hinges/hinge_chain.hpp"
+#include "deflection/hinges/kernels.hpp"
 #include "tests/deflection/hinge_arms.hpp"
 
 namespace {
