@@ -21,11 +21,11 @@ double differenceOf(const FlexibleKinematics& a, const FlexibleKinematics& b) {
 
 TEST(EffectsTable, HoldsTheNamesOfTheCatalogue) {
   const std::set<std::string> promised{
-      "joint-offset",     "joint-scale",    "encoder-eccentricity", "transmission-error", "hysteresis",
-      "joint-coupling",   "link-length",    "link-twist",           "tool-offset",        "link-weight",
-      "tool-weight",      "payload-offset", "gravity-tilt",         "hose-pull",          "contact-force",
-      "joint-compliance", "link-bending",   "link-torsion",         "stiffening",         "backlash",
-      "thermal-growth",   "base-slip",      "base-drift",           "scale-error",        "formula"};
+      "joint-offset", "joint-scale", "encoder-eccentricity", "transmission-error", "hysteresis",    "joint-coupling",
+      "link-length",  "link-twist",  "tool-offset",          "link-weight",        "tool-weight",   "payload-offset",
+      "gravity-tilt", "hose-pull",   "contact-force",        "joint-compliance",   "link-bending",  "link-torsion",
+      "stiffening",   "backlash",    "thermal-growth",       "base-slip",          "base-drift",    "scale-error",
+      "formula",      "gear-wave",   "tool-remount",         "gravity-sag",        "cable-stretch", "slide-bending"};
   std::set<std::string> names;
   for (const EffectKind& kind : effectKinds()) names.insert(kind.name);
   EXPECT_EQ(names, promised);
