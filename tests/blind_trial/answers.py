@@ -5,6 +5,7 @@ import subprocess
 import time
 
 QUIET = ("adequate", "inconclusive")
+REFUSALS = ("unexplained", "partly-explained")  # something is left that no known effect explains
 WEAK_D, REFUSABLE_D = 8., 12.
 
 
@@ -33,8 +34,12 @@ class Case:
 
     @property
     def alternatives(self):
-        listed = self.answer.get("alternatives") or []
-        return [{(part.get("effect"), part.get("at")) for part in alternative} for alternative in listed]
+        """Each as a set of (effect, place); a cause that has the truth among its other names goes by the truth's."""
+        return [{self.name_of(part) for part in alternative} for alternative in self.answer.get("alternatives") or []]
+
+    def name_of(self, part):
+        names = [(name.get("effect"), name.get("at")) for name in [part, *(part.get("also") or [])]]
+        return next((name for name in names if name in self.wanted), names[0])
 
     @property
     def failed(self):
@@ -66,7 +71,7 @@ class Case:
             return "right" if self.verdict in QUIET else "false-alarm"
         if self.kind == "odd":
             fair = self.truth["d"] < REFUSABLE_D and not self.named
-            return "refused" if self.verdict == "unexplained" else "fair" if fair else "wrong"
+            return "refused" if self.verdict in REFUSALS else "fair" if fair else "wrong"
         if self.right:
             return "right"
         if self.within:
@@ -75,7 +80,9 @@ class Case:
             return "fair" if min(self.truth.get("d_each", [0.])) < WEAK_D else "missed"
         if self.kind == "pair" and any(part & self.wanted for part in self.alternatives):
             return "half"
-        return "called-unknown" if self.verdict == "unexplained" else "wrong"
+        if self.verdict == "partly-explained" and any(part <= self.wanted for part in self.alternatives):
+            return "half"
+        return "called-unknown" if self.verdict in REFUSALS else "wrong"
 
 
 def ask(program, cells, folder, timeout):
