@@ -28,6 +28,8 @@ std::optional<int> loneTouch(const std::vector<Measurement>& readings) {
   return std::nullopt;
 }
 
+}  // namespace
+
 int numbersMeasured(const std::vector<Measurement>& readings) {
   std::map<std::string, int> points;
   int count = 0;
@@ -37,8 +39,6 @@ int numbersMeasured(const std::vector<Measurement>& readings) {
   }
   return count - 3 * static_cast<int>(points.size());
 }
-
-}  // namespace
 
 std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                  const std::vector<Unknown>& unknowns) {

@@ -16,6 +16,9 @@ struct ReadingProblem {
   std::string found, expected, advice;
 };
 
+/// Numbers that the readings hold beyond the places of unknown points.
+[[nodiscard]] int numbersMeasured(const std::vector<Measurement>& readings);
+
 /// The first thing that keeps these readings from telling anything: none at all, a point of unknown place touched once,
 /// all at one posture, fewer numbers measured than free.
 [[nodiscard]] std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "calibration/reading_prediction.hpp"
+#include "calibration/reading_problems.hpp"
 
 namespace tubeplan::calibration {
 
@@ -122,16 +123,6 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
                           {}};
 }
 
-int numbersTold(const std::vector<Measurement>& readings) {
-  std::map<std::string, int> points;
-  int count = 0;
-  for (const auto& reading : readings) {
-    count += rowsOf(reading);
-    if (reading.kind == MeasurementKind::kTouch && !reading.p_W) points[reading.point] = 1;
-  }
-  return count - 3 * static_cast<int>(points.size());
-}
-
 /// So few that no error would show what is wrong with them.
 std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   constexpr int kLeastFreedom = 6;
@@ -139,13 +130,13 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   FreeChoice named = checked.free;
   std::erase(named.names, "geometry");
   const int free = static_cast<int>(chooseUnknowns(placed, named).list.size());
-  const int told = numbersTold(checked.readings);
-  if (told - free >= kLeastFreedom) return std::nullopt;
+  const int measured = numbersMeasured(checked.readings);
+  if (measured - free >= kLeastFreedom) return std::nullopt;
   return MeasurementCheck{"few-readings",
                           CheckSeverity::kRemark,
                           std::to_string(checked.readings.size()) +
                               (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
-                              std::to_string(told) + " numbers for the " + std::to_string(free) +
+                              std::to_string(measured) + " numbers for the " + std::to_string(free) +
                               " that are free: an error of the model would hardly show; measure more, or free fewer",
                           kNaN,
                           kNaN,
