@@ -269,7 +269,7 @@ std::vector<Explanation> competingExplanations(const PlacedArm& start, const std
     std::vector<Explanation> explanations;
     for (CompetingModel& model : found.work.models) {
       if (!model.is_fitted && isAsked(model)) fitModel(found.work, model);
-      if (model.is_fitted) explanations.push_back(model.fit);
+      if (model.is_fitted && std::isfinite(model.log_evidence)) explanations.push_back(model.fit);
     }
     std::stable_sort(explanations.begin(), explanations.end(),
                      [](const Explanation& a, const Explanation& b) { return a.criterion < b.criterion; });

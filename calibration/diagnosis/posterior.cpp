@@ -25,6 +25,9 @@ constexpr double kRemains = 0.5;
 
 double weightOf(const CompetingModel& model, double most) { return std::exp(model.logWeight() - most); }
 
+/// A model that could not be fitted explains nothing.
+bool hasFit(const CompetingModel& model) { return model.is_fitted && std::isfinite(model.log_evidence); }
+
 double mostOf(const DiagnosisWork& work) {
   double most = -std::numeric_limits<double>::infinity();
   for (const auto& model : work.models) most = std::max(most, model.logWeight());
@@ -226,7 +229,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
         both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both
                  : 0;
     one.probability = both;
-    if (model.is_fitted && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
+    if (hasFit(model) && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
   }
   for (auto& [causes, one] : classes) {
     if (!one.model) continue;
