@@ -26,8 +26,7 @@ std::vector<Eigen::VectorXd> workPostures(const Cell& cell, const Eigen::Isometr
   planner::CompensationOptions options;
   options.with_approach = false;
   const std::size_t most = deflection::isTurretArm(cell.arm) ? kHoles : kHolesOfSlowArms;
-  const std::size_t there = tubesheets::selectTubes(*cell.sheet, "all").tube_indices.size();
-  const auto spread = tubesheets::selectTubes(*cell.sheet, "spread:" + std::to_string(std::min(most, there)));
+  const auto spread = tubesheets::selectTubes(*cell.sheet, tubesheets::spreadRequest(*cell.sheet, most));
   for (const int tube : spread.tube_indices) {
     const auto hole = planner::holeCentre(cell.sheet->tubes[static_cast<std::size_t>(tube)]);
     const auto branches = planner::compensate(work, hole, options);

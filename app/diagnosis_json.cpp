@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/command_inputs.hpp"
 #include "app/diagnosis_views_json.hpp"
@@ -135,21 +135,30 @@ std::string inconclusiveSentence(const Diagnosis& result) {
                      100 * (1 - result.nothing_probability));
 }
 
-/// The explanations that are shown, with what they leave.
+nlohmann::json effectsJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
+  nlohmann::json effects = nlohmann::json::array();
+  for (const auto& effect : explanation.effects)
+    effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
+  return effects;
+}
+
+/// An explanation with what it leaves.
+nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
+  return {{"effects", effectsJson(explanation, result, units)},
+          {"chi2", finiteJson(explanation.chi2)},
+          {"probability", finiteJson(explanation.probability)},
+          {"remainder_probability", finiteJson(explanation.remainder_probability)},
+          {"p_value", finiteJson(explanation.p_value)},
+          {"rms", lengthJson(explanation.after.rms, units)},
+          {"heldout_rms", lengthJson(explanation.heldout.rms, units)}};
+}
+
+/// The explanations that are shown.
 nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& explanation : calibration::explanationsShown(result)) {
-    nlohmann::json effects = nlohmann::json::array();
-    for (const auto& effect : explanation.effects)
-      effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
-    list.push_back({{"effects", effects},
-                    {"chi2", finiteJson(explanation.chi2)},
-                    {"probability", finiteJson(explanation.probability)},
-                    {"remainder_probability", finiteJson(explanation.remainder_probability)},
-                    {"p_value", finiteJson(explanation.p_value)},
-                    {"rms", lengthJson(explanation.after.rms, units)},
-                    {"heldout_rms", lengthJson(explanation.heldout.rms, units)},
-                    {"enough", !result.alternatives.empty()}});
+    list.push_back(explanationJson(explanation, result, units));
+    list.back()["enough"] = !result.alternatives.empty();
   }
   return list;
 }
@@ -223,25 +232,10 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   nlohmann::json json = {
       {"verdict", nameOf(result.verdict)}, {"sentence", diagnosisSentence(result, units)}, {"units", unitsJson(units)}};
   json["alternatives"] = nlohmann::json::array();
-  for (const auto& alternative : result.alternatives) {
-    nlohmann::json effects = nlohmann::json::array();
-    for (const auto& effect : alternative.effects)
-      effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
-    json["alternatives"].push_back(effects);
-  }
+  for (const auto& alternative : result.alternatives)
+    json["alternatives"].push_back(effectsJson(alternative, result, units));
   json["closest"] = nlohmann::json::array();
-  for (const auto& explanation : result.closest) {
-    nlohmann::json effects = nlohmann::json::array();
-    for (const auto& effect : explanation.effects)
-      effects.push_back(effectJson(effect, result.baseline.fitted.arm, units));
-    json["closest"].push_back({{"effects", effects},
-                               {"chi2", finiteJson(explanation.chi2)},
-                               {"probability", finiteJson(explanation.probability)},
-                               {"remainder_probability", finiteJson(explanation.remainder_probability)},
-                               {"p_value", finiteJson(explanation.p_value)},
-                               {"rms", lengthJson(explanation.after.rms, units)},
-                               {"heldout_rms", lengthJson(explanation.heldout.rms, units)}});
-  }
+  for (const auto& explanation : result.closest) json["closest"].push_back(explanationJson(explanation, result, units));
   json["ranking"] = nlohmann::json::array();
   for (const auto& entry : result.ranking)
     json["ranking"].push_back(rankedJson(entry, result.baseline.fitted.arm, units));
@@ -303,8 +297,8 @@ std::string detectableText(const Diagnosis& result, const Units& units) {
   std::map<std::string, const calibration::DetectableEffect*> least;
   for (const auto& entry : result.detectable) {
     const auto*& kept = least[entry.effect];
-    if (!kept || std::make_pair(entry.is_beyond_plausible, entry.size) <
-                     std::make_pair(kept->is_beyond_plausible, kept->size))
+    if (!kept ||
+        std::make_pair(entry.is_beyond_plausible, entry.size) < std::make_pair(kept->is_beyond_plausible, kept->size))
       kept = &entry;
   }
   std::string text = least.empty() ? "" : "  the least that would have been seen, four times in five:\n";

@@ -55,12 +55,13 @@ struct Decision {
   std::string reason;
 };
 
-/// Of those that were judged the one that does best where it was not fitted.
-const Explanation* bestCarried(const std::vector<Explanation>& explanations) {
+/// Of those that were judged and are worth it the one that does best on the farthest poses.
+template <class IsWorthIt>
+const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
   const Explanation* best = nullptr;
-  for (const auto& explanation : explanations)
-    if (std::isfinite(explanation.farthest.rms) && (!best || explanation.farthest.rms < best->farthest.rms))
-      best = &explanation;
+  for (const auto& one : explanations)
+    if (std::isfinite(one.farthest.rms) && isWorthIt(one) && (!best || one.farthest.rms < best->farthest.rms))
+      best = &one;
   return best;
 }
 
@@ -69,7 +70,7 @@ Decision amongEquals(const Diagnosis& diagnosis, const Units& units) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
     if (std::isfinite(alternative.apart)) widest = std::max(widest, alternative.apart);
-  const Explanation* best = bestCarried(diagnosis.alternatives);
+  const Explanation* best = bestCarried(diagnosis.alternatives, [](const Explanation&) { return true; });
   const double gain = best ? diagnosis.heldout_before.rms - best->heldout.rms : 0;
   if (!best || !(widest <= gain))
     return {nullptr, ImprovementEnd::kAmbiguous,
@@ -84,13 +85,10 @@ Decision amongEquals(const Diagnosis& diagnosis, const Units& units) {
 
 /// No cause is sure: one is added only for what it does to readings that it was not fitted to, near and far.
 Decision amongUnsure(const Diagnosis& diagnosis) {
-  const auto isWorthIt = [&](const Explanation& one) {
+  const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
            one.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
-  };
-  const Explanation* best = nullptr;
-  for (const auto& one : diagnosis.closest)
-    if (isWorthIt(one) && (!best || one.farthest.rms < best->farthest.rms)) best = &one;
+  });
   if (!best)
     return {nullptr, ImprovementEnd::kNothingSure,
             "no cause is sure, and none lowers the error of readings kept out and of the farthest poses by 5 %"};

@@ -29,8 +29,7 @@ struct Reached {
 
 std::vector<int> holesToLookAt(const Cell& cell) {
   const std::size_t most = deflection::isTurretArm(cell.arm) ? kHoles : kHolesOfSlowArms;
-  const std::size_t count = std::min(most, tubesheets::selectTubes(*cell.sheet, "all").tube_indices.size());
-  return tubesheets::selectTubes(*cell.sheet, "spread:" + std::to_string(count)).tube_indices;
+  return tubesheets::selectTubes(*cell.sheet, tubesheets::spreadRequest(*cell.sheet, most)).tube_indices;
 }
 
 Reached reach(const Cell& cell, const calibration::PlacedArm& placed, const std::vector<int>& tubes,

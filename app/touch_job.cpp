@@ -93,10 +93,7 @@ void findWork(Job& job) {
 std::vector<int> spreadHoles(const Job& job) {
   const int count = job.request.candidates > 0 ? job.request.candidates : kHoles;
   const auto& sheet = job.sheet_cell->sheet;
-  return readTubes(
-             "spread:" + std::to_string(std::min<std::size_t>(static_cast<std::size_t>(count), sheet.tubes.size())),
-             sheet)
-      .tube_indices;
+  return readTubes(tubesheets::spreadRequest(sheet, static_cast<std::size_t>(count)), sheet).tube_indices;
 }
 
 /// The three holes nearest the base that can be touched and are not on a line.
@@ -229,10 +226,10 @@ void note(const Knowledge& knowledge, const Units& units, std::vector<std::strin
   if (!knowledge.note.empty())
     notes.push_back("the readings could not be fitted (" + knowledge.note + "): the cell's own values stand in");
   if (knowledge.model_error > 0)
-    notes.push_back(
-        fmt::format("lack of fit: beyond the stated noise the model is off by {:.4g} {} in each coordinate, which counts "
-                    "as noise of every reading",
-                    knowledge.model_error / units.factor(dimension::kLength), units.length().name));
+    notes.push_back(fmt::format(
+        "lack of fit: beyond the stated noise the model is off by {:.4g} {} in each coordinate, which counts "
+        "as noise of every reading",
+        knowledge.model_error / units.factor(dimension::kLength), units.length().name));
   if (knowledge.start.placings.size() > 1)
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(knowledge) + "'");
 }
@@ -241,7 +238,8 @@ void note(const Knowledge& knowledge, const Units& units, std::vector<std::strin
 void learn(Job& job, const std::string& named_by) {
   auto& outcome = job.outcome;
   if (wants(job, "parameters")) {
-    job.of_numbers = knowledgeOf(outcome.cell, job.readings, {job.request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
+    job.of_numbers = knowledgeOf(outcome.cell, job.readings,
+                                 {job.request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
     note(*job.of_numbers, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*job.of_numbers);
     outcome.cell = cellAsKnown(outcome.cell, *job.of_numbers);
@@ -284,8 +282,8 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
 TouchOutcome proposeTouches(const TouchRequest& asked) {
   Cell cell = readCell(asked.cell);
   const TouchRequest request = completed(asked, cell);
-  const auto made = readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength),
-                                 request.assume);
+  const auto made =
+      readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength), request.assume);
   TouchOutcome outcome = proposeTouches(asked, cell, made.readings);
   outcome.checks = made.checks;
   return outcome;

@@ -13,10 +13,8 @@
 namespace tubeplan::app {
 
 std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count) {
-  const std::size_t there = tubesheets::selectTubes(cell.sheet, "all").tube_indices.size();
-  const auto selection =
-      tubesheets::selectTubes(cell.sheet, "spread:" + std::to_string(std::min<std::size_t>(count, there)));
-  return touchCandidates(cell, selection.tube_indices);
+  const std::string spread = tubesheets::spreadRequest(cell.sheet, static_cast<std::size_t>(count));
+  return touchCandidates(cell, tubesheets::selectTubes(cell.sheet, spread).tube_indices);
 }
 
 std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, const std::vector<int>& tubes) {

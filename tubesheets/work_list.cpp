@@ -186,6 +186,11 @@ Selection selectTubes(const Sheet& sheet, const std::string& request) {
   return selection;
 }
 
+std::string spreadRequest(const Sheet& sheet, std::size_t most) {
+  const std::size_t there = selectTubes(sheet, "all").tube_indices.size();
+  return "spread:" + std::to_string(std::max<std::size_t>(1, std::min(most, there)));
+}
+
 Selection selectTubes(const Sheet& sheet, const WorkList& list) {
   if (list.status != WorkListStatus::kRead)
     return refuse(list.problem ? list.problem->sentence() : "the work list has not been read");

@@ -39,6 +39,9 @@ struct Selection {
 /// empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const std::string& request);
 
+/// "spread:N" for at most so many of the tubes that take a tool.
+[[nodiscard]] std::string spreadRequest(const Sheet& sheet, std::size_t most);
+
 /// One line of a list.
 struct WorkListItem {
   int row = 0;

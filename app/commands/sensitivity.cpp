@@ -42,8 +42,7 @@ struct Touchable {
 Touchable touchableHoles(planner::Workcell work) {
   work.load = 0;
   Touchable touchable{{}, touchSigmaOf(work.tool)};
-  const auto count = std::min<std::size_t>(kTouchable, work.sheet.tubes.size());
-  const auto tubes = readTubes("spread:" + std::to_string(count), work.sheet).tube_indices;
+  const auto tubes = readTubes(tubesheets::spreadRequest(work.sheet, kTouchable), work.sheet).tube_indices;
   for (const auto& hole : reachHoles(work, tubes, false)) {
     const auto& tube = work.sheet.tubes[static_cast<std::size_t>(hole.tube)];
     touchable.plans.push_back({"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), hole.q});

@@ -353,13 +353,6 @@ Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cau
   return best;
 }
 
-std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
-  std::vector<int> causes;
-  for (const ModelTerm& term : terms) causes.push_back(term.cause);
-  std::sort(causes.begin(), causes.end());
-  return causes;
-}
-
 /// The models with one cause more, most probable first: of every cause its best term beside what each of the seeds has.
 std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
@@ -428,6 +421,13 @@ void fitLeaders(DiagnosisWork& work) {
 }
 
 }  // namespace
+
+std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
+  std::vector<int> causes;
+  for (const ModelTerm& term : terms) causes.push_back(term.cause);
+  std::sort(causes.begin(), causes.end());
+  return causes;
+}
 
 void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model) {
   model.log_evidence = -std::numeric_limits<double>::infinity();

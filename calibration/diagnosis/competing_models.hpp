@@ -40,6 +40,9 @@ struct CompetingModel {
   [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
 };
 
+/// Their causes, ascending.
+[[nodiscard]] std::vector<int> causesOf(const std::vector<ModelTerm>& terms);
+
 /// One view of the noise, and all evidence under it.
 struct NoiseHypothesis {
   double model_error = 0;  ///< m

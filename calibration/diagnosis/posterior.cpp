@@ -40,13 +40,6 @@ double totalOf(const DiagnosisWork& work, double most) {
   return total;
 }
 
-std::vector<int> causesOf(const CompetingModel& model) {
-  std::vector<int> causes;
-  for (const ModelTerm& term : model.terms) causes.push_back(term.cause);
-  std::sort(causes.begin(), causes.end());
-  return causes;
-}
-
 /// The one cause that each has and the other has not; nothing where they differ in more.
 std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> only_a, only_b;
@@ -153,13 +146,13 @@ std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterio
 CompetingModel modelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
   const CompetingModel* found = nullptr;
   for (const CompetingModel& model : work.models) {
-    const bool is_exact = causesOf(model) == causes;
-    if (is_exact || (!found && holds(causesOf(model), causes))) found = &model;
+    const bool is_exact = causesOf(model.terms) == causes;
+    if (is_exact || (!found && holds(causesOf(model.terms), causes))) found = &model;
     if (is_exact) break;
   }
   if (!found) return {};
   CompetingModel model = *found;
-  if (causesOf(model) == causes && model.is_fitted) return model;
+  if (causesOf(model.terms) == causes && model.is_fitted) return model;
   std::erase_if(model.terms, [&](const ModelTerm& term) {
     return std::find(causes.begin(), causes.end(), term.cause) == causes.end();
   });
@@ -223,7 +216,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
       posterior.unknown = probability * model.discrepancy_probability;
       continue;
     }
-    ModelClass& one = classes[causesOf(model)];
+    ModelClass& one = classes[causesOf(model.terms)];
     const double both = one.probability + probability;
     one.remainder_probability =
         both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both
@@ -284,7 +277,7 @@ void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
   std::map<int, double> probability;
   std::map<int, const CompetingModel*> alone;
   for (const CompetingModel& model : work.models) {
-    for (const int cause : causesOf(model)) probability[cause] += weightOf(model, most) / total;
+    for (const int cause : causesOf(model.terms)) probability[cause] += weightOf(model, most) / total;
     if (model.terms.size() == 1) alone[model.terms.front().cause] = &model;
   }
   const NoiseHypothesis& noise = work.noise.back();

@@ -284,10 +284,11 @@ MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnit
 }
 
 std::string findUndefinedFormula(const Arm& arm, const Posture& posture) {
+  Situation<double> situation(arm, posture);
   for (const Effect& effect : arm.effects) {
     if (!effect.formula) continue;
     const Formula& formula = *effect.formula;
-    const auto at = user_formula::inputsOf(effect, arm, posture);
+    const auto at = user_formula::inputsOf(effect, situation);
     if (!std::isfinite(formula.expression->value(at))) return user_formula::undefinedText(formula, at);
     for (std::size_t k = 0; k < at.size(); ++k)
       if (!std::isfinite(formula.expression->slope(at, k)))

@@ -18,7 +18,9 @@ inline constexpr const char* kName = "formula";
 
 /// A symbol in the units of the formula.
 template <class S>
-S valueOf(const FormulaSymbol& symbol, const ArmOf<S>& given, const PostureOf<S>& asked) {
+S valueOf(const FormulaSymbol& symbol, Situation<S>& situation) {
+  const ArmOf<S>& given = situation.given;
+  const PostureOf<S>& asked = situation.asked;
   using Of = FormulaSymbol::Of;
   const auto inUnit = [&](const S& internal) { return internal / symbol.unit - S(symbol.zero); };
   switch (symbol.of) {
@@ -27,7 +29,7 @@ S valueOf(const FormulaSymbol& symbol, const ArmOf<S>& given, const PostureOf<S>
     case Of::kSense:
       return asked.senses.empty() ? S(0) : S(asked.senses[jointIndexOf(given, symbol.row)]);
     case Of::kMoment:
-      return inUnit(rigidMoments(given, asked)[static_cast<std::size_t>(symbol.row)][symbol.axis]);
+      return inUnit(rigidMomentOf(situation, symbol.row)[symbol.axis]);
     case Of::kLoad:
       return inUnit(asked.load);
     case Of::kTemperature:
@@ -40,10 +42,10 @@ S valueOf(const FormulaSymbol& symbol, const ArmOf<S>& given, const PostureOf<S>
 
 /// What the expression is asked at, name by name.
 template <class S>
-std::vector<S> inputsOf(const EffectOf<S>& effect, const ArmOf<S>& given, const PostureOf<S>& asked) {
+std::vector<S> inputsOf(const EffectOf<S>& effect, Situation<S>& situation) {
   std::vector<S> at;
   for (const Formula::Input& input : effect.formula->inputs)
-    at.push_back(input.parameter < 0 ? valueOf(input.symbol, given, asked)
+    at.push_back(input.parameter < 0 ? valueOf(input.symbol, situation)
                                      : S(effect.values[input.parameter] / effect.formula->units[input.parameter]));
   return at;
 }
@@ -53,7 +55,7 @@ std::string undefinedText(const Formula& formula, const std::vector<double>& at)
 template <class S>
 void apply(const EffectOf<S>& effect, Situation<S>& situation) {
   const Formula& formula = *effect.formula;
-  const std::vector<S> at = inputsOf(effect, situation.given, situation.asked);
+  const std::vector<S> at = inputsOf(effect, situation);
   const S added = formula.expression->value(at) * formula.unit;
   if constexpr (std::is_same_v<S, double>)
     if (!std::isfinite(added)) situation.undefined = undefinedText(formula, at);
