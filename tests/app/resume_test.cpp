@@ -50,7 +50,7 @@ class Resume : public ProgramTest {
 };
 
 TEST_F(Resume, AnInterruptedPlanGoesOnToTheSameBytes) {
-  const std::string question = mockupPlan("--tubes spread:220 --seed 3");
+  const std::string question = mockupPlan("--tubes spread:520 --seed 3");
   const int status = interrupted(question, "stopped", SIGINT);
   ASSERT_TRUE(WIFEXITED(status)) << "ended by a signal";
   ASSERT_EQ(WEXITSTATUS(status), 130) << contentOf(folder / "stopped.txt");
@@ -65,9 +65,9 @@ TEST_F(Resume, AnInterruptedPlanGoesOnToTheSameBytes) {
   const Outcome other = run(mockupPlan("--tubes spread:220 --seed 4 --resume --out stopped"));
   EXPECT_EQ(other.exit_code, 2);
   expectSays(other.err, "another seed (3, now 4)");
-  const Outcome list = run(mockupPlan("--tubes spread:210 --seed 3 --load 5 --resume --out stopped"));
+  const Outcome list = run(mockupPlan("--tubes spread:510 --seed 3 --load 5 --resume --out stopped"));
   EXPECT_EQ(list.exit_code, 2);
-  expectSays(list.err, "another list of tubes (220 tubes");
+  expectSays(list.err, "another list of tubes (520 tubes");
   expectSays(list.err, "another load (0 N, now 22.");
   EXPECT_EQ(contentOf(folder / "stopped/progress.json"), kept);
 
@@ -80,7 +80,7 @@ TEST_F(Resume, AnInterruptedPlanGoesOnToTheSameBytes) {
 }
 
 TEST_F(Resume, AKilledPlanGoesOnByItselfAndLeavesNoScraps) {
-  const std::string question = mockupPlan("--tubes spread:200 --seed 5");
+  const std::string question = mockupPlan("--tubes spread:500 --seed 5");
   const int status = interrupted(question, "killed", SIGKILL);
   ASSERT_TRUE(WIFSIGNALED(status));
   const Outcome resumed = run(question + " --out killed");
