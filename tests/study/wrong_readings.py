@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1]: plausible wrong readings through the real commands.
+"""wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1] [--command NAME]: plausible wrong readings through the real commands.
 
 Readings are simulated, then spoilt as people spoil them: other units, signs, orders, zeros, shifted or lost rows, single
 digits, a few readings of a single posture. Each spoilt file goes through one command. No run may crash, hang, end with
@@ -17,10 +17,13 @@ import subprocess
 import sys
 import tempfile
 
+from workbench_client import Workbench, WorkbenchLost
+
 CELLS = [("bench.yaml", "bench"), ("bowl.yaml", "bowl"), ("bowl.yaml", "bench"), ("bowl.yaml", "touch")]
 EFFECTS = ["", "backlash@tool.z", "joint-offset@theta3", "tool-weight@tool", "hysteresis@theta2"]
 SIZES = [2, 3, 4, 6, 9, 12, 18, 24]
-COMMANDS = ["compare", "identify", "diagnose", "improve", "ladder", "touches", "sensitivity"]
+COMMANDS = ["compare", "identify", "diagnose", "improve", "ladder", "touches", "sensitivity", "serve"]
+JOBS = ["compare", "diagnose", "identify", "ladder", "improve", "add", "touches"]  # of a served workbench
 ASSUMPTIONS = ["coordinates=mm", "angles=rad", "mirror=y", "joint-sign=theta3", "joint-zero=theta4:90", "joint-order=theta3:theta4",
                "shift=1", "loads=N", "sigma=mil", "base=unknown", "axes=yxz", "as-is", "coordinates=parsec", "nonsense=1", "shift="]
 NO_NUMBER = re.compile(r"(?<![A-Za-z])-?(nan|inf)(?![A-Za-z])", re.IGNORECASE)
@@ -160,21 +163,45 @@ def complaint(done, as_json):
     if "internal error" in done.stderr:
         return done.stderr[-300:]
     if as_json and done.returncode != 2:
-        def refuse(word):
-            raise ValueError(f"{word} in the JSON")
         try:
-            json.loads(done.stdout, parse_constant=refuse)
+            json.loads(done.stdout, parse_constant=refuse_constant)
         except ValueError as error:
             return f"no JSON: {error}"
     found = NO_NUMBER.search(done.stdout)
     return f"'{found.group()}' in: {done.stdout[max(0, found.start() - 80):found.end() + 20]!r}" if found else ""
 
 
-def attempt(program, cells, seed):
-    """Spoils one set and runs one command: what happened, and what is wrong with it."""
+def refuse_constant(word):
+    raise ValueError(f"{word} in the JSON")
+
+
+def serve(program, cell, folder, rng):
+    """Opens the readings in a workbench and runs some of its jobs: what is wrong, nothing where all is right."""
+    bench = Workbench(program, [cell, "m.csv"], folder, SECONDS)
+    try:
+        if bench.code is not None:
+            return "" if bench.code == 2 and bench.words().strip() else f"exit code {bench.code}: {bench.words()[-300:]}"
+        for job in rng.sample(JOBS, 3):
+            body = {"causes": [rng.choice(EFFECTS[1:])]} if job == "add" else {"goal": "parameters"} if job == "touches" else {}
+            refused = bench.job(job, body)
+            if "internal error" in refused or "assertion" in refused:
+                return f"{job}: {refused}"
+            for text in (bench.result(job if job != "add" else "identify"), bench.ask("api/state")[1]):
+                json.loads(text, parse_constant=refuse_constant)
+                if NO_NUMBER.search(text):
+                    return f"{job}: no number in {text[max(0, NO_NUMBER.search(text).start() - 80):][:160]}"
+    except (WorkbenchLost, ValueError) as error:
+        return str(error)
+    finally:
+        code = bench.end()
+    return "" if code in (0, 130) else f"serve ended with {code}"
+
+
+def attempt(program, cells, seed, command):
+    """Spoils one set and runs one command, the seed's own where none is named: what happened, and what is wrong with it."""
     rng = random.Random(seed)
     cell, design = rng.choice(CELLS)
-    effect, size, command = rng.choice(EFFECTS), rng.choice(SIZES), COMMANDS[seed % len(COMMANDS)]
+    effect, size, command = rng.choice(EFFECTS), rng.choice(SIZES), command or COMMANDS[seed % len(COMMANDS)]
     with tempfile.TemporaryDirectory() as folder:
         cell = str(cells / cell)
         hide = ["--hide", effect] if effect else []
@@ -187,6 +214,8 @@ def attempt(program, cells, seed):
         for spoil in spoils:
             spoil(table, rng)
         (pathlib.Path(folder) / "m.csv").write_text(table.text())
+        if command == "serve":
+            return f"seed {seed}: {design} {size} {effect or 'nothing hidden'}: serve", serve(program, cell, folder, rng)
         words = arguments(command, cell, rng)
         what = f"seed {seed}: {design} {size} {effect or 'nothing hidden'}: {' '.join(words)}"
         try:
@@ -206,12 +235,13 @@ def main():
     parser.add_argument("--runs", type=int, default=5000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--command", choices=COMMANDS, help="the only one to run")
     asked = parser.parse_args()
     program, cells = str(asked.program.resolve()), asked.cells.resolve()
     wrong = made = 0
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         seeds = range(asked.seed, asked.seed + asked.runs)
-        for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed), seeds):
+        for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, asked.command), seeds):
             made += what is not None
             if complaint_found:
                 wrong += 1
