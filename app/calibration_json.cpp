@@ -95,8 +95,9 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
   text +=
       fmt::format("sigma position {:.4f} {:.4f} {:.4f} {}  turn {:.4f} {:.4f} {:.4f} {}\n", length(sigma[0]),
                   length(sigma[1]), length(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
-  text += fmt::format("fit   rms {:.4f} {}, chi-square {:.2f} for {} degrees of freedom (p = {:.3g})\n",
-                      length(result.rms), unit, result.chi2, result.degrees_of_freedom, result.p_value);
+  text += fmt::format("fit   rms {:.4f} {}, chi-square {:.2f} for {} degrees of freedom{}\n", length(result.rms), unit,
+                      result.chi2, result.degrees_of_freedom,
+                      result.degrees_of_freedom > 0 ? fmt::format(" (p = {:.3g})", result.p_value) : "");
   for (const auto& touch : result.residuals)
     text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole,
                         length(touch.residual_W.x()), length(touch.residual_W.y()), length(touch.residual_W.z()), unit);

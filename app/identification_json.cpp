@@ -164,8 +164,10 @@ std::string identificationText(const Identification& result, const std::vector<c
   text += sizeText("held out, identified", result.heldout, units);
   if (result.numbers.empty()) return text;
   text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthFigure(result.noise_floor, units));
-  text += fmt::format("chi-square {:.1f} for {} degrees of freedom ({:.2f} each, p = {:.3g})\n", result.chi2,
-                      result.degrees_of_freedom, result.chi2 / std::max(1, result.degrees_of_freedom), result.p_value);
+  text += fmt::format("chi-square {:.1f} for {} degrees of freedom", result.chi2, result.degrees_of_freedom);
+  text += result.degrees_of_freedom > 0
+              ? fmt::format(" ({:.2f} each, p = {:.3g})\n", result.chi2 / result.degrees_of_freedom, result.p_value)
+              : std::string(": nothing is left to judge the fit by\n");
   if (result.model_error > 0)
     text += fmt::format(
         "lack of fit: beyond the stated noise the model is off by {} {} in each coordinate (one standard deviation); "
