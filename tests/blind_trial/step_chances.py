@@ -1,0 +1,167 @@
+#!/usr/bin/python3
+"""step_chances.py TUBEPLAN [--runs 1000] [--seed 1] [--touches 3] [--hidden mixed|effects|odd|stiffnesses] [--jobs 1]
+
+Step probabilities held against true arms of this folder's physics: stiffnesses off by up to a tenth, a base off by
+millimetres, and up to two effects that the model lacks, of the catalogue or not. The program is given the touches that
+such an arm made; it plans visits and predicts how many steps of the tool go in. The true arm then drives there.
+Right where predicted and happened agree within 3 % for each number of steps.
+"""
+import os
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import argparse
+import concurrent.futures
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+import yaml
+
+from arm_description import CELLS, read_arm
+from arm_physics import Numbers, measured, solve
+from designs import Design, identified, reach, true_arm
+from effect_shapes import DEG
+from effects import CATALOGUE
+from odd_effects import ODD
+from rotations import turned
+from session import draw_session
+from signatures import linearise
+
+CELL = CELLS / "mockup.yaml"
+WITHIN = .03
+CANDIDATES, TILES = 150, 3          # spread holes to draw from; touches lie in so many different parts of the sheet
+UNSEEN = ("thermal-growth", "base-slip", "base-drift", "scale-error")      # of time, or of an instrument that is not used
+KINDS = {"mixed": (0, 2), "effects": (1, 2), "odd": (1, 1), "stiffnesses": (0, 0)}
+
+
+def to_base(places):
+    """Sheet coordinates, in, as seen from the nominal base, which is turned by -90 deg about z."""
+    x, y, z = (np.asarray(places) - yaml.safe_load(CELL.read_text())["base"]["position"]).T
+    return np.stack([-y, x, z], axis=1)
+
+
+def plan(program, words, folder):
+    done = subprocess.run([program, "plan", str(CELL)] + words + ["--out", "plan"], cwd=folder, capture_output=True, text=True)
+    if done.returncode == 2:
+        raise SystemExit(done.stderr)
+    path = pathlib.Path(folder) / "plan/plan.json"
+    return json.loads(path.read_text()) if path.exists() else None
+
+
+def draw_effects(scene, arm, rng, hidden):
+    """[(effect, place, shape, size)] at work that needs neither clock nor thermometer."""
+    fewest, most = KINDS[hidden]
+    usual = [effect for effect in CATALOGUE if effect.name not in UNSEEN]
+    found = []
+    for _ in range(rng.integers(fewest, most + 1)):
+        table = ODD if hidden == "odd" or (hidden == "mixed" and rng.uniform() < .3) else usual
+        effect = table[rng.integers(len(table))]
+        place = str(rng.choice(effect.places(arm)))
+        size = np.exp(rng.uniform(np.log(effect.low), np.log(effect.high)))
+        found.append((effect, place, effect.shapes(rng, arm, place, scene), float(size)))
+    return found
+
+
+def draw_holes(holes, count, touches, rng):
+    """Indices of holes, the touched ones first and at least 20 in apart."""
+    while True:
+        chosen = rng.permutation(len(holes))[:count]
+        places = np.array([holes[k]["hole"] for k in chosen[:touches]])
+        apart = np.linalg.norm(places[:, None] - places[None], axis=2)[np.triu_indices(touches, 1)]
+        if apart.min() >= 20.:
+            return [holes[k] for k in chosen]
+
+
+def touches_csv(chosen, session, sigma):
+    rows = ["id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,sigma_in,theta1_dir,theta2_dir,theta3_dir,theta4_dir"]
+    for k, hole in enumerate(chosen):
+        angles = ",".join(f"{angle / DEG:.10f}" for angle in session.q[k])
+        rows.append(f"{k + 1},touch,{hole['name']},{angles},{sigma},{','.join(str(way) for way in session.direction[k])}")
+    return "\n".join(rows) + "\n"
+
+
+def steps_inserted(tool, offset, lean):
+    """How many steps of the tool go in: the offset within each step's tolerance at its top and at its bottom."""
+    below = entered = 0
+    for step, length in zip(tool["steps"], tool["lengths"]):
+        for depth in (below, below + length):
+            if np.linalg.norm(offset - depth * lean) > step["tolerance"]:
+                return entered
+        below, entered = below + length, entered + 1
+    return entered
+
+
+def trial(program, holes, asked, seed):
+    """Sums over the visited holes: predicted and happened by number of steps; None where nothing was calibrated."""
+    rng = np.random.default_rng([asked.seed, seed])
+    drawn_arm = read_arm()
+    arm, tool = true_arm(drawn_arm, rng), yaml.safe_load(CELL.read_text())["calibration_tool"]
+    sigma = tool["steps"][-1]["tolerance"] / 2
+    chosen = draw_holes(holes, asked.touches + asked.holes, asked.touches, rng)
+    q, targets = np.radians([hole["joints"] for hole in chosen]), to_base([hole["hole"] for hole in chosen])
+    session = draw_session(q, np.zeros(len(q)), rng)
+    design = Design("bowl", arm, session, targets, q[:, 1:].sum(1), np.arange(len(q)), rng.normal(0., .16, 3), rng.normal(0., .004, 3))
+    scene = linearise(arm, session, design.numbers(session), sigma, drawn_arm.encoder_sigma, identified(drawn_arm))
+    hidden = draw_effects(scene, arm, rng, asked.hidden)
+    touched = reach(design, hidden, targets + rng.normal(0., sigma, targets.shape))
+    if not np.all(np.isfinite(touched[:asked.touches])):
+        return None
+    session.q = touched + rng.normal(0., drawn_arm.encoder_sigma, touched.shape)
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:asked.touches], session, sigma))
+        tubes = ",".join(hole["name"] for hole in chosen[asked.touches:])
+        planned = plan(program, ["--touches", "t.csv", "--tubes", tubes], folder)
+    visits = [tube for tube in planned["tubes"] if tube["probability_by_steps"]] if planned else []
+    if not visits:
+        return None
+    q = np.radians([tube["joints"] for tube in visits]) + rng.normal(0., drawn_arm.encoder_sigma, (len(visits), 4))
+    at_work = draw_session(q, np.zeros(len(q)), rng)
+    numbers = Numbers.nominal(arm, q, at_work.load)
+    numbers.base_position += design.base_position
+    numbers.base_turn += design.base_turn
+    for effect, place, shape, size in hidden:
+        effect.apply(numbers, arm, at_work, place, shape, size)
+    state = solve(arm, numbers)
+    off = measured(numbers, state) - to_base([tube["hole"] for tube in visits])
+    axis = turned(state.R_tip, np.broadcast_to(tool_axis(arm), off.shape))
+    happened = np.zeros(len(tool["steps"]) + 1)
+    for offset, up in zip(off, axis):
+        happened[steps_inserted(tool, offset[:2], up[:2] / up[2])] += 1
+    return np.sum([tube["probability_by_steps"] for tube in visits], axis=0), happened
+
+
+def tool_axis(arm):
+    """The calibration tool's axis in the last frame: square to the tool link, as the tip stands on it."""
+    return np.array([0., 1., 0.]) * np.sign(arm.tip[1])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=lambda word: str(pathlib.Path(word).resolve()))
+    parser.add_argument("--runs", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--touches", type=int, default=3)
+    parser.add_argument("--holes", type=int, default=10)
+    parser.add_argument("--hidden", choices=KINDS, default="mixed")
+    parser.add_argument("--jobs", type=int, default=1)
+    asked = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        holes = plan(asked.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
+    with concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
+        found = [one for one in pool.map(trial, *zip(*[(asked.program, holes, asked, k) for k in range(asked.runs)])) if one]
+    predicted, happened = (np.array(column) for column in zip(*found))
+    count = happened.sum()
+    off = (predicted - happened).sum(0) / count
+    error = np.sqrt(((predicted - happened) ** 2).sum(0)) / count
+    print(f"{asked.touches} touches, {asked.hidden}: {len(found)} of {asked.runs} arms calibrated, {int(count)} holes")
+    print("  steps      predicted   happened   difference  (standard error)")
+    for k in range(len(off)):
+        print(f"  {k:5d}      {100 * predicted[:, k].sum() / count:8.1f} %  {100 * happened[:, k].sum() / count:8.1f} %  {100 * off[k]:+9.1f} %  ({100 * error[k]:.1f} %)")
+    sys.exit(bool(np.abs(off).max() > WITHIN))
+
+
+if __name__ == "__main__":
+    main()
