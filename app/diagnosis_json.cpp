@@ -119,14 +119,29 @@ std::string followsText(const calibration::Remainder& remainder) {
 std::string remainderText(const Diagnosis& result, const Units& units) {
   const auto& remainder = result.remainder;
   if (!std::isfinite(remainder.size)) return "";
+  if (remainder.follows.empty())
+    return lengthText(remainder.size, units) + " remains that follows nothing that the readings state";
   return fmt::format("{} remains that no known effect explains{}", lengthText(remainder.size, units),
                      followsText(remainder));
 }
 
 std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
+  if (result.isScatterAlone())
+    return fmt::format(
+        "The readings scatter by {} beyond their stated noise, and it follows nothing that they state: sigma is stated "
+        "too small, the arm does not repeat, or it heeds something unrecorded.",
+        lengthText(result.remainder.size, units));
   const std::string rest = remainderText(result, units);
   return fmt::format("Something is missing, and no known effect is sure to be part of it{}.",
                      rest.empty() ? "" : ": " + rest);
+}
+
+std::string ambiguousSentence(const Diagnosis& result) {
+  if (result.alternatives.size() == 1)
+    return fmt::format("Most likely {} is missing, but it may be something unknown (probability {:.0f} %).",
+                       namesText(result.alternatives.front()), 100 * result.unknown_probability);
+  return fmt::format("One of {} explanations is missing, which these readings cannot tell apart; first {}.",
+                     result.alternatives.size(), namesText(result.alternatives.front()));
 }
 
 std::string inconclusiveSentence(const Diagnosis& result) {
@@ -205,8 +220,7 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
                          lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
                          remainderText(result, units));
     case Verdict::kAmbiguous:
-      return fmt::format("One of {} explanations is missing, which these readings cannot tell apart; first {}.",
-                         result.alternatives.size(), namesText(result.alternatives.front()));
+      return ambiguousSentence(result);
     case Verdict::kUnexplained:
       return unexplainedSentence(result, units);
     case Verdict::kInconclusive:
@@ -248,7 +262,8 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["p_value"] = finiteJson(result.p_value);
   json["probability"] = {{"nothing_missing", finiteJson(result.nothing_probability)},
-                         {"unknown_alone", finiteJson(result.unknown_probability)}};
+                         {"unknown_alone", finiteJson(result.unknown_probability)},
+                         {"scatter_alone", finiteJson(result.scatter_probability)}};
   json["model_error"] = lengthJson(result.model_error, units);
   if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result.remainder, units);
   json["detectable"] = nlohmann::json::array();

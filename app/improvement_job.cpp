@@ -106,6 +106,10 @@ Decision decisionOn(const Diagnosis& diagnosis, const Units& units) {
     case Verdict::kAmbiguous:
       return amongEquals(diagnosis, units);
     case Verdict::kUnexplained:
+      if (diagnosis.isScatterAlone())
+        return {nullptr, ImprovementEnd::kAdequate,
+                fmt::format("what is left, {} beyond the stated noise, follows nothing that the readings state",
+                            lengthText(diagnosis.remainder.size, units))};
       return amongUnsure(diagnosis);
     default:
       return {nullptr, ImprovementEnd::kInconclusive,

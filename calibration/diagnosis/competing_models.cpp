@@ -23,10 +23,12 @@ namespace {
 
 // Probabilities beforehand: of so many causes, of an unknown discrepancy, of more noise than stated.
 constexpr std::array<double, 5> kCount{0.5, 0.35, 0.11, 0.03, 0.01};
-constexpr double kDiscrepancy = 0.1;
+constexpr double kDiscrepancy = 0.05;   // of all terms together ...
+constexpr double kSingleSource = 0.05;  // ... or of a single source
 constexpr double kMoreNoise = 0.1;
-// A size is as real machines have it, or now and then far beyond.
-constexpr std::array<std::array<double, 2>, 2> kSizes{{{0.5, 0.9}, {4, 0.1}}};  // sigma over the largest usual, share
+// A size is of any order up to what real machines have, or now and then far beyond.
+constexpr std::array<std::array<double, 2>, 4> kSizes{
+    {{0.5, 0.4}, {0.15, 0.3}, {0.04, 0.2}, {4, 0.1}}};  // sigma over the largest usual, share
 constexpr double kMisfit = 0.01;         // p of what the richest model leaves, below which the noise is doubted
 constexpr std::size_t kBlock = 1024;     // readings whose columns are in memory at once
 constexpr double kHopeless = 5;          // of log weight below nothing missing: from no such cause pairs are made
@@ -38,6 +40,7 @@ constexpr double kLeastVisible = 1;      // noise sigmas that a cause of the lar
 constexpr double kLeaderWindow = 8;      // of log weight behind the best: models that are fitted ...
 constexpr double kLeaderShare = 0.075;   // ... or a share of what the best gains, since linear evidence errs with it
 constexpr Eigen::Index kPrincipalTerms = 80;  // of the discrepancy, in the evidence of a fit
+constexpr double kMostForSources = 2e6;       // rows times terms, up to which single sources are weighed
 constexpr int kMostNumbers = 8;               // of a cause of which choices of some are tried
 
 std::vector<double> discrepancySizes(double noise) {
@@ -126,21 +129,32 @@ double degreesLeft(const DiagnosisWork& work) {
          numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
 }
 
-/// The discrepancy at all readings by its principal terms alone: what fits of their own are weighed with.
-void keepPrincipalTerms(const DiagnosisWork& work, NoiseHypothesis& noise) {
-  const MatrixXd& terms = noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
-  noise.discrepancy.resize(noise.weights.rows, terms.cols());
+/// The discrepancy at all readings: what fits of their own are weighed with. All terms together by the principal ones.
+void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
+  const auto& terms = work.discrepancy->terms();
+  noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
+  noise.discrepancy.resize(noise.weights.rows, noise.principal_terms.cols());
+  const bool has_sources =
+      static_cast<double>(noise.weights.rows) * static_cast<double>(terms.size()) < kMostForSources;
+  MatrixXd all(has_sources ? noise.weights.rows : 0, static_cast<Index>(terms.size()));
   for (const auto& which : blocksOf(work.basis.readings)) {
     goOn(work.basis.stop);
     const auto readings = picked(work.basis.readings, which);
     const auto weights = weighReadings(work.basis.fitted, readings, {}, noise.model_error, work.basis.stop);
     goOn(work.basis.stop);
     if (!weights) return;
-    const MatrixXd columns = work.discrepancy->columnsAt(readings, *weights) * terms;
-    for (std::size_t k = 0; k < readings.size(); ++k)
-      noise.discrepancy.middleRows(noise.weights.first_row[static_cast<std::size_t>(which[k])], rowsOf(readings[k])) =
-          columns.middleRows(weights->first_row[k], rowsOf(readings[k]));
+    const MatrixXd columns = work.discrepancy->columnsAt(readings, *weights);
+    const MatrixXd principal = columns * noise.principal_terms;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const int to = noise.weights.first_row[static_cast<std::size_t>(which[k])], rows = rowsOf(readings[k]);
+      noise.discrepancy.middleRows(to, rows) = principal.middleRows(weights->first_row[k], rows);
+      if (has_sources) all.middleRows(to, rows) = columns.middleRows(weights->first_row[k], rows);
+    }
   }
+  if (!has_sources) return;
+  std::vector<double> shares;
+  for (const auto& term : terms) shares.push_back(term.share);
+  noise.sources = std::make_unique<SingleSources>(std::move(all), work.discrepancy->sources(), shares);
 }
 
 /// Evidence under a noise; false where the model cannot be evaluated.
@@ -159,24 +173,36 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   const double floor = noiseFloor(work.basis.readings, work.basis.weights);
   noise.options.discrepancies = discrepancySizes(std::hypot(floor, std::sqrt(3.) * model_error));
   noise.options.discrepancy_prior = kDiscrepancy;
+  noise.options.source_prior = kSingleSource;
   if (model_error > 0)
     for (double scale = 0.7; scale < 1.5; scale *= 1.08) noise.options.noise_scales.push_back(scale);
   noise.options.noise_rows = degreesLeft(work);
   noise.evidence = std::make_unique<LinearEvidence>(gram, work.basis.unknowns, noise.options);
-  keepPrincipalTerms(work, noise);
+  keepDiscrepancy(work, noise);
   work.noise.push_back(std::move(noise));
   return true;
 }
 
-/// The coordinate's error beyond the stated noise that even an unknown function of the readings leaves; 0 where the
-/// noise is enough.
-double errorBeyondNoise(const DiagnosisWork& work) {
-  const LinearEvidence& evidence = *work.noise.front().evidence;
-  const RichestFit richest = evidence.richest();
-  const double freedom = work.noise.front().options.noise_rows - richest.numbers;
-  if (freedom < 3 || !(chiSquareTail(richest.chi2, freedom) < kMisfit)) return 0;
+/// The coordinate's error that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
+double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
+  if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kMisfit)) return 0;
   const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
-  return per_coordinate * std::sqrt(std::max(0.1, richest.chi2 / freedom - 1));
+  return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
+}
+
+/// That even an unknown function of the readings leaves.
+double errorBeyondRichest(const DiagnosisWork& work) {
+  const RichestFit richest = work.noise.front().evidence->richest();
+  return errorBeyondNoise(work, richest.chi2, work.noise.front().options.noise_rows - richest.numbers);
+}
+
+/// That the best of the models leaves; 0 where it says that a discrepancy makes it.
+double errorBeyondBest(const DiagnosisWork& work) {
+  const CompetingModel& best = work.models.front();
+  if (!best.is_fitted || best.discrepancy_probability > 0.5) return 0;
+  double numbers = 0;
+  for (const ModelTerm& term : best.terms) numbers += static_cast<double>(term.numbers.size());
+  return errorBeyondNoise(work, best.fit.chi2, work.noise.front().options.noise_rows - numbers);
 }
 
 /// The choices of a cause's numbers that are tried: all that there are of a few, else each alone and all.
@@ -286,17 +312,21 @@ double logSum(double a, double b) {
 }
 
 /// Takes one more view of noise or sizes into a model's evidence.
-void blend(CompetingModel& model, const Evidence& evidence, double log_share, const NoiseHypothesis& noise) {
+void blend(CompetingModel& model, const WeighedDiscrepancy& evidence, double log_share, const NoiseHypothesis& noise) {
   const double log = evidence.log + log_share + noise.log_prior;
   const double after = logSum(model.log_evidence, log);
   if (!std::isfinite(after)) return;
   const double share = std::exp(log - after);
   model.discrepancy_probability =
       (1 - share) * model.discrepancy_probability + share * evidence.discrepancy_probability;
-  model.more_noise_probability = (1 - share) * model.more_noise_probability + share * (noise.model_error > 0);
+  const double more_noise = noise.model_error > 0 ? 1 : 0;
+  model.more_noise_probability = (1 - share) * model.more_noise_probability + share * more_noise;
+  model.scatter_probability =
+      (1 - share) * model.scatter_probability + share * more_noise * (1 - evidence.discrepancy_probability);
   if (share > 0.5) {
     model.discrepancy = evidence.discrepancy;
     model.level = evidence.level;
+    model.source = evidence.source;
     model.model_error = noise.model_error > 0 ? noise.model_error * evidence.noise_scale : 0;
     model.sizes = evidence.sizes;
     model.sigma = evidence.sigma;
@@ -313,7 +343,7 @@ CompetingModel weigh(const DiagnosisWork& work, std::vector<ModelTerm> terms, do
   blendEvidence(
       work, hasEffects(work, model.terms),
       [&](const NoiseHypothesis& noise, std::size_t, double scale) {
-        return noise.evidence->of(sizesOf(work, model.terms, scale));
+        return WeighedDiscrepancy{noise.evidence->of(sizesOf(work, model.terms, scale)), {}};
       },
       model);
   return model;
@@ -399,11 +429,12 @@ std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models,
   return leaders;
 }
 
-/// Leaders are fitted until no other comes near the best of them.
+/// That of nothing missing, and leaders until no other comes near the best of them.
 void fitLeaders(DiagnosisWork& work) {
   auto& models = work.models;
-  const double nothing =
-      std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); })->logWeight();
+  const auto of_nothing = std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); });
+  const double nothing = of_nothing->logWeight();
+  fitModel(work, *of_nothing);
   const auto limit = static_cast<std::size_t>(work.options.most_leaders);
   for (std::size_t fitted = 0; fitted < 2 * limit;) {
     sortByWeight(models);
@@ -420,46 +451,8 @@ void fitLeaders(DiagnosisWork& work) {
   sortByWeight(models);
 }
 
-}  // namespace
-
-std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
-  std::vector<int> causes;
-  for (const ModelTerm& term : terms) causes.push_back(term.cause);
-  std::sort(causes.begin(), causes.end());
-  return causes;
-}
-
-void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model) {
-  model.log_evidence = -std::numeric_limits<double>::infinity();
-  model.discrepancy_probability = model.more_noise_probability = 0;
-  for (std::size_t n = 0; n < work.noise.size(); ++n) {
-    const NoiseHypothesis& noise = work.noise[n];
-    if (!has_effects) {
-      blend(model, of(noise, n, 1), 0, noise);
-      continue;
-    }
-    for (const auto& [scale, share] : kSizes) blend(model, of(noise, n, scale), std::log(share), noise);
-  }
-}
-
-double logDensityOf(const ReadingWeights& weights) {
-  double log = -0.5 * weights.rows * std::log(2 * std::numbers::pi);
-  for (const MatrixXd& whitener : weights.whitener) log += std::log(std::abs(whitener.determinant()));
-  return log;
-}
-
-bool linearize(DiagnosisWork& work) {
-  work.causes =
-      listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.causes, work.options.hooks);
-  work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
-  work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.readings);
-  if (!addNoise(work, 0, std::log1p(-kMoreNoise))) return false;
-  if (const double more = errorBeyondNoise(work); more > 0) return addNoise(work, more, std::log(kMoreNoise));
-  work.noise.front().log_prior = 0;
-  return true;
-}
-
-void findCompetingModels(DiagnosisWork& work) {
+/// All models by the noises there are.
+void compete(DiagnosisWork& work) {
   const CompetingModel nothing = weigh(work, {}, 0);
   work.models = {nothing};
   std::vector<CompetingModel> level{nothing};
@@ -474,6 +467,71 @@ void findCompetingModels(DiagnosisWork& work) {
     if (level.front().logWeight() < before - (depth == 1 ? kHopeless : 0)) break;
   }
   fitLeaders(work);
+}
+
+/// Takes in that the noise may be larger than stated.
+bool doubtNoise(DiagnosisWork& work, double model_error) {
+  work.noise.front().log_prior = std::log1p(-kMoreNoise);
+  return addNoise(work, model_error, std::log(kMoreNoise));
+}
+
+}  // namespace
+
+std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
+  std::vector<int> causes;
+  for (const ModelTerm& term : terms) causes.push_back(term.cause);
+  std::sort(causes.begin(), causes.end());
+  return causes;
+}
+
+void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model) {
+  model.log_evidence = -std::numeric_limits<double>::infinity();
+  model.discrepancy_probability = model.more_noise_probability = model.scatter_probability = 0;
+  for (std::size_t n = 0; n < work.noise.size(); ++n) {
+    const NoiseHypothesis& noise = work.noise[n];
+    if (!has_effects) {
+      blend(model, of(noise, n, 1), 0, noise);
+      continue;
+    }
+    for (const auto& [scale, share] : kSizes) blend(model, of(noise, n, scale), std::log(share), noise);
+  }
+}
+
+WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& single, const EvidenceOptions& options) {
+  WeighedDiscrepancy weighed{evidence, {}};
+  const double none = 1 - options.discrepancy_prior - options.source_prior;
+  const double log_single = evidence.log_none + std::log(options.source_prior / none) + single.log_factor;
+  if (!std::isfinite(log_single)) return weighed;
+  weighed.log = logSum(evidence.log, log_single);
+  const double log_all_terms = std::log(std::max(1e-300, evidence.discrepancy_probability)) + evidence.log;
+  weighed.discrepancy_probability = -std::expm1(evidence.log_none - weighed.log);
+  if (log_single < std::max(log_all_terms, evidence.log_none)) return weighed;
+  weighed.source = single;
+  weighed.discrepancy = single.size;
+  return weighed;
+}
+
+double logDensityOf(const ReadingWeights& weights) {
+  double log = -0.5 * weights.rows * std::log(2 * std::numbers::pi);
+  for (const MatrixXd& whitener : weights.whitener) log += std::log(std::abs(whitener.determinant()));
+  return log;
+}
+
+bool linearize(DiagnosisWork& work) {
+  work.causes =
+      listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.causes, work.options.hooks);
+  work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
+  work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.readings);
+  if (!addNoise(work, 0, 0)) return false;
+  const double more = errorBeyondRichest(work);
+  return !(more > 0) || doubtNoise(work, more);
+}
+
+void findCompetingModels(DiagnosisWork& work) {
+  compete(work);
+  if (work.noise.size() > 1) return;
+  const double more = errorBeyondBest(work);
+  if (more > 0 && doubtNoise(work, more)) compete(work);
 }
 
 }  // namespace tubeplan::calibration

@@ -12,6 +12,7 @@
 #include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/diagnosis/linear_evidence.hpp"
 #include "calibration/diagnosis/signatures.hpp"
+#include "calibration/diagnosis/single_source.hpp"
 
 namespace tubeplan::calibration {
 
@@ -32,8 +33,11 @@ struct CompetingModel {
   std::size_t level = 0;               ///< of that size, among those tried
   double model_error = 0;              ///< m, of each coordinate beyond the stated noise, most probable
   double more_noise_probability = 0;   ///< that the noise is larger than stated
+  double scatter_probability = 0;      ///< the same, and no discrepancy
   Eigen::VectorXd sizes, sigma;        ///< of the terms' numbers, one after another, in units
-  Eigen::VectorXd remainder_weights;   ///< of the discrepancy's principal terms, most probable; of a fit, empty: none
+  SourceEvidence source;               ///< of the discrepancy where it is most probably of a single source
+  Eigen::VectorXd remainder;           ///< of a fit: whitened errors of the discrepancy, most probable; empty: none
+  Eigen::VectorXd remainder_terms;     ///< its weights of the process's terms
   Explanation fit;                     ///< of a leader: fitted with everything that is free
   bool is_fitted = false;
 
@@ -48,8 +52,9 @@ struct NoiseHypothesis {
   double model_error = 0;  ///< m
   double log_prior = 0;
   ReadingWeights weights;
-  Eigen::MatrixXd principal_terms;  ///< of the discrepancy: its terms x principal ones
-  Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, rows of `weights`
+  Eigen::MatrixXd principal_terms;         ///< of the discrepancy: its terms x principal ones
+  Eigen::MatrixXd discrepancy;             ///< whitened columns of the principal terms, rows of `weights`
+  std::unique_ptr<SingleSources> sources;  ///< none of very many readings: all terms together are as sharp there
   EvidenceOptions options;
   std::unique_ptr<LinearEvidence> evidence;
 };
@@ -67,6 +72,15 @@ struct DiagnosisWork {
   [[nodiscard]] const Cause& cause(int index) const { return causes.causes[static_cast<std::size_t>(index)]; }
 };
 
+/// Evidence with a discrepancy of all terms together, or of a single source.
+struct WeighedDiscrepancy : Evidence {
+  SourceEvidence source;  ///< `source` -1 where it is less probable than all terms together
+};
+
+/// Evidence that counts a discrepancy of a single source too; `single` is of the model without any discrepancy.
+[[nodiscard]] WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& single,
+                                             const EvidenceOptions& options);
+
 /// Of the noise at the readings: -1/2 log det(2 pi Lambda).
 [[nodiscard]] double logDensityOf(const ReadingWeights& weights);
 
@@ -78,7 +92,7 @@ void findCompetingModels(DiagnosisWork& work);
 
 /// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it
 /// for one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.
-using EvidenceOf = std::function<Evidence(const NoiseHypothesis& noise, std::size_t index, double scale)>;
+using EvidenceOf = std::function<WeighedDiscrepancy(const NoiseHypothesis& noise, std::size_t index, double scale)>;
 void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model);
 
 }  // namespace tubeplan::calibration

@@ -118,6 +118,7 @@ Answer answerBy(Identification baseline, const std::vector<Measurement>& all, co
 
 /// What does not lower the error on readings kept out explains nothing.
 void dropWhatDoesNotHelp(Diagnosis& result) {
+  const std::size_t before = result.alternatives.size();
   std::erase_if(result.alternatives, [&](const Explanation& explanation) {
     return std::isfinite(explanation.heldout.rms) && explanation.heldout.rms >= result.heldout_before.rms;
   });
@@ -125,7 +126,7 @@ void dropWhatDoesNotHelp(Diagnosis& result) {
     result.verdict = Verdict::kInconclusive;
     result.reason =
         "what explains the fitted readings does not lower the error of readings kept out; needed: more readings";
-  } else if (result.verdict == Verdict::kAmbiguous && result.alternatives.size() == 1) {
+  } else if (result.verdict == Verdict::kAmbiguous && before > 1 && result.alternatives.size() == 1) {
     result.verdict = Verdict::kExplained;
   }
 }

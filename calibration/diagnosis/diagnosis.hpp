@@ -20,6 +20,7 @@ struct DiagnosisOptions {
   IdentificationOptions baseline;  ///< what is free beside the causes
   CauseOptions causes;
   double sure = 0.9;      ///< probability from which a cause, or a set of alternatives, is named
+  double likely = 0.7;    ///< ... from which alternatives are, beside that something unknown is missing
   double nothing = 0.5;   ///< probability of nothing missing from which the model is adequate
   int most_causes = 3;    ///< in one explanation
   int most_leaders = 14;  ///< models that are fitted
@@ -33,7 +34,7 @@ enum class Verdict {
   kAdequate,         ///< nothing is missing
   kExplained,        ///< one cause, or one set of them
   kPartlyExplained,  ///< sure causes, and a remainder that no cause explains
-  kAmbiguous,        ///< one of several, which these readings cannot tell apart
+  kAmbiguous,        ///< one of several, or one or something unknown: these readings cannot tell them apart
   kUnexplained,      ///< something is missing, and no cause is sure
   kInconclusive,     ///< too few readings, or too weak a hint
   kStopped,
@@ -120,7 +121,12 @@ struct Diagnosis {
   double nothing_criterion = std::numeric_limits<double>::quiet_NaN();    ///< Explanation::criterion of nothing missing
   double unknown_probability =
       std::numeric_limits<double>::quiet_NaN();  ///< that something is, and no cause is part of it
+  double scatter_probability =
+      std::numeric_limits<double>::quiet_NaN();  ///< the same, and it follows nothing that the readings state
   DiagnosisViews views;
+
+  /// Whether what is missing follows nothing that the readings state: a larger noise than stated would be the same.
+  [[nodiscard]] bool isScatterAlone() const { return verdict == Verdict::kUnexplained && scatter_probability > 0.5; }
 };
 
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "calibration/reading_prediction.hpp"
@@ -22,7 +23,8 @@ constexpr int kTimeWaves = 4;
 constexpr int kManyJoints = 5;                  // from which only neighbouring joints are multiplied
 constexpr std::size_t kReadingsForScale = 300;  // that a term's root mean square is taken over
 // Amplitudes against that of the first wave of a joint: rough functions are smaller.
-constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kMinor = 0.5;
+constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
+constexpr std::size_t kWeighingJoints = 3;  // that move most of the arm's weight
 
 /// A named function of readings.
 struct Feature {
@@ -168,60 +170,82 @@ class TermMaker {
     for (int axis = 0; axis < 3; ++axis) {
       addToolShift(tool + axis);
       addBaseShift(base + axis);
+      addBaseTurn(base + 3 + axis);
     }
     return std::move(terms_);
   }
 
  private:
-  void add(int channel, const std::vector<Feature>& features, double amplitude = 1) {
-    for (const Feature& feature : features)
-      terms_.push_back({feature.follows, channel, feature.function, feature.amplitude * amplitude});
+  /// `place`: what errs; features of one place that follow the same, and of the same kind, are one source.
+  void add(const std::string& place, int channel, const std::vector<Feature>& features, double amplitude = 1) {
+    for (const Feature& feature : features) {
+      const auto source = sources_.try_emplace(place + " " + feature.follows, static_cast<int>(sources_.size())).first;
+      terms_.push_back({feature.follows, channel, source->second, feature.function, feature.amplitude * amplitude});
+    }
   }
 
   void addJointError(std::size_t j) {
     const int channel = static_cast<int>(j);
+    const std::string& place = joints_[j].name();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       if (!joints_[i].moves()) continue;
-      add(channel, joints_[i].waves(i == j ? kWaves : 2));
-      if (i == j) add(channel, joints_[i].bumps());
+      add(place, channel, joints_[i].waves(i == j ? kWaves : 2));
+      if (i == j) add(place + " near", channel, joints_[i].bumps());
       for (std::size_t l = i + 1; l < joints_.size(); ++l) {
         const bool is_near = joints_.size() <= kManyJoints || i == j || l == j || l == i + 1;
-        if (is_near && joints_[l].moves()) add(channel, productsOf(joints_[i], joints_[l]));
+        if (is_near && joints_[l].moves()) add(place, channel, productsOf(joints_[i], joints_[l]));
       }
     }
-    if (has_directions_) add(channel, joints_[j].direction());
-    add(channel, conditions_.load);
+    if (has_directions_) add(place, channel, joints_[j].direction());
+    add(place, channel, conditions_.load);
     for (const Feature& load : conditions_.load)
       for (const auto& f : {joints_[j].sine(1), joints_[j].cosine(1)})
-        add(channel, {{"load", product(load.function, f), kMinor}});
-    add(channel, conditions_.time, kMinor);
-    add(channel, conditions_.temperature, kMinor);
+        add(place, channel, {{"load", product(load.function, f), kMinor}});
+    add(place, channel, conditions_.time, kMinor);
+    add(place, channel, conditions_.temperature, kMinor);
   }
 
   void addToolShift(int channel) {
     for (const JointFeatures& joint : joints_)
-      if (joint.moves()) add(channel, joint.waves(kWaves), kShift);
+      if (joint.moves()) add("tool", channel, joint.waves(kWaves), kShift);
     for (const JointFeatures& joint : joints_)
-      if (has_directions_) add(channel, {joint.direction().front()}, kShift);
-    add(channel, conditions_.load, kShift);
-    add(channel, conditions_.temperature, kShift);
+      if (has_directions_) add("tool", channel, {joint.direction().front()}, kShift);
+    add("tool", channel, conditions_.load, kShift);
+    add("tool", channel, conditions_.temperature, kShift);
   }
 
   void addBaseShift(int channel) {
-    if (!joints_.empty() && joints_.front().moves()) add(channel, joints_.front().waves(2), kShift);
-    add(channel, conditions_.load, kShift);
-    add(channel, conditions_.time, kShift);
-    add(channel, conditions_.temperature, kShift);
+    if (!joints_.empty() && joints_.front().moves()) add("base", channel, joints_.front().waves(2), kShift);
+    add("base", channel, conditions_.load, kShift);
+    add("base", channel, conditions_.time, kShift);
+    add("base", channel, conditions_.temperature, kShift);
+  }
+
+  /// What the arm stands on gives way by the arm's weight, which follows the joints.
+  void addBaseTurn(int channel) {
+    for (std::size_t j = 0; j < std::min(joints_.size(), kWeighingJoints); ++j) {
+      if (!joints_[j].moves()) continue;
+      add("base's turn", channel, joints_[j].waves(2), kTurn);
+      if (j > 0 && joints_.front().moves()) add("base's turn", channel, productsOf(joints_.front(), joints_[j]), kTurn);
+    }
+    add("base's turn", channel, conditions_.load, kTurn);
+    add("base's turn", channel, conditions_.time, kTurn);
+    add("base's turn", channel, conditions_.temperature, kTurn);
   }
 
   Conditions conditions_;
   std::vector<JointFeatures> joints_;
   bool has_directions_ = false;
+  std::map<std::string, int> sources_;
   std::vector<DiscrepancyTerm> terms_;
 };
 
+Eigen::Matrix3d crossed(const Eigen::Vector3d& v) {
+  return (Eigen::Matrix3d() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
+}
+
 /// How a reading's rows move [m] with each channel: a joint's reading [rad, m], a shift along the tool's axes, of the
-/// base. Empty where the shape does not settle.
+/// base, a turn of the base [rad]. Empty where the shape does not settle.
 MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
   const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
   PredictionRequest request;
@@ -229,7 +253,7 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   const Prediction prediction = predictor.predict(X_WB, reading, request);
   if (!prediction.ok) return {};
   const Index joints = prediction.by_joints.cols();
-  MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 6);
+  MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 9);
   displacements.leftCols(joints) = prediction.by_joints;
   if (reading.kind == MeasurementKind::kDeflection) return displacements;
   const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
@@ -237,7 +261,8 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   MatrixXd seen = MatrixXd::Identity(3, 3);
   if (reading.kind == MeasurementKind::kDistance) seen = (X_WB * shape.X_BD.p - *reading.p_W).normalized().transpose();
   displacements.middleCols(joints, 3) = seen * X_WB.linear() * shape.X_BD.R;
-  displacements.rightCols(3) = seen;
+  displacements.middleCols(joints + 3, 3) = seen;
+  displacements.rightCols(3) = -seen * crossed(X_WB.linear() * shape.X_BD.p);
   return displacements;
 }
 
@@ -273,6 +298,14 @@ void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& reading
 Discrepancy::Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings)
     : placed_(placed), terms_(TermMaker(placed.arm, readings).make()) {
   scaleTerms(placed_, readings, terms_);
+}
+
+std::vector<std::vector<int>> Discrepancy::sources() const {
+  std::map<int, std::vector<int>> sources;
+  for (std::size_t t = 0; t < terms_.size(); ++t) sources[terms_[t].source].push_back(static_cast<int>(t));
+  std::vector<std::vector<int>> lists;
+  for (auto& [source, terms] : sources) lists.push_back(std::move(terms));
+  return lists;
 }
 
 MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights) const {

@@ -3,9 +3,9 @@
 // models").
 //
 // The process is a sum of a few functions with independent normal weights. Each is an error of one joint's reading, a
-// shift of the tip in the tool's frame or a shift of the base, times a smooth function of what the readings state:
-// waves and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the unknown
-// against causes that have names; it never names one.
+// shift of the tip in the tool's frame, a shift or a turn of the base, times a smooth function of what the readings
+// state: waves and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the
+// unknown against causes that have names; it never names one.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,8 @@ namespace tubeplan::calibration {
 /// One function of the process.
 struct DiscrepancyTerm {
   std::string follows;  ///< "theta3", "direction of theta3", "load", "time", "temperature": what a remainder follows
-  int channel = 0;      ///< a joint's reading by its number, then the tip along the tool's axes, then the base
+  int channel = 0;      ///< a joint's reading by its number, then the tip along the tool's axes, the base, its turn
+  int source = 0;       ///< terms that one source makes have the same
   std::function<double(const Measurement&)> function;
   double scale = 1;  ///< of the function, so that the whole process has an error of 1 m root mean square
   double share = 0;  ///< of the process's variance
@@ -33,6 +34,9 @@ class Discrepancy {
   Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
   [[nodiscard]] const std::vector<DiscrepancyTerm>& terms() const { return terms_; }
+
+  /// Indices of the terms that each single source makes.
+  [[nodiscard]] std::vector<std::vector<int>> sources() const;
 
   /// Whitened columns, one for each term, at some readings (rows of `weights`); what unknown points absorb is taken
   /// off. Empty where the model cannot be evaluated.

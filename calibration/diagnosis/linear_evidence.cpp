@@ -144,7 +144,7 @@ void LinearEvidence::listLevels() {
     Level level;
     level.size = size;
     level.log_prior = tried == 0  ? 0
-                      : size == 0 ? std::log1p(-options_.discrepancy_prior)
+                      : size == 0 ? std::log1p(-options_.discrepancy_prior - options_.source_prior)
                                   : std::log(options_.discrepancy_prior / tried);
     const VectorXd variance = size * size * squares_;
     level.taken = variance.array() / (1 + variance.array());
@@ -198,8 +198,8 @@ double LinearEvidence::logOf(const Solution& solution, const Level& level, doubl
 
 Evidence LinearEvidence::of(const std::vector<PriorSize>& causes, std::optional<std::size_t> only) const {
   Evidence evidence;
-  std::vector<double> all, with;
-  double most = -std::numeric_limits<double>::infinity();
+  std::vector<double> all, with, none;
+  double most = -std::numeric_limits<double>::infinity(), most_of_none = most;
   const double log_scales = std::log(static_cast<double>(options_.noise_scales.size()));
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     if (only && k > 0 && k != *only) continue;
@@ -208,7 +208,8 @@ Evidence LinearEvidence::of(const std::vector<PriorSize>& causes, std::optional<
     for (const double scale : options_.noise_scales) {
       const double log = logOf(solution, level, scale) - log_scales;
       all.push_back(log);
-      if (level.size > 0) with.push_back(log);
+      (level.size > 0 ? with : none).push_back(log);
+      if (level.size == 0 && log > most_of_none) most_of_none = log, evidence.none_scale = scale;
       if (!(log > most)) continue;
       most = log;
       evidence.discrepancy = level.size;
@@ -219,6 +220,7 @@ Evidence LinearEvidence::of(const std::vector<PriorSize>& causes, std::optional<
     }
   }
   evidence.log = logSum(all);
+  evidence.log_none = logSum(none);
   if (!with.empty()) evidence.discrepancy_probability = std::exp(logSum(with) - evidence.log);
   return evidence;
 }

@@ -28,7 +28,8 @@ struct EvidenceGram {
 
 struct EvidenceOptions {
   std::vector<double> discrepancies;  ///< m, tried sizes of a discrepancy, above none
-  double discrepancy_prior = 0.1;     ///< probability that there is one
+  double discrepancy_prior = 0.1;     ///< probability that there is one of all terms
+  double source_prior = 0;            ///< probability that there is one of a single source (single_source.hpp)
   std::vector<double> noise_scales;   ///< tried factors on the noise, all alike likely; empty: 1 alone
   double noise_rows = 0;              ///< degrees of freedom that the factor counts for
 };
@@ -39,6 +40,8 @@ struct Evidence {
   double discrepancy = 0;              ///< m, the most probable size; 0: none
   std::size_t level = 0;               ///< of that size, among those tried
   double noise_scale = 1;              ///< the most probable
+  double log_none = log;               ///< of `log`, what no discrepancy has
+  double none_scale = 1;               ///< the most probable noise scale where there is none
   Eigen::VectorXd sizes, sigma;        ///< of the causes' columns, in units, at those
 };
 

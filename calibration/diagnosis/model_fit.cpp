@@ -106,7 +106,27 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
 struct AtOptimum {
   WhitenedResidual residual;
   std::unique_ptr<LinearEvidence> evidence;
+  SourceView sources;
+  VectorXd scale, information;  ///< of the fitted numbers and shapes, then the sizes
 };
+
+/// What single sources see: columns of all numbers in units of their typical size, those of sizes by their prior.
+void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const std::vector<Unknown>& others,
+                 const NoiseHypothesis& noise, AtOptimum& at) {
+  if (!noise.sources) return;
+  const Index n = J.cols() + S.cols();
+  MatrixXd W_y(y.size(), n + 1);
+  W_y << J, S, y;
+  at.scale = VectorXd::Ones(n);
+  at.information = VectorXd::Ones(n);
+  for (Index k = 0; k < J.cols(); ++k) {
+    const Unknown& unknown = others[static_cast<std::size_t>(k)];
+    W_y.col(n) -= J.col(k) * unknown.prior_mean;
+    at.scale[k] = unknown.typical;
+    at.information[k] = std::pow(unknown.typical / unknown.prior_sigma, 2);
+  }
+  at.sources = noise.sources->viewOf(W_y);
+}
 
 /// Sizes count from nothing: y is what the model with none of them would miss.
 bool linearizeAt(const DiagnosisWork& work, const Placed& placed, const std::vector<Unknown>& unknowns,
@@ -131,6 +151,7 @@ bool linearizeAt(const DiagnosisWork& work, const Placed& placed, const std::vec
   gram.add(J, S, noise.discrepancy, y);
   gram.log_density = logDensityOf(noise.weights);
   at.evidence = std::make_unique<LinearEvidence>(gram, others, noise.options);
+  viewSources(J, S, y, others, noise, at);
   return true;
 }
 
@@ -143,6 +164,31 @@ std::vector<PriorSize> priorsOf(const Placed& placed, double scale) {
     priors.push_back({static_cast<int>(k), is_of_effect ? scale : size.prior_sigma / size.typical, sign});
   }
   return priors;
+}
+
+WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise, const std::vector<PriorSize>& sizes) {
+  const Evidence evidence = at.evidence->of(sizes);
+  if (!noise.sources) return {evidence, {}};
+  VectorXd scale = at.scale;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    scale[scale.size() - static_cast<Index>(sizes.size() - k)] = sizes[k].sigma;
+  const auto single =
+      noise.sources->beside(at.sources, scale, at.information, noise.options.discrepancies, evidence.none_scale);
+  return withSources(evidence, single, noise.options);
+}
+
+/// The errors that the discrepancy most probably makes.
+void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
+                   CompetingModel& model) {
+  if (model.source.source >= 0) {
+    model.remainder = noise.sources->errorsOf(model.source.source, model.source.weights);
+    model.remainder_terms = VectorXd::Zero(noise.principal_terms.rows());
+    model.remainder_terms(noise.sources->termsOf(model.source.source)) = model.source.weights;
+  } else if (model.discrepancy > 0) {
+    const VectorXd weights = at.evidence->discrepancyWeights(sizes, model.discrepancy);
+    model.remainder = noise.discrepancy * weights;
+    model.remainder_terms = noise.principal_terms * weights;
+  }
 }
 
 FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
@@ -207,12 +253,12 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
       std::any_of(placed.sizes.begin(), placed.sizes.end(), [](const Unknown& size) { return size.path.effect >= 0; });
   blendEvidence(
       work, has_effects,
-      [&](const NoiseHypothesis&, std::size_t n, double scale) { return at[n].evidence->of(priorsOf(placed, scale)); },
+      [&](const NoiseHypothesis& noise, std::size_t n, double scale) {
+        return evidenceAt(at[n], noise, priorsOf(placed, scale));
+      },
       model);
-  if (model.discrepancy > 0) {
-    const std::size_t n = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
-    model.remainder_weights = at[n].evidence->discrepancyWeights(priorsOf(placed, 1), model.discrepancy);
-  }
+  const std::size_t likely = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
+  keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
   Explanation& fit = model.fit;
   fit.fitted = applied(placed.arm, unknowns, solution.x);
   fit.chi2 = at.front().residual.r.squaredNorm();

@@ -61,6 +61,16 @@ void addName(const DiagnosisWork& work, int cause, int same, Explanation& explan
   }
 }
 
+/// Probabilities of one class counted to another.
+void mixIn(const ModelClass& one, ModelClass& to) {
+  const double both = to.probability + one.probability;
+  if (!(both > 0)) return;
+  const auto mixed = [&](double a, double b) { return (to.probability * a + one.probability * b) / both; };
+  to.remainder_probability = mixed(to.remainder_probability, one.remainder_probability);
+  to.scatter_probability = mixed(to.scatter_probability, one.scatter_probability);
+  to.probability = both;
+}
+
 /// Joins classes that differ in one cause and predict the same all over the arm's range.
 void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
   if (classes.size() < 2) return;
@@ -77,11 +87,7 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
       const auto apart = difference(classes[a].causes, classes[b].causes);
       if (!apart || !areTheSame(seen[a], seen[b])) continue;
       addName(work, apart->first, apart->second, classes[a].explanation);
-      const double both = classes[a].probability + classes[b].probability;
-      classes[a].remainder_probability = (classes[a].probability * classes[a].remainder_probability +
-                                          classes[b].probability * classes[b].remainder_probability) /
-                                         both;
-      classes[a].probability = both;
+      mixIn(classes[b], classes[a]);
       gone.insert(b);
     }
   std::size_t index = 0;
@@ -95,19 +101,21 @@ bool holds(const std::vector<int>& all, const std::vector<int>& some) {
 }
 
 /// Causes beyond those of a more probable class are not sure: they count to it.
-std::vector<ModelClass> withoutUnsureAdditions(const std::vector<ModelClass>& classes) {
-  std::vector<ModelClass> kept;
-  for (const ModelClass& one : classes) {
+std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
+  std::vector<ModelClass> kept, all = posterior.classes;
+  all.insert(all.end(), posterior.others.begin(), posterior.others.end());
+  for (const ModelClass& one : all) {
     const auto part =
         std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) { return holds(one.causes, k.causes); });
     if (part == kept.end()) {
-      kept.push_back(one);
+      if (one.model) kept.push_back(one);
       continue;
     }
-    const double both = part->probability + one.probability;
     // What the further cause would explain is a remainder to the class without it.
-    part->remainder_probability = (part->probability * part->remainder_probability + one.probability) / both;
-    part->probability = both;
+    ModelClass further = one;
+    further.remainder_probability = 1;
+    further.scatter_probability = 0;
+    mixIn(further, *part);
   }
   std::stable_sort(kept.begin(), kept.end(),
                    [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
@@ -212,23 +220,23 @@ Posterior posteriorOf(const DiagnosisWork& work) {
   for (const CompetingModel& model : work.models) {
     const double probability = weightOf(model, most) / total;
     if (model.terms.empty()) {
-      posterior.nothing = probability * (1 - model.discrepancy_probability);
+      posterior.scatter = probability * model.scatter_probability;
+      posterior.nothing = probability * (1 - model.discrepancy_probability) - posterior.scatter;
       posterior.unknown = probability * model.discrepancy_probability;
       continue;
     }
     ModelClass& one = classes[causesOf(model.terms)];
-    const double both = one.probability + probability;
-    one.remainder_probability =
-        both > 0 ? (one.probability * one.remainder_probability + probability * model.discrepancy_probability) / both
-                 : 0;
-    one.probability = both;
+    ModelClass more;
+    more.probability = probability;
+    more.remainder_probability = model.discrepancy_probability;
+    more.scatter_probability = model.scatter_probability;
+    mixIn(more, one);
     if (hasFit(model) && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
   }
   for (auto& [causes, one] : classes) {
-    if (!one.model) continue;
     one.causes = causes;
-    one.explanation = one.model->fit;
-    posterior.classes.push_back(std::move(one));
+    if (one.model) one.explanation = one.model->fit;
+    (one.model ? posterior.classes : posterior.others).push_back(std::move(one));
   }
   std::stable_sort(posterior.classes.begin(), posterior.classes.end(),
                    [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
@@ -249,13 +257,14 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     return;
   }
   const double missing = 1 - posterior.nothing;
-  const auto classes = withoutUnsureAdditions(posterior.classes);
+  const auto classes = withoutUnsureAdditions(posterior);
   double named = 0, remains = 0;
   for (const ModelClass& one : classes) {
     named += one.probability / missing;
     remains += one.probability / missing * one.remainder_probability;
   }
-  if (classes.empty() || named < options.sure || remains > kRemains * named) {
+  result.scatter_probability = posterior.scatter;
+  if (classes.empty() || named < options.likely || remains > kRemains * named) {
     const bool is_sure = !posterior.sure.causes.empty();
     result.verdict = is_sure ? Verdict::kPartlyExplained : Verdict::kUnexplained;
     if (is_sure) result.alternatives = {posterior.sure.explanation};
@@ -269,7 +278,10 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     result.alternatives.push_back(one.explanation);
     together += one.probability / missing;
   }
-  result.verdict = result.alternatives.size() == 1 ? Verdict::kExplained : Verdict::kAmbiguous;
+  if (result.alternatives.size() > 1 || named < options.sure)
+    result.verdict = Verdict::kAmbiguous;
+  else
+    result.verdict = classes.front().scatter_probability > kRemains ? Verdict::kPartlyExplained : Verdict::kExplained;
 }
 
 void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
@@ -331,27 +343,30 @@ void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
 
 Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   Remainder remainder;
-  remainder.probability = model.discrepancy_probability;
+  remainder.probability = model.discrepancy_probability + model.scatter_probability;
   const double noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
-  remainder.floor = std::hypot(noise_floor, std::sqrt(3.) * model.model_error);
-  if (model.remainder_weights.size() == 0) return remainder;
+  const double scatter = std::sqrt(3.) * model.model_error;
+  if (model.remainder.size() == 0) {  // what follows nothing is all there is
+    remainder.floor = noise_floor;
+    if (scatter > 0) remainder.size = scatter;
+    return remainder;
+  }
+  remainder.floor = std::hypot(noise_floor, scatter);
   const NoiseHypothesis& noise = model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
-  const VectorXd whitened = noise.discrepancy * model.remainder_weights;
   double squares = 0;
   for (std::size_t k = 0; k < work.basis.readings.size(); ++k) {
     const auto& whitener = noise.weights.whitener[k];
-    squares +=
-        whitener.inverse().operator*(whitened.segment(noise.weights.first_row[k], whitener.rows())).squaredNorm();
+    const VectorXd whitened = model.remainder.segment(noise.weights.first_row[k], whitener.rows());
+    squares += (whitener.inverse() * whitened).squaredNorm();
   }
   remainder.size = std::sqrt(squares / static_cast<double>(work.basis.readings.size()));
-  const VectorXd of_terms = noise.principal_terms * model.remainder_weights;
   std::map<std::string, double> shares;
   double whole = 0;
   for (std::size_t t = 0; t < work.discrepancy->terms().size(); ++t) {
     const auto& term = work.discrepancy->terms()[t];
-    const double square = of_terms[static_cast<Index>(t)] * of_terms[static_cast<Index>(t)] * term.share;
-    shares[term.follows] += square;
-    whole += square;
+    const double weight = model.remainder_terms[static_cast<Index>(t)];
+    shares[term.follows] += weight * weight * term.share;
+    whole += weight * weight * term.share;
   }
   for (const auto& [follows, share] : shares)
     if (share > 0.05 * whole) remainder.follows.emplace_back(follows, share / whole);

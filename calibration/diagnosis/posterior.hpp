@@ -13,13 +13,16 @@ struct ModelClass {
   std::vector<int> causes;
   double probability = 0;
   double remainder_probability = 0;
+  double scatter_probability = 0;         ///< that the noise is larger than stated, and nothing else remains
   const CompetingModel* model = nullptr;  ///< the most probable
 };
 
 struct Posterior {
   double nothing = 0;               ///< that nothing is missing
-  double unknown = 0;               ///< that something is, and no cause is part of it
+  double unknown = 0;               ///< that something is that follows the readings, and no cause is part of it
+  double scatter = 0;               ///< that something is, and follows nothing that the readings state
   std::vector<ModelClass> classes;  ///< with causes, most probable first; those that were fitted
+  std::vector<ModelClass> others;   ///< the less probable ones that were not
   ModelClass sure;                  ///< the causes that are sure, whatever there is beside; empty where none is
   CompetingModel sure_model;        ///< of `sure`
 };

@@ -69,7 +69,8 @@ int timesNeeded(const std::vector<Rival>& rivals, const std::vector<Foretold>& f
                 const std::vector<SplittingStep>& steps, const SplitPair& pair, const SplittingOptions& options) {
   if (pair.expected >= separatingGap(options.sure)) return 1;
   for (int times = 2; times <= options.most_repeats; ++times)
-    if (pair.now + expectedRise(rivals, foretold, steps, pair.truth, pair.other, times).mean >= separatingGap(options.sure))
+    if (pair.now + expectedRise(rivals, foretold, steps, pair.truth, pair.other, times).mean >=
+        separatingGap(options.sure))
       return times;
   return 0;
 }
@@ -169,7 +170,9 @@ SplittingReadings proposeUnlessStopped(const Diagnosis& diagnosis, const std::ve
   const DiagnosisBasis basis = basisOf(diagnosis.baseline, fittedReadings(diagnosis, readings));
   if (result.explanations.size() < 2 || !basis.residual.ok) {
     result.status = SplittingStatus::kNothingToSplit;
-    result.reason = "no effect stands out enough to aim readings at";
+    result.reason = diagnosis.verdict == Verdict::kAmbiguous
+                        ? "one cause is left beside something unknown: more readings of this kind decide"
+                        : "no effect stands out enough to aim readings at";
     return result;
   }
   tell(options.hooks, "next readings");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "calibration/campaign_residual.hpp"
 #include "calibration/fit.hpp"
@@ -124,6 +125,33 @@ class Descent {
   [[nodiscard]] const VectorXd& residual() const { return r_; }
 
  private:
+  /// To the least of g s + s A s / 2 with no number past its bounds: one that would pass is held there, and the others
+  /// make up for it.
+  [[nodiscard]] VectorXd boundedStep(const MatrixXd& A, const VectorXd& g) const {
+    VectorXd step = VectorXd::Zero(g.size());
+    std::vector<Index> free(static_cast<std::size_t>(g.size())), inside;
+    std::iota(free.begin(), free.end(), Index{0});
+    while (!free.empty()) {
+      VectorXd held = step;
+      held(free).setZero();
+      const VectorXd slope = g + A * held;
+      const VectorXd best = MatrixXd(A(free, free)).ldlt().solve(VectorXd(-slope(free)));
+      step(free) = best;
+      inside.clear();
+      for (const Index k : free) {
+        const Unknown& unknown = unknowns_[static_cast<std::size_t>(k)];
+        const double bounded = std::clamp(x_[k] + step[k], unknown.lower, unknown.upper) - x_[k];
+        if (bounded == step[k] || std::isnan(step[k]))
+          inside.push_back(k);
+        else
+          step[k] = bounded;
+      }
+      if (inside.size() == free.size()) break;
+      free = inside;
+    }
+    return step;
+  }
+
   bool improve() {
     const VectorXd roots = loss_.rowWeights();
     const MatrixXd J = roots.asDiagonal() * jacobian_;
@@ -137,12 +165,8 @@ class Descent {
         const double typical = unknowns_[static_cast<std::size_t>(k)].typical;
         damped(k, k) += damping_ * A(k, k) + 1e-12 / (typical * typical);
       }
-      const VectorXd step = damped.ldlt().solve(-g);
-      if (!step.allFinite()) continue;
-      VectorXd x = x_ + step, r;
-      for (Index k = 0; k < x.size(); ++k)
-        x[k] = std::clamp(x[k], unknowns_[static_cast<std::size_t>(k)].lower,
-                          unknowns_[static_cast<std::size_t>(k)].upper);
+      VectorXd x = x_ + boundedStep(damped, g), r;
+      if (!x.allFinite()) continue;
       if (!residual_.evaluate(x, r, nullptr) || !r.allFinite()) {
         goOn(options_.stop);
         continue;

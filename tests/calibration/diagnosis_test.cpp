@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/calibration/bench_readings.hpp"
 
@@ -65,6 +66,30 @@ TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
   constexpr int kSets = 12;
   for (std::uint64_t seed = 1; seed <= kSets; ++seed) alarms += !diagnosisOf("", "", {}, seed, 60).alternatives.empty();
   EXPECT_LE(alarms, 2);  // one in twenty is allowed; three of twelve are not (chance below 2 %)
+}
+
+// Noise twice as large as stated is no function of the readings: something is missing, and nothing is named.
+TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 90, 4);
+  for (auto& reading : readings) reading.sigma /= 2;
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.verdict, Verdict::kUnexplained);
+  EXPECT_TRUE(found.isScatterAlone());
+  EXPECT_TRUE(found.alternatives.empty());
+  EXPECT_TRUE(found.remainder.follows.empty());
+  EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
+}
+
+// Three waves to a turn of a joint: no catalogue has it, and a pair of known effects comes near it.
+TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 90, 6);
+  for (auto& reading : readings) reading.q[2] -= 0.0012 * std::sin(3 * reading.q[2] + 1);
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.verdict, Verdict::kUnexplained);
+  ASSERT_FALSE(found.remainder.follows.empty());
+  EXPECT_EQ(found.remainder.follows.front().first, "theta3");
 }
 
 TEST(Diagnosis, SetsGrossOutliersAsideAndSaysSo) {
