@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kFall = 3;           // of the error by the drawing, at least, that a mistake explains
 constexpr double kOdds = 14;          // log of a million
+constexpr double kDrastic = 8;        // fall of the error by the drawing that no fit of the drawing is a reason for
 constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
 constexpr double kAsGoodError = 1.5;  // times the error, for the same
 constexpr double kNoisePerRow = 0.6;  // misfit of a row by noise alone
@@ -152,7 +153,11 @@ class Checking {
     result.missing = missingColumns(checked_.readings);
     if (checked_.readings.empty()) return result;
     as_is_ = tried({}, Depth::kOpen);
-    as_is_.error = tried({}, Depth::kDrawn).error;
+    const Trial drawn = tried({}, Depth::kDrawn);
+    as_is_.error = drawn.error;
+    // What is open besides would share the base's way: by the drawing it has all of it.
+    as_is_.base_shift = drawn.base_shift;
+    as_is_.base_turn = drawn.base_turn;
     as_is_.held_error = tried({}, Depth::kHeld).error;
     result.base_shift = as_is_.base_shift;
     result.base_turn = as_is_.base_turn;
@@ -289,7 +294,9 @@ class Checking {
       rows += rowsOf(reading);
     }
     noise = std::sqrt(noise / static_cast<double>(pool_.counted.size()));
-    return isBaseFar() || (as_is_.misfit - kNoisePerRow * rows > kOdds && as_is_.held_error > kFall * noise);
+    const bool is_misfit = as_is_.misfit - kNoisePerRow * rows > kOdds;
+    const bool is_bent = as_is_.held_error > kDrastic * as_is_.open_error;  // only a drawing bent to them fits
+    return isBaseFar() || (as_is_.held_error > kFall * noise && (is_misfit || is_bent));
   }
 
   /// Touches of unknown points alone say nothing of the base.
@@ -374,6 +381,9 @@ class Checking {
     return -3 * static_cast<double>(pool_.counted_quickly.size()) * std::log(shrinkage(trial));
   }
 
+  /// Whether a mend has numbers that are fitted: what others take off the error is no fit.
+  static bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.zero_of >= 0; }
+
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
     constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
     if (!as_is_.ok) return suspect.drawn.error < kFits * reach_;
@@ -381,6 +391,9 @@ class Checking {
     const auto falls = [&](double as_is, double mended) { return as_is >= kFall * mended * shrinks; };
     // A base is one for all readings: one that has slipped is none for those before.
     if (suspect.mend.frees_base && !falls(as_is_.whole_error, suspect.open.whole_error)) return false;
+    if (!hasNumbers(suspect.mend) && gain(suspect.open) > 0 &&
+        as_is_.held_error >= kDrastic * suspect.drawn.held_error * shrinks)
+      return true;
     return gain(suspect.open) >= kOdds &&
            (falls(as_is_.error, suspect.drawn.error) || falls(as_is_.held_error, suspect.drawn.held_error) ||
             falls(as_is_.open_error, suspect.open.error));
@@ -389,10 +402,10 @@ class Checking {
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const {
     constexpr double kBack = 4, kHarm = 1.5;
     if (!as_is_.ok || !isBaseFar()) return false;
-    const bool turns_back = as_is_.base_turn > kFarTurn && as_is_.base_turn >= kBack * suspect.open.base_turn;
+    const bool turns_back = as_is_.base_turn > kFarTurn && as_is_.base_turn >= kBack * suspect.drawn.base_turn;
     const bool shifts_back =
-        as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.open.base_shift;
-    const bool is_near = suspect.open.base_turn < kFarTurn && suspect.open.base_shift < kFarShift * reach_;
+        as_is_.base_shift > kFarShift * reach_ && as_is_.base_shift >= kBack * suspect.drawn.base_shift;
+    const bool is_near = suspect.drawn.base_turn < kFarTurn && suspect.drawn.base_shift < kFarShift * reach_;
     return (turns_back || shifts_back) && is_near && suspect.drawn.error <= kHarm * as_is_.error &&
            gain(suspect.open) >= kOdds;
   }

@@ -11,7 +11,8 @@ namespace {
 
 class MeasurementChecks : public ::testing::TestWithParam<std::size_t> {};
 
-// Three sets each: a single one may be of the few that priors explain (a last joint's zero is a tip elsewhere).
+// Three sets each: a single one may be of the few that priors explain. The last joint's zero is left out: to tips alone
+// it is a tool mounted elsewhere, and nothing that the readings hold could say which.
 TEST_P(MeasurementChecks, NameTheMistake) {
   constexpr int kSets = 3;
   const auto& kind = seededMistakes().at(GetParam());
@@ -21,7 +22,7 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   for (std::uint64_t number = 0; number < 120 && made < kSets; ++number) {
     auto set = cleanSet(number);
     const auto mend = set ? kind.make(*set, random) : std::nullopt;
-    if (!mend) continue;
+    if (!mend || *mend == "joint-zero=theta4") continue;
     ++made;
     const auto checks = checksOf(*set);
     const Naming naming = judgeNaming(kind, *mend, checks);
