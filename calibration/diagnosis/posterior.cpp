@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t kMostCompared = 12;  // classes that are held to be the same or not
 constexpr std::size_t kMostAlternatives = 8;
-constexpr double kHint = 0.05;        // probability of nothing missing up to which something is
 constexpr double kCredible = 0.95;    // of what is missing, that the alternatives hold together
 constexpr double kLeastShare = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
@@ -252,7 +251,8 @@ Posterior posteriorOf(const DiagnosisWork& work) {
 void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnosis& result) {
   result.nothing_probability = posterior.nothing;
   result.unknown_probability = posterior.unknown;
-  if (posterior.nothing > kHint) {
+  result.scatter_probability = posterior.scatter;
+  if (posterior.nothing > 1 - options.sure) {
     result.verdict = posterior.nothing >= options.nothing ? Verdict::kAdequate : Verdict::kInconclusive;
     return;
   }
@@ -263,7 +263,6 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     named += one.probability / missing;
     remains += one.probability / missing * one.remainder_probability;
   }
-  result.scatter_probability = posterior.scatter;
   if (classes.empty() || named < options.likely || remains > kRemains * named) {
     const bool is_sure = !posterior.sure.causes.empty();
     result.verdict = is_sure ? Verdict::kPartlyExplained : Verdict::kUnexplained;
