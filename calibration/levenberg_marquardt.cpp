@@ -126,6 +126,7 @@ class Descent {
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
   Valley valley_;
   std::vector<Index> free_;
+  double last_fall_ = std::numeric_limits<double>::infinity();
   bool is_linear_ = true;  ///< r_ and jacobian_ are those of x_
   int iterations_ = 0;
 };
@@ -147,6 +148,7 @@ bool Descent::moveTo(const VectorXd& next, double foretold, bool is_first) {
   const double fall = chi2_ - tried;
   settleRadius((next - x_).norm(), fall, foretold);
   if (!(fall > 0)) return false;
+  last_fall_ = fall;
   x_ = next;
   chi2_ = tried;
   is_linear_ = is_linear;
@@ -160,7 +162,9 @@ Descent::Step Descent::step(double tolerance) {
     double damping = 0;
     const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, valley_, x_, free_, radius_, damping));
     const double foretold = valley_.fallBy(next - x_);
-    if (damping == 0 && std::abs(foretold) <= tolerance * std::max(chi2_, kNoMisfit)) return Step::kAtRest;
+    const double little = tolerance * std::max(chi2_, kNoMisfit);
+    // Where steps had to be kept short, the last one must have brought as little as this one would.
+    if (std::abs(foretold) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
     if (moveTo(next, foretold, is_first)) return Step::kTaken;
     if (radius_ <= kLeastRadius * size_) return Step::kOnlyRounding;
   }

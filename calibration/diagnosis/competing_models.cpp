@@ -422,15 +422,14 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
 std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models, double nothing, std::size_t most) {
   std::vector<CompetingModel> leaders;
   if (models.empty()) return leaders;
-  const double best = models.front().logWeight();
-  const double window = std::max(kLeaderWindow, kLeaderShare * (best - nothing));
+  const double best = models.front().logWeight(), window = leaderWindow(best, nothing);
   for (const CompetingModel& model : models)
     if (leaders.size() < most && model.logWeight() > best - window) leaders.push_back(model);
   return leaders;
 }
 
 /// That of nothing missing, and leaders until no other comes near the best of them.
-void fitLeaders(DiagnosisWork& work) {
+void fitNearest(DiagnosisWork& work) {
   auto& models = work.models;
   const auto of_nothing = std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); });
   const double nothing = of_nothing->logWeight();
@@ -439,7 +438,7 @@ void fitLeaders(DiagnosisWork& work) {
   for (std::size_t fitted = 0; fitted < 2 * limit;) {
     sortByWeight(models);
     const double best = models.front().logWeight();
-    const double window = std::max(kLeaderWindow, kLeaderShare * (best - nothing));
+    const double window = leaderWindow(best, nothing);
     std::vector<CompetingModel*> next;
     for (std::size_t k = 0; k < std::min(limit, models.size()) && next.size() < kFitsAtOnce; ++k)
       if (!models[k].is_fitted && models[k].logWeight() > best - window) next.push_back(&models[k]);
@@ -449,24 +448,6 @@ void fitLeaders(DiagnosisWork& work) {
     fitted += next.size();
   }
   sortByWeight(models);
-}
-
-/// All models by the noises there are.
-void compete(DiagnosisWork& work) {
-  const CompetingModel nothing = weigh(work, {}, 0);
-  work.models = {nothing};
-  std::vector<CompetingModel> level{nothing};
-  double best = nothing.logWeight();
-  for (int depth = 1; depth <= work.options.most_causes; ++depth) {
-    tell(work.options.hooks, "causes", static_cast<std::size_t>(depth),
-         static_cast<std::size_t>(work.options.most_causes));
-    level = extended(work, leadersOf(level, nothing.logWeight(), kMostSeeds));
-    if (level.empty()) break;
-    work.models.insert(work.models.end(), level.begin(), level.end());
-    const double before = std::exchange(best, std::max(best, level.front().logWeight()));
-    if (level.front().logWeight() < before - (depth == 1 ? kHopeless : 0)) break;
-  }
-  fitLeaders(work);
 }
 
 /// Takes in that the noise may be larger than stated.
@@ -527,11 +508,32 @@ bool linearize(DiagnosisWork& work) {
   return !(more > 0) || doubtNoise(work, more);
 }
 
-void findCompetingModels(DiagnosisWork& work) {
-  compete(work);
+double leaderWindow(double best, double nothing) { return std::max(kLeaderWindow, kLeaderShare * (best - nothing)); }
+
+void compareModels(DiagnosisWork& work) {
+  const CompetingModel nothing = weigh(work, {}, 0);
+  work.models = {nothing};
+  std::vector<CompetingModel> level{nothing};
+  double best = nothing.logWeight();
+  for (int depth = 1; depth <= work.options.most_causes; ++depth) {
+    tell(work.options.hooks, "causes", static_cast<std::size_t>(depth),
+         static_cast<std::size_t>(work.options.most_causes));
+    level = extended(work, leadersOf(level, nothing.logWeight(), kMostSeeds));
+    if (level.empty()) break;
+    work.models.insert(work.models.end(), level.begin(), level.end());
+    const double before = std::exchange(best, std::max(best, level.front().logWeight()));
+    if (level.front().logWeight() < before - (depth == 1 ? kHopeless : 0)) break;
+  }
+  sortByWeight(work.models);
+}
+
+void fitLeaders(DiagnosisWork& work) {
+  fitNearest(work);
   if (work.noise.size() > 1) return;
   const double more = errorBeyondBest(work);
-  if (more > 0 && doubtNoise(work, more)) compete(work);
+  if (!(more > 0) || !doubtNoise(work, more)) return;
+  compareModels(work);
+  fitNearest(work);
 }
 
 }  // namespace tubeplan::calibration

@@ -87,8 +87,14 @@ struct WeighedDiscrepancy : Evidence {
 /// Linearises every cause about the baseline. False where the model cannot be evaluated. Unwinds where it was stopped.
 bool linearize(DiagnosisWork& work);
 
-/// Finds the models that compete, fills `work.models`. Unwinds where it was stopped.
-void findCompetingModels(DiagnosisWork& work);
+/// Finds the models that compete about the linearisation, fills `work.models`. Unwinds where it was stopped.
+void compareModels(DiagnosisWork& work);
+
+/// Fits the leading ones and that of nothing missing. Unwinds where it was stopped.
+void fitLeaders(DiagnosisWork& work);
+
+/// Of log weight behind the best model, within which linear evidence may err: those are fitted.
+[[nodiscard]] double leaderWindow(double best, double nothing);
 
 /// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it
 /// for one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.

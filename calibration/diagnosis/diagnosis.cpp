@@ -63,25 +63,33 @@ std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result
   return problem ? problem->what + "; needed: " + problem->needed : "";
 }
 
-void answer(const DiagnosisOptions& options, Answer& answer) {
-  DiagnosisWork& work = answer.work;
+/// The models that compete, by their linear evidence; none where no verdict is possible.
+void compare(Answer& answer) {
   Diagnosis& result = answer.result;
-  result.reason = inconclusiveSince(work, result);
+  result.reason = inconclusiveSince(answer.work, result);
   if (!result.reason.empty()) {
     result.verdict = Verdict::kInconclusive;
     return;
   }
-  if (!linearize(work)) {
+  if (!linearize(answer.work)) {
     result.reason = "the model cannot be evaluated at the readings";
     return;
   }
   answer.is_found = true;
-  result.not_tried = work.causes.not_tried;
-  findCompetingModels(work);
+  result.not_tried = answer.work.causes.not_tried;
+  compareModels(answer.work);
+}
+
+/// The verdict, from the leading models' fits.
+void conclude(Answer& answer) {
+  DiagnosisWork& work = answer.work;
+  Diagnosis& result = answer.result;
+  if (!answer.is_found) return;
+  fitLeaders(work);
   const Posterior posterior = posteriorOf(work);
   for (const ModelClass& one : posterior.classes)
     if (result.closest.size() < kMostClosest) result.closest.push_back(one.explanation);
-  decide(options, posterior, result);
+  decide(work.options, posterior, result);
   rankCauses(work, result);
   for (const CompetingModel& model : work.models)
     if (model.terms.empty()) result.nothing_criterion = -2 * model.logWeight();
@@ -91,8 +99,9 @@ void answer(const DiagnosisOptions& options, Answer& answer) {
   if (result.verdict == Verdict::kUnexplained) result.remainder = remainderOf(work, best);
 }
 
-Answer answerBy(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
-                const DiagnosisOptions& options) {
+/// Up to its models; the verdict is still to be concluded.
+Answer compareAll(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
+                  const DiagnosisOptions& options) {
   Answer found(options);
   found.result.set_aside = set_aside;
   std::vector<Measurement> used;
@@ -112,7 +121,7 @@ Answer answerBy(Identification baseline, const std::vector<Measurement>& all, co
     return found;
   }
   describeBaseline(found.work, found.result);
-  answer(options, found);
+  compare(found);
   return found;
 }
 
@@ -223,6 +232,20 @@ double bestWeight(const Answer& found) {
   return best.logWeight() + outliers * (density - kOutlier);
 }
 
+/// Within which the linear evidence of its models may err.
+double windowOf(const Answer& found) {
+  if (!found.is_found) return 0;
+  double nothing = 0;
+  for (const CompetingModel& model : found.work.models)
+    if (model.terms.empty()) nothing = model.logWeight();
+  return leaderWindow(found.work.models.front().logWeight(), nothing);
+}
+
+Diagnosis concluded(Answer found, const std::vector<Measurement>& all) {
+  conclude(found);
+  return completed(std::move(found), all);
+}
+
 Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
                                 const DiagnosisOptions& options) {
   Identification baseline = fitBaseline(start, readings, options);
@@ -230,14 +253,19 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
   for (const auto& outlier : baseline.outliers) outliers.push_back(outlier.reading);
   std::sort(outliers.begin(), outliers.end());
   const bool are_few = outliers.size() <= readings.size() / kFewOutliers;
-  Answer whole = answerBy(std::move(baseline), readings, {}, options);
-  if (outliers.empty() || !are_few || !whole.is_found) return completed(std::move(whole), readings);
+  Answer whole = compareAll(std::move(baseline), readings, {}, options);
+  if (outliers.empty() || !are_few || !whole.is_found) return concluded(std::move(whole), readings);
   // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before
   // setting some aside.
   const auto set_aside = withOrphans(outliers, readings);
   Identification rest = fitBaseline(start, without(readings, set_aside), options);
-  if (rest.status == IdentificationStatus::kRefused) return completed(std::move(whole), readings);
-  Answer fewer = answerBy(std::move(rest), readings, set_aside, options);
+  if (rest.status == IdentificationStatus::kRefused) return concluded(std::move(whole), readings);
+  Answer fewer = compareAll(std::move(rest), readings, set_aside, options);
+  const double before = bestWeight(whole), after = bestWeight(fewer);
+  if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))
+    return concluded(after > before ? std::move(fewer) : std::move(whole), readings);
+  conclude(whole);
+  conclude(fewer);
   return completed(bestWeight(fewer) > bestWeight(whole) ? std::move(fewer) : std::move(whole), readings);
 }
 
@@ -260,8 +288,9 @@ std::vector<Explanation> competingExplanations(const PlacedArm& start, const std
   std::vector<Measurement> used = readings;
   std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
   try {
-    Answer found = answerBy(fitBaseline(start, used, options), used, {}, options);
+    Answer found = compareAll(fitBaseline(start, used, options), used, {}, options);
     if (!found.is_found) return {};
+    fitLeaders(found.work);
     const auto isAsked = [&](const CompetingModel& model) {
       if (model.terms.empty()) return true;
       const Cause& cause = found.work.cause(model.terms.front().cause);

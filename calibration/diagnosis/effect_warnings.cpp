@@ -13,6 +13,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kNearNeutral = 2;  // sigmas
+constexpr int kRivals = 6;          // models that are fitted in place of an effect
 
 /// What the warnings of both commands look at.
 struct Case {
@@ -158,6 +159,8 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
 /// The effect taken out and everything that could stand in its place weighed, itself among them.
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
+  bare.most_causes = 1;  // that stand in its place, one for one
+  bare.most_leaders = kRivals;
   bare.baseline.free.names = otherNames(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
   const auto models =
