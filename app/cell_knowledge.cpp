@@ -9,7 +9,7 @@ namespace tubeplan::app {
 ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
                                 const std::vector<std::string>& assume) {
   if (file.empty()) return {};
-  return readAndCheck(file, cell, {sigma / cell.units.factor(dimension::kLength), {}, assume});
+  return readAndCheck({file}, cell, {sigma / cell.units.factor(dimension::kLength), {}, assume});
 }
 
 calibration::Knowledge knowledgeOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/reading_input.hpp"
 #include "app/readers/cell_reader.hpp"
+#include "app/reading_input.hpp"
 #include "calibration/knowledge.hpp"
 
 namespace tubeplan::app {

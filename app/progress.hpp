@@ -27,8 +27,8 @@ class Progress {
   Clock::time_point start_, drawn_;
 };
 
-/// "planning [#####-----] 30/60  12.1/s  0:02 left" in at most `width` characters; "planning ..." where nobody knows the
-/// total (0).
+/// "planning [#####-----] 30/60  12.1/s  0:02 left" in at most `width` characters; "planning ..." where nobody knows
+/// the total (0).
 [[nodiscard]] std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds,
                                        int width);
 

@@ -1,9 +1,11 @@
 #include "app/reading_input.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/assumptions.hpp"
 #include "app/cell_fit.hpp"
@@ -82,9 +84,9 @@ std::vector<Measurement> readReadings(const std::string& file, const Cell& cell,
   return asFitsWant(readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
 }
 
-CellReadings readCellReadings(const std::string& cell, const std::string& measurements,
+CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
                               const MeasurementOptions& options) {
-  CellReadings read{readCell(cell), measurements, {}};
+  CellReadings read{readCell(cell), nameOf(measurements), {}};
   takePriors(options.priors, read.cell);
   auto [readings, checks] = readAndCheck(measurements, read.cell, options);
   read.readings = std::move(readings);
@@ -117,14 +119,33 @@ std::string adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
                                              : "";
 }
 
-}  // namespace
-
-ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
-                                 const MeasurementOptions& options) {
+MeasurementTable tableOf(const std::string& text, const std::string& file, const Cell& cell,
+                         const MeasurementOptions& options) {
   checkText(file, text);
   MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
   nameUnits(cell, table.units);
   stateSigma(table.readings, cell, file, options.sigma);
+  return table;
+}
+
+/// The tables one after another, every reading with an id of its own.
+MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const MeasurementOptions& options) {
+  MeasurementTable all;
+  std::set<std::string> ids;
+  for (const auto& file : files) {
+    MeasurementTable table = tableOf(readTextFile(file), file, cell, options);
+    for (const auto& reading : table.readings)
+      if (!ids.insert(reading.id).second)
+        throw InputError(fmt::format("{}:{} (id)", file, reading.line), inQuotes(reading.id) + " again",
+                         "an id of its own in all files");
+    if (!all.readings.empty()) table.readings.insert(table.readings.begin(), all.readings.begin(), all.readings.end());
+    all = std::move(table);
+  }
+  return all;
+}
+
+ReadingsWithChecks checkTable(MeasurementTable table, const std::string& file, Cell& cell,
+                              const MeasurementOptions& options) {
   const bool is_overruled = takeAssumptions(options.assume, table, cell);
   const bool is_past = std::any_of(table.readings.begin(), table.readings.end(),
                                    [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
@@ -136,8 +157,17 @@ ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& fil
   return {std::move(table.readings), std::move(checks)};
 }
 
-ReadingsWithChecks readAndCheck(const std::string& file, Cell& cell, const MeasurementOptions& options) {
-  return parseAndCheck(readTextFile(file), file, cell, options);
+}  // namespace
+
+ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
+                                 const MeasurementOptions& options) {
+  return checkTable(tableOf(text, file, cell, options), file, cell, options);
+}
+
+std::string nameOf(const ReadingFiles& files) { return fmt::format("{}", fmt::join(files, " + ")); }
+
+ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options) {
+  return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
 }
 
 std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell,

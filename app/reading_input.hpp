@@ -47,16 +47,20 @@ struct ReadingsWithChecks {
   calibration::MeasurementChecks checks;
 };
 
-/// readReadings() with the mistakes looked for; those that `options.assume` names are mended first, in the readings
-/// and, for a base that is not known after all, in the cell. Throws InputError.
-[[nodiscard]] ReadingsWithChecks readAndCheck(const std::string& file, Cell& cell, const MeasurementOptions& options);
+/// Files of readings, one after another: "one.csv + two.csv".
+using ReadingFiles = std::vector<std::string>;
+[[nodiscard]] std::string nameOf(const ReadingFiles& files);
+
+/// readReadings() of files taken together, with the mistakes looked for; those that `options.assume` names are mended
+/// first, in the readings and, for a base that is not known after all, in the cell. Throws InputError.
+[[nodiscard]] ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options);
 
 /// The same from text.
 [[nodiscard]] ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
                                                const MeasurementOptions& options);
 
 /// Both from their files, the readings as by readReadings. Throws InputError.
-[[nodiscard]] CellReadings readCellReadings(const std::string& cell, const std::string& measurements,
+[[nodiscard]] CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
                                             const MeasurementOptions& options = {});
 
 /// Readings from text.

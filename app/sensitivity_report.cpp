@@ -167,7 +167,8 @@ std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
                                  report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
                                  report.touches.empty() ? "known" : "placed by touching " + joined(report.touches));
   if (!std::isfinite(report.figures.mean_deflection))
-    return text + "no figures: the deflected arm does not settle at some of these postures; check loads and stiffnesses\n";
+    return text +
+           "no figures: the deflected arm does not settle at some of these postures; check loads and stiffnesses\n";
   text +=
       fmt::format("mean sag {:.4f} {}, mean {} without compensation {:.4f} {}\n", report.figures.mean_deflection / unit,
                   cell.units.length().name, report.has_sheet ? "centring error" : "error",

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/command_inputs.hpp"
 #include "app/figures.hpp"
@@ -131,6 +132,33 @@ void addNextReadings(const SplittingReadings& result, const std::vector<ReadingC
   if (!splittingAdvice(result).empty())
     diagnosis["sentence"] = diagnosis["sentence"].get<std::string>() + " " + splittingAdvice(result);
   diagnosis["splitting"] = std::move(splitting);
+}
+
+std::string runSheetCsv(const SplittingReadings& result, const std::vector<ReadingCandidate>& candidates,
+                        const std::vector<Measurement>& taken, const deflection::Arm& arm, const Units& units) {
+  if (result.times == 0) return "";
+  std::set<std::string> used;
+  for (const auto& reading : taken) used.insert(reading.id), used.insert(reading.point);
+  std::vector<Measurement> sheet;
+  int number = 0;
+  const auto fresh = [&] {
+    std::string name = fmt::format("N{}", ++number);
+    while (used.contains(name)) name = fmt::format("N{}", ++number);
+    return name;
+  };
+  for (const auto& chosen : result.readings) {
+    const std::string point = fresh();
+    const auto& readings = readingsOf(candidates, chosen);
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      Measurement reading = readings[k];
+      reading.id = k == 0 ? point : fresh();
+      const bool is_hole = reading.kind == MeasurementKind::kTouch && reading.p_W;
+      if (!is_hole) reading.p_W.reset();
+      if (!is_hole && reading.kind == MeasurementKind::kTouch) reading.point = point;
+      sheet.push_back(std::move(reading));
+    }
+  }
+  return measurementsCsv(sheet, arm, units);
 }
 
 std::string splittingText(const SplittingReadings& result, const std::vector<ReadingCandidate>& candidates,

@@ -19,6 +19,13 @@ void addNextReadings(const calibration::SplittingReadings& result,
 /// One plain sentence; empty where there is nothing to split.
 [[nodiscard]] std::string splittingAdvice(const calibration::SplittingReadings& result);
 
+/// The proposed readings as a measurement table, each with an id that the readings taken do not have, coordinates left
+/// to be filled in. Empty where nothing is proposed.
+[[nodiscard]] std::string runSheetCsv(const calibration::SplittingReadings& result,
+                                      const std::vector<calibration::ReadingCandidate>& candidates,
+                                      const std::vector<calibration::Measurement>& taken, const deflection::Arm& arm,
+                                      const Units& units);
+
 /// A few lines for people.
 [[nodiscard]] std::string splittingText(const calibration::SplittingReadings& result,
                                         const std::vector<calibration::ReadingCandidate>& candidates,

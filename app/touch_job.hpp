@@ -16,10 +16,10 @@ namespace tubeplan::app {
 struct TouchRequest {
   std::string cell, readings;       ///< files; no readings: empty
   std::vector<std::string> assume;  ///< of the readings, as MeasurementOptions has it
-  std::vector<std::string> free;  ///< instead of the cell's `identify`
-  std::string goal;               ///< base, parameters, both; empty: what the cell allows
-  std::string tubes;              ///< the work list; empty: spread:60
-  std::string kind;               ///< touch, position; empty: touch under a sheet, else position
+  std::vector<std::string> free;    ///< instead of the cell's `identify`
+  std::string goal;                 ///< base, parameters, both; empty: what the cell allows
+  std::string tubes;                ///< the work list; empty: spread:60
+  std::string kind;                 ///< touch, position; empty: touch under a sheet, else position
   calibration::Optimality optimality = calibration::Optimality::kDeterminant;  ///< of the readings for parameters
   int count = 0;              ///< of each goal; 0: 3 touches, 10 readings
   int candidates = 0;         ///< holes or postures to choose from; 0: 60 holes, 600 postures

@@ -18,8 +18,8 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell,
                                                                   const std::vector<int>& tubes);
 
-/// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ... Those that could be
-/// out of reach from where the base really stands are taken only where there are too few others.
+/// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ... Those that
+/// could be out of reach from where the base really stands are taken only where there are too few others.
 [[nodiscard]] std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
                                                               const std::vector<calibration::TouchPlan>& candidates,
                                                               int count);

@@ -30,7 +30,7 @@ struct CalibrateOptions {
 int run(const CalibrateOptions& options) {
   Cell cell = readCell(options.cell);
   cell.base_known = false;  // it is what is asked for
-  const auto [readings, checks] = readAndCheck(options.measurements, cell, {options.sigma, {}, options.assume});
+  const auto [readings, checks] = readAndCheck({options.measurements}, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
   if (!options.out.empty()) checkWritableFile(options.out, "--out");

@@ -19,7 +19,8 @@ namespace tubeplan::app {
 namespace {
 
 struct CompareOptions {
-  std::string cell, measurements, json, report;
+  std::string cell, json, report;
+  ReadingFiles measurements;
   MeasurementOptions given;
   ComparisonRequest request;
 };
@@ -45,7 +46,7 @@ int run(const CompareOptions& options) {
 Run configureCompare(CLI::App& cli) {
   const auto options = std::make_shared<CompareOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
   addMeasurementOptions(cli, options->given);
   cli.add_option("--report", options->report, "write a page with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")

@@ -21,7 +21,8 @@ namespace tubeplan::app {
 namespace {
 
 struct DiagnoseOptions {
-  std::string cell, measurements, json, report;
+  std::string cell, json, report, run_sheet;
+  ReadingFiles measurements;
   MeasurementOptions given;
   DiagnosisRequest request;
 };
@@ -30,10 +31,14 @@ int run(const DiagnoseOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
+  if (!options.run_sheet.empty()) checkWritableFile(options.run_sheet, "--run-sheet");
   const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
   if (!options.report.empty())
     writeFileAtomically(options.report, diagnosisPage(input, options.request, outcome.figures), "--report");
   writeJson(options.json, outcome.figures);
+  const std::string sheet =
+      runSheetCsv(outcome.next, outcome.candidates, input.readings, input.cell.arm, input.cell.units);
+  if (!options.run_sheet.empty() && !sheet.empty()) writeFileAtomically(options.run_sheet, sheet, "--run-sheet");
   if (!printsText(options.json)) return kDone;
   const Units& units = input.cell.units;
   fmt::print("{}", checksText(input.checks, units));
@@ -43,6 +48,10 @@ int run(const DiagnoseOptions& options) {
   }
   fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units),
              splittingText(outcome.next, outcome.candidates, input.cell.arm, units));
+  if (!options.run_sheet.empty())
+    fmt::print("{}", sheet.empty() ? "no run sheet: no reading is proposed\n"
+                                   : fmt::format("wrote {}: fill in what is measured and give it after the readings\n",
+                                                 options.run_sheet));
   fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));
   for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warningText(warning, units));
   return kDone;
@@ -53,7 +62,7 @@ int run(const DiagnoseOptions& options) {
 Run configureDiagnose(CLI::App& cli) {
   const auto options = std::make_shared<DiagnoseOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
   cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(CLI::Range(1, 4));
   cli.add_option("--next", options->request.next,
                  "how many further readings to propose where the verdict leaves something open")
@@ -61,6 +70,8 @@ Run configureDiagnose(CLI::App& cli) {
       ->capture_default_str();
   addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
+  cli.add_option("--run-sheet", options->run_sheet,
+                 "write the proposed readings (CSV), to be filled in and given back after the readings");
   cli.add_option("--report", options->report, "write a self-contained page about it (HTML) to this file");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

@@ -24,7 +24,8 @@ namespace {
 using calibration::IdentificationStatus;
 
 struct IdentifyOptions {
-  std::string cell, measurements, out, json;
+  std::string cell, out, json;
+  ReadingFiles measurements;
   MeasurementOptions given;
   IdentificationRequest request;
 };
@@ -59,7 +60,7 @@ int run(const IdentifyOptions& options) {
 Run configureIdentify(CLI::App& cli) {
   const auto options = std::make_shared<IdentifyOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
   cli.add_option("--free", options->request.free,
                  "parameters to free instead of the cell's `identify`: dotted paths into the arm file "
                  "(tool.joint_stiffness.z), tool.tip, geometry")

@@ -25,7 +25,8 @@ namespace tubeplan::app {
 namespace {
 
 struct ImproveOptions {
-  std::string cell, measurements, out, json;
+  std::string cell, out, json;
+  ReadingFiles measurements;
   MeasurementOptions given;
   ImprovementRequest request;
 };
@@ -114,7 +115,7 @@ int run(const ImproveOptions& options) {
 Run configureImprove(CLI::App& cli) {
   const auto options = std::make_shared<ImproveOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
   cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(CLI::Range(1, 20));
   addMeasurementOptions(cli, options->given);

@@ -28,7 +28,7 @@ struct LadderOptions {
 std::vector<LadderModel> modelsOf(const LadderOptions& options) {
   std::vector<LadderModel> models;
   for (const auto& path : options.cells)
-    models.push_back({path, readCellReadings(path, options.measurements, options.given)});
+    models.push_back({path, readCellReadings(path, {options.measurements}, options.given)});
   if (options.with_rigid)
     models.insert(models.begin(), {models.front().name + ", rigid",
                                    {rigidOf(models.front().input.cell), options.measurements,

@@ -58,19 +58,11 @@ Situation openCell(const std::string& file, const std::string& truth) {
 
 std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell) {
   auto set = std::make_shared<ReadingSet>();
-  std::set<std::string> ids;
-  for (const auto& file : files) {
-    Cell own = cell;
-    const auto [readings, checks] = readAndCheck(file, own, {});
-    for (const auto& reading : readings)
-      if (!ids.insert(reading.id).second)
-        throw InputError(file + ":" + std::to_string(reading.line) + " (id)", inQuotes(reading.id) + " again",
-                         "an id of its own in all files");
-    set->readings.insert(set->readings.end(), readings.begin(), readings.end());
-    set->checks.checks.insert(set->checks.checks.end(), checks.checks.begin(), checks.checks.end());
-    set->checks.missing = checks.missing;
-    set->name += (set->name.empty() ? "" : " + ") + fs::path(file).filename().string();
-  }
+  Cell own = cell;
+  auto [readings, checks] = readAndCheck(files, own, {});
+  set->readings = std::move(readings);
+  set->checks = std::move(checks);
+  for (const auto& file : files) set->name += (set->name.empty() ? "" : " + ") + fs::path(file).filename().string();
   return set;
 }
 
