@@ -1,0 +1,119 @@
+// Readings that leave several explanations, and what the proposed ones do: after at most twelve of them, filled in by
+// the true arm, is one cause left, and the true one? Beside it twelve random readings of the same candidates.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+
+#include "app/diagnosis_job.hpp"
+#include "calibration/reading_prediction.hpp"
+#include "tests/calibration/seeded_mistakes.hpp"
+
+namespace {
+
+using namespace tubeplan;
+using calibration::Measurement, calibration::ReadingCandidate, calibration::Verdict;
+using Random = boost::random::mt19937_64;
+
+constexpr std::array kHidden{"backlash@tool.z:0.03deg",       "stiffening@tool.z:softness=1.2,knee=150",
+                             "joint-offset@theta4:0.01deg",   "tool-weight@tool:0.03",
+                             "joint-scale@theta4:0.0002",     "link-twist@latch-link:0.012deg",
+                             "backlash@base-link.z:0.012deg", "link-weight@forearm:0.8",
+                             "contact-force@tip:0.8",         "joint-coupling@theta4<-theta3:0.00015"};
+
+/// What the true arm would give at a candidate's postures.
+void fillIn(const calibration::CampaignTruth& truth, std::vector<Measurement>& readings, const std::string& name,
+            Random& random) {
+  boost::random::normal_distribution<double> normal;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    Measurement& reading = readings[k];
+    reading.id = fmt::format("{}.{}", name, k + 1);
+    Eigen::Vector3d tip = calibration::predictReading(truth.arm, truth.bases.front().X_WB, reading).value;
+    for (double& coordinate : tip) coordinate += reading.sigma * normal(random);
+    reading.p_W = tip;
+    for (Eigen::Index j = 0; j < reading.q.size(); ++j)
+      reading.q[j] += calibration::jointAt(truth.arm, static_cast<int>(j)).encoder_sigma * normal(random);
+  }
+}
+
+bool isTrue(const calibration::Diagnosis& diagnosis, const std::string& hidden) {
+  if (diagnosis.verdict != Verdict::kExplained || diagnosis.alternatives.front().effects.size() != 1) return false;
+  const auto& found = diagnosis.alternatives.front().effects.front();
+  const auto matches = [&](const std::string& effect, const std::string& at) {
+    return hidden.starts_with(effect + "@" + at + ":");
+  };
+  return matches(found.effect, found.at) || std::any_of(found.also.begin(), found.also.end(), [&](const auto& also) {
+           return matches(also.first, also.second);
+         });
+}
+
+struct Count {
+  int one = 0, right = 0;
+  void add(const calibration::Diagnosis& diagnosis, const std::string& hidden) {
+    one += diagnosis.verdict == Verdict::kExplained;
+    right += isTrue(diagnosis, hidden);
+  }
+};
+
+int run(int sets, int count, std::uint64_t first_seed) {
+  int ambiguous = 0, separable = 0;
+  Count proposed, random_ones;
+  for (int k = 0; k < sets; ++k) {
+    const std::string hidden = kHidden[static_cast<std::size_t>(k) % kHidden.size()];
+    const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);
+    calibration::CampaignTruth truth;
+    const auto set = calibration::simulatedSet("bench.yaml", "bench", 48, {hidden}, seed,
+                                               [&](app::SimulationTask& task) { truth = task.truth; });
+    if (!set) continue;
+    app::CellReadings input{set->cell, "simulated", set->table.readings};
+    app::DiagnosisRequest request;
+    request.next = count;
+    const auto outcome = app::diagnoseModel(input, request);
+    if (outcome.diagnosis.verdict != Verdict::kAmbiguous) continue;
+    ++ambiguous;
+    if (outcome.next.times != 1) continue;  // it is said that so many do not separate them
+    ++separable;
+    Random random(seed);
+    const auto verdictWith = [&](const auto& choose) {
+      app::CellReadings more = input;
+      for (int n = 0; n < count && choose(n) >= 0; ++n) {
+        auto readings = outcome.candidates[static_cast<std::size_t>(choose(n))].readings;
+        fillIn(truth, readings, fmt::format("N{}", n), random);
+        more.readings.insert(more.readings.end(), readings.begin(), readings.end());
+      }
+      return app::diagnoseReadings(more.cell, more.readings, request);
+    };
+    const auto& next = outcome.next.readings;
+    const auto asProposed = [&](int n) {
+      return n < static_cast<int>(next.size()) ? next[static_cast<std::size_t>(n)].candidate : -1;
+    };
+    boost::random::uniform_int_distribution<int> any(0, static_cast<int>(outcome.candidates.size()) - 1);
+    std::vector<int> drawn;
+    for (int n = 0; n < count; ++n) drawn.push_back(any(random));
+    proposed.add(verdictWith(asProposed), hidden);
+    random_ones.add(verdictWith([&](int n) { return drawn[static_cast<std::size_t>(n)]; }), hidden);
+    fmt::print("{:2d} {:40s} proposed {} of {}, random {} of {}: one cause left\n", k, hidden, proposed.one, separable,
+               random_ones.one, separable);
+  }
+  fmt::print("{} sets, {} ambiguous, {} of them said to be separable by {} readings\n", sets, ambiguous, separable,
+             count);
+  fmt::print("proposed: {} end in one cause, {} in the true one; random: {} and {}\n", proposed.one, proposed.right,
+             random_ones.one, random_ones.right);
+  return 10 * proposed.one >= 9 * separable ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App cli("what the proposed readings separate");
+  int sets = 60, count = 12;
+  std::uint64_t seed = 1;
+  cli.add_option("--sets", sets);
+  cli.add_option("--readings", count);
+  cli.add_option("--seed", seed);
+  CLI11_PARSE(cli, argc, argv);
+  return run(sets, count, seed);
+}
