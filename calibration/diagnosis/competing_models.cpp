@@ -36,6 +36,7 @@ constexpr std::size_t kMostSeeds = 20;   // models that are extended by another 
 constexpr std::size_t kMostLooked = 40;  // extensions that a quick look leaves
 constexpr std::size_t kManyTerms = 60;   // ways to say a cause, from which only some are looked at
 constexpr std::size_t kFitsAtOnce = 6;   // side by side
+constexpr int kManyRows = 20000;         // from which fewer leaders are fitted
 constexpr double kLeastVisible = 1;      // noise sigmas that a cause of the largest usual size must show
 constexpr double kLeaderWindow = 8;      // of log weight behind the best: models that are fitted ...
 constexpr double kLeaderShare = 0.075;   // ... or a share of what the best gains, since linear evidence errs with it
@@ -434,8 +435,10 @@ void fitNearest(DiagnosisWork& work) {
   const auto of_nothing = std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); });
   const double nothing = of_nothing->logWeight();
   fitModel(work, *of_nothing);
-  const auto limit = static_cast<std::size_t>(work.options.most_leaders);
-  for (std::size_t fitted = 0; fitted < 2 * limit;) {
+  // So many readings part the models by far more than linear evidence errs, and each fit takes seconds.
+  const bool are_many = work.noise.front().weights.rows > kManyRows;
+  const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
+  for (std::size_t fitted = 0; fitted < (are_many ? limit : 2 * limit);) {
     sortByWeight(models);
     const double best = models.front().logWeight();
     const double window = leaderWindow(best, nothing);
