@@ -1,7 +1,6 @@
 #include "app/workbench/workbench.hpp"
 
 #include <filesystem>
-#include <set>
 
 #include "app/input_error.hpp"
 #include "app/readers/measurements_reader.hpp"

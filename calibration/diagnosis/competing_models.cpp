@@ -29,7 +29,7 @@ constexpr double kMoreNoise = 0.1;
 // A size is of any order up to what real machines have, or now and then far beyond.
 constexpr std::array<std::array<double, 2>, 4> kSizes{
     {{0.5, 0.4}, {0.15, 0.3}, {0.04, 0.2}, {4, 0.1}}};  // sigma over the largest usual, share
-constexpr double kMisfit = 0.01;         // p of what the richest model leaves, below which the noise is doubted
+constexpr double kMisfit = 0.01;         // p of what the richest or best model leaves, below which the noise is doubted
 constexpr std::size_t kBlock = 1024;     // readings whose columns are in memory at once
 constexpr double kHopeless = 5;          // of log weight below nothing missing: from no such cause pairs are made
 constexpr std::size_t kMostSeeds = 20;   // models that are extended by another cause
@@ -307,11 +307,6 @@ double logPriorOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms
   return log;
 }
 
-double logSum(double a, double b) {
-  const double most = std::max(a, b);
-  return std::isfinite(most) ? most + std::log1p(std::exp(std::min(a, b) - most)) : most;
-}
-
 /// Takes one more view of noise or sizes into a model's evidence.
 void blend(CompetingModel& model, const WeighedDiscrepancy& evidence, double log_share, const NoiseHypothesis& noise) {
   const double log = evidence.log + log_share + noise.log_prior;
@@ -429,12 +424,14 @@ std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models,
   return leaders;
 }
 
+bool saysNothing(const CompetingModel& model) { return model.terms.empty(); }
+
 /// That of nothing missing, and leaders until no other comes near the best of them.
 void fitNearest(DiagnosisWork& work) {
   auto& models = work.models;
-  const auto of_nothing = std::find_if(models.begin(), models.end(), [](const auto& m) { return m.terms.empty(); });
-  const double nothing = of_nothing->logWeight();
-  fitModel(work, *of_nothing);
+  CompetingModel& of_nothing = *std::find_if(models.begin(), models.end(), saysNothing);
+  const double nothing = of_nothing.logWeight();
+  fitModel(work, of_nothing);
   // So many readings part the models by far more than linear evidence errs, and each fit takes seconds.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
@@ -509,6 +506,10 @@ bool linearize(DiagnosisWork& work) {
   if (!addNoise(work, 0, 0)) return false;
   const double more = errorBeyondRichest(work);
   return !(more > 0) || doubtNoise(work, more);
+}
+
+const CompetingModel& modelOfNothing(const DiagnosisWork& work) {
+  return *std::find_if(work.models.begin(), work.models.end(), saysNothing);
 }
 
 double leaderWindow(double best, double nothing) { return std::max(kLeaderWindow, kLeaderShare * (best - nothing)); }

@@ -93,6 +93,9 @@ void compareModels(DiagnosisWork& work);
 /// Fits the leading ones and that of nothing missing. Unwinds where it was stopped.
 void fitLeaders(DiagnosisWork& work);
 
+/// That nothing is missing; `work.models` must be compared.
+[[nodiscard]] const CompetingModel& modelOfNothing(const DiagnosisWork& work);
+
 /// Of log weight behind the best model, within which linear evidence may err: those are fitted.
 [[nodiscard]] double leaderWindow(double best, double nothing);
 

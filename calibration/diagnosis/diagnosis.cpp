@@ -91,8 +91,7 @@ void conclude(Answer& answer) {
     if (result.closest.size() < kMostClosest) result.closest.push_back(one.explanation);
   decide(work.options, posterior, result);
   rankCauses(work, result);
-  for (const CompetingModel& model : work.models)
-    if (model.terms.empty()) result.nothing_criterion = -2 * model.logWeight();
+  result.nothing_criterion = -2 * modelOfNothing(work).logWeight();
   const CompetingModel& best = work.models.front();
   result.model_error = best.model_error;
   if (result.verdict == Verdict::kPartlyExplained) result.remainder = remainderOf(work, posterior.sure_model);
@@ -235,10 +234,7 @@ double bestWeight(const Answer& found) {
 /// Within which the linear evidence of its models may err.
 double windowOf(const Answer& found) {
   if (!found.is_found) return 0;
-  double nothing = 0;
-  for (const CompetingModel& model : found.work.models)
-    if (model.terms.empty()) nothing = model.logWeight();
-  return leaderWindow(found.work.models.front().logWeight(), nothing);
+  return leaderWindow(found.work.models.front().logWeight(), modelOfNothing(found.work).logWeight());
 }
 
 Diagnosis concluded(Answer found, const std::vector<Measurement>& all) {

@@ -54,6 +54,11 @@ MatrixXd pivotedCholesky(const MatrixXd& matrix) {
 
 }  // namespace
 
+double logSum(double a, double b) {
+  const double most = std::max(a, b);
+  return std::isfinite(most) ? most + std::log1p(std::exp(std::min(a, b) - most)) : most;
+}
+
 void EvidenceGram::add(const MatrixXd& J, const MatrixXd& S, const MatrixXd& Z, const VectorXd& y) {
   fitted = J.cols(), causes = S.cols(), discrepancy = Z.cols();
   const Index count = fitted + causes + discrepancy + 1;

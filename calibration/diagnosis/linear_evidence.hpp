@@ -17,6 +17,9 @@
 
 namespace tubeplan::calibration {
 
+/// log(exp(a) + exp(b)).
+[[nodiscard]] double logSum(double a, double b);
+
 /// Inner products of the columns [J S Z y] over all readings, and the density of the whitening.
 struct EvidenceGram {
   Eigen::Index fitted = 0, causes = 0, discrepancy = 0;  ///< columns of J, S and Z; y is the last

@@ -6,18 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "calibration/diagnosis/linear_evidence.hpp"
+
 namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-namespace {
-
-double logSum(double a, double b) {
-  const double most = std::max(a, b);
-  return std::isfinite(most) ? most + std::log1p(std::exp(std::min(a, b) - most)) : most;
-}
-
-}  // namespace
 
 SingleSources::SingleSources(MatrixXd columns, std::vector<std::vector<int>> sources, const std::vector<double>& shares)
     : columns_(std::move(columns)), sources_(std::move(sources)) {

@@ -14,7 +14,7 @@ class WorkbenchLost(Exception):
 
 
 class Workbench:
-    """`tubeplan serve` on a free port; `refusal` holds its words and `code` its exit code where it did not start."""
+    """`tubeplan serve` on a free port; `words()` and `code` say why where it did not start."""
 
     def __init__(self, program, words, folder, seconds=240):
         self.seconds = seconds
