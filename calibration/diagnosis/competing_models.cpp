@@ -38,9 +38,11 @@ constexpr std::size_t kManyTerms = 60;   // ways to say a cause, from which only
 constexpr std::size_t kFitsAtOnce = 6;   // side by side
 constexpr int kManyRows = 20000;         // from which fewer leaders are fitted
 constexpr double kLeastVisible = 1;      // noise sigmas that a cause of the largest usual size must show
+constexpr double kInsignificant = 2;     // sigmas of a fitted size, below which it may be none
 constexpr double kLeaderWindow = 8;      // of log weight behind the best: models that are fitted ...
 constexpr double kLeaderShare = 0.075;   // ... or a share of what the best gains, since linear evidence errs with it
 constexpr Eigen::Index kPrincipalTerms = 80;  // of the discrepancy, in the evidence of a fit
+constexpr double kMostKept = 5e7;             // numbers of the causes' columns that stay in memory
 constexpr double kMostForSources = 2e6;       // rows times terms, up to which single sources are weighed
 constexpr int kMostNumbers = 8;               // of a cause of which choices of some are tried
 
@@ -93,7 +95,29 @@ struct Block {
   VectorXd y;
 };
 
-bool fillBlock(const DiagnosisWork& work, const std::vector<int>& which, Block& block) {
+/// The causes' columns of one block under the stated noise: computed once, then kept where they fit into memory.
+MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const Block& block,
+                      const ReadingWeights& apart) {
+  const std::vector<int>& first_row = work.basis.weights.first_row;
+  const auto rowOf = [&](std::size_t k) { return first_row[static_cast<std::size_t>(which[k])]; };
+  Eigen::MatrixXf& kept = work.kept_signatures;
+  MatrixXd S(block.y.size(), static_cast<Index>(work.signatures->columns().size()));
+  if (kept.size() > 0 && work.noise.size() == 1) {
+    for (std::size_t k = 0; k < which.size(); ++k)
+      S.middleRows(apart.first_row[k], rowsOf(block.readings[k])) =
+          kept.middleRows(rowOf(k), rowsOf(block.readings[k])).cast<double>();
+    return S;
+  }
+  S = work.signatures->columnsAt(block.readings, apart, work.basis.stop);
+  if (S.rows() != block.y.size() || static_cast<double>(work.basis.weights.rows) * S.cols() > kMostKept) return S;
+  kept.resize(work.basis.weights.rows, S.cols());
+  for (std::size_t k = 0; k < which.size(); ++k)
+    kept.middleRows(rowOf(k), rowsOf(block.readings[k])) =
+        S.middleRows(apart.first_row[k], rowsOf(block.readings[k])).cast<float>();
+  return S;
+}
+
+bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block) {
   const DiagnosisBasis& basis = work.basis;
   block.readings = picked(basis.readings, which);
   auto weights = weighReadings(basis.fitted, block.readings, {}, 0, basis.stop);
@@ -108,7 +132,7 @@ bool fillBlock(const DiagnosisWork& work, const std::vector<int>& which, Block& 
   if (!residual.ok) return false;
   block.J = std::move(residual.jacobian);
   block.y = -residual.r;
-  block.S = work.signatures->columnsAt(block.readings, apart, basis.stop);
+  block.S = signaturesOf(work, which, block, apart);
   block.Z = work.discrepancy->columnsAt(block.readings, apart);
   return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
 }
@@ -227,16 +251,27 @@ struct WeighedTerm {
   double log_share = 0;
 };
 
+double logShare(const Cause& cause, std::size_t choices) {
+  return -std::log(static_cast<double>(cause.levels.size() * choices));
+}
+
+int countNumbers(const DiagnosisWork& work, int cause, int level) {
+  return static_cast<int>(work.signatures->columnsOf(cause, level).size());
+}
+
 std::vector<WeighedTerm> termsOf(const DiagnosisWork& work, int index) {
   const Cause& cause = work.cause(index);
   std::vector<WeighedTerm> terms;
   for (int level = 0; level < static_cast<int>(cause.levels.size()); ++level) {
-    const int numbers = static_cast<int>(work.signatures->columnsOf(index, level).size());
-    const auto choices = choicesOf(cause, numbers);
-    for (const auto& choice : choices)
-      terms.push_back({{index, level, choice}, -std::log(static_cast<double>(cause.levels.size() * choices.size()))});
+    const auto choices = choicesOf(cause, countNumbers(work, index, level));
+    for (const auto& choice : choices) terms.push_back({{index, level, choice}, logShare(cause, choices.size())});
   }
   return terms;
+}
+
+double logShareOf(const DiagnosisWork& work, const ModelTerm& term) {
+  const Cause& cause = work.cause(term.cause);
+  return logShare(cause, choicesOf(cause, countNumbers(work, term.cause, term.level)).size());
 }
 
 /// Of very many ways to say a cause those at every fourth level, with one number or all.
@@ -426,6 +461,36 @@ std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models,
 
 bool saysNothing(const CompetingModel& model) { return model.terms.empty(); }
 
+/// The terms that a fit found a size of.
+std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
+  std::vector<ModelTerm> significant;
+  Index first = 0;
+  for (const ModelTerm& term : model.terms) {
+    const auto count = static_cast<Index>(term.numbers.size());
+    const auto sigmas = model.sizes.segment(first, count).cwiseQuotient(model.sigma.segment(first, count));
+    if ((sigmas.array().abs() >= kInsignificant).any()) significant.push_back(term);
+    first += count;
+  }
+  return significant;
+}
+
+/// Linear evidence asks for a further cause where only another's time or shape was coarse: the best fitted model
+/// without the causes that it found no size of, where it is not fitted yet.
+CompetingModel* bestWithoutInsignificant(DiagnosisWork& work) {
+  const CompetingModel& best = work.models.front();
+  if (!best.is_fitted || best.terms.size() < 2 || !std::isfinite(best.log_evidence)) return nullptr;
+  const auto terms = significantTerms(best);
+  if (terms.empty() || terms.size() == best.terms.size()) return nullptr;
+  const auto causes = causesOf(terms);
+  const auto same = std::find_if(work.models.begin(), work.models.end(),
+                                 [&](const CompetingModel& model) { return causesOf(model.terms) == causes; });
+  if (same != work.models.end()) return same->is_fitted ? nullptr : &*same;
+  double log_share = 0;
+  for (const ModelTerm& term : terms) log_share += logShareOf(work, term);
+  work.models.push_back(weigh(work, terms, log_share));
+  return &work.models.back();
+}
+
 /// That of nothing missing, and leaders until no other comes near the best of them.
 void fitNearest(DiagnosisWork& work) {
   auto& models = work.models;
@@ -435,25 +500,30 @@ void fitNearest(DiagnosisWork& work) {
   // So many readings part the models by far more than linear evidence errs, and each fit takes seconds.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
-  for (std::size_t fitted = 0; fitted < (are_many ? limit : 2 * limit);) {
+  const std::size_t most = are_many ? limit : 2 * limit;
+  for (std::size_t fitted = 0;;) {
     sortByWeight(models);
+    CompetingModel* simpler = bestWithoutInsignificant(work);
     const double best = models.front().logWeight();
     const double window = leaderWindow(best, nothing);
     std::vector<CompetingModel*> next;
-    for (std::size_t k = 0; k < std::min(limit, models.size()) && next.size() < kFitsAtOnce; ++k)
-      if (!models[k].is_fitted && models[k].logWeight() > best - window) next.push_back(&models[k]);
+    if (simpler) next.push_back(simpler);
+    for (std::size_t k = 0; fitted < most && k < std::min(limit, models.size()) && next.size() < kFitsAtOnce; ++k)
+      if (!models[k].is_fitted && models[k].logWeight() > best - window && &models[k] != simpler)
+        next.push_back(&models[k]);
     if (next.empty()) return;
     tell(work.options.hooks, "models", fitted, limit);
     tbb::parallel_for(std::size_t{0}, next.size(), [&](std::size_t k) { fitModel(work, *next[k]); });
     fitted += next.size();
   }
-  sortByWeight(models);
 }
 
 /// Takes in that the noise may be larger than stated.
 bool doubtNoise(DiagnosisWork& work, double model_error) {
   work.noise.front().log_prior = std::log1p(-kMoreNoise);
-  return addNoise(work, model_error, std::log(kMoreNoise));
+  const bool is_added = addNoise(work, model_error, std::log(kMoreNoise));
+  work.kept_signatures.resize(0, 0);
+  return is_added;
 }
 
 }  // namespace

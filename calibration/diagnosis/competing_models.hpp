@@ -66,6 +66,7 @@ struct DiagnosisWork {
   CauseList causes;
   std::unique_ptr<Signatures> signatures;
   std::unique_ptr<Discrepancy> discrepancy;
+  Eigen::MatrixXf kept_signatures;     ///< all readings' columns by the stated noise; empty of too many
   std::vector<NoiseHypothesis> noise;  ///< the stated first; another where readings ask for it
   std::vector<CompetingModel> models;  ///< most probable first
 

@@ -38,7 +38,7 @@ Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement
 
 /// An answer with what it was found by: errors kept out, powers and views are worked out for the one that is given.
 struct Answer {
-  explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}} {}
+  explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}, {}} {}
 
   Diagnosis result;
   DiagnosisWork work;

@@ -1,5 +1,7 @@
 #include "calibration/diagnosis/linear_evidence.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -16,6 +18,8 @@ namespace {
 constexpr Index kMostAxes = 120;     // of the discrepancy: those along which it is large
 constexpr double kLeastAxis = 1e-5;  // of the discrepancy's variance, that is left out
 constexpr double kAbsorbed = 1e-8;   // squared share of a column's length below which only rounding is left of it
+constexpr Index kPanel = 64;         // columns that are multiplied at once
+constexpr Index kRowsAtOnce = 4096;  // that are copied to be multiplied
 constexpr double kSmallest = 1e-300;
 
 double logSum(const std::vector<double>& logs) {
@@ -63,9 +67,17 @@ void EvidenceGram::add(const MatrixXd& J, const MatrixXd& S, const MatrixXd& Z, 
   fitted = J.cols(), causes = S.cols(), discrepancy = Z.cols();
   const Index count = fitted + causes + discrepancy + 1;
   if (products.size() == 0) products = MatrixXd::Zero(count, count);
-  MatrixXd all(y.size(), count);
-  all << J, S, Z, y;
-  products.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
+  for (Index row = 0; row < y.size(); row += kRowsAtOnce) {
+    const Index rows = std::min(kRowsAtOnce, y.size() - row);
+    MatrixXd all(rows, count);
+    all << J.middleRows(row, rows), S.middleRows(row, rows), Z.middleRows(row, rows), y.segment(row, rows);
+    const Index panels = (count + kPanel - 1) / kPanel;
+    tbb::parallel_for(Index{0}, panels, [&](Index panel) {
+      const Index first = panel * kPanel, width = std::min(kPanel, count - first);
+      products.block(first, first, count - first, width).noalias() +=
+          all.rightCols(count - first).transpose() * all.middleCols(first, width);
+    });
+  }
 }
 
 LinearEvidence::LinearEvidence(const EvidenceGram& gram, const std::vector<Unknown>& fitted,

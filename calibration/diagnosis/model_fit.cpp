@@ -14,10 +14,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kFall = 0.03;      // of chi-square, by a step that asks for no further one
-constexpr double kFarSize = 4;      // of the largest usual: the prior of a size while it is fitted
-constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
-constexpr double kShapePrior = 3;   // of a knee's typical step
+constexpr double kFall = 0.03;          // of chi-square, by a step that asks for no further one
+constexpr double kFarSize = 4;          // of the largest usual: the prior of a size while it is fitted
+constexpr double kBeyondUsual = 2;      // sigmas past the largest usual size
+constexpr double kShapePrior = 3;       // of a knee's typical step
+constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 
 /// A model under way: what is free beside the baseline's numbers.
 struct Placed {
@@ -28,37 +29,59 @@ struct Placed {
   std::vector<std::size_t> counts;  ///< sizes of each term
 };
 
-/// A step between two readings is the same wherever it is between them: every gap near the level is tried.
+/// Middles of the gaps between the readings' times, from one time to another.
+std::vector<double> gapsBetween(const std::vector<Measurement>& readings, double from, double to) {
+  std::vector<double> times;
+  for (const auto& reading : readings)
+    if (std::isfinite(reading.time)) times.push_back(reading.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<double> gaps;
+  for (std::size_t k = 0; k + 1 < times.size(); ++k)
+    if (const double time = (times[k] + times[k + 1]) / 2; time >= from && time <= to) gaps.push_back(time);
+  return gaps;
+}
+
+/// Of these times of a step the one that lowers chi-square most.
+std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& term, const std::vector<double>& times) {
+  cause.levels = times;
+  const Signatures signatures(work.basis.fitted, {cause});
+  EvidenceGram gram;
+  const MatrixXd S = signatures.columnsAt(work.basis.readings, work.basis.weights, work.basis.stop);
+  if (S.rows() != work.basis.residual.r.size()) return times.size() / 2;
+  gram.add(work.basis.residual.jacobian, S, MatrixXd(S.rows(), 0), -work.basis.residual.r);
+  const LinearEvidence evidence(gram, work.basis.unknowns, {});
+  std::size_t best = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    std::vector<int> columns;
+    for (const int number : term.numbers)
+      columns.push_back(signatures.columnsOf(0, static_cast<int>(k))[static_cast<std::size_t>(number)]);
+    if (const double fall = evidence.fall(columns); fall > most) most = fall, best = k;
+  }
+  return best;
+}
+
+/// A step between two readings is the same wherever it is between them: the gaps near the level are tried, of very
+/// many first some, then all between the neighbours of the best.
 double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
   const ModelTerm& term = model.terms[index];
-  Cause cause = work.cause(term.cause);
+  const Cause& cause = work.cause(term.cause);
   const auto& levels = cause.levels;
   const auto level = static_cast<std::size_t>(term.level);
   const double from = level > 0 ? levels[level - 1] : -std::numeric_limits<double>::infinity();
   const double to = level + 1 < levels.size() ? levels[level + 1] : std::numeric_limits<double>::infinity();
-  std::vector<double> times;
-  for (const auto& reading : work.basis.readings)
-    if (std::isfinite(reading.time)) times.push_back(reading.time);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  cause.levels.clear();
-  for (std::size_t k = 0; k + 1 < times.size(); ++k)
-    if (const double time = (times[k] + times[k + 1]) / 2; time >= from && time <= to) cause.levels.push_back(time);
-  if (cause.levels.size() < 2) return levels[level];
-  const Signatures signatures(work.basis.fitted, {cause});
-  EvidenceGram gram;
-  const MatrixXd S = signatures.columnsAt(work.basis.readings, work.basis.weights, work.basis.stop);
-  if (S.rows() != work.basis.residual.r.size()) return levels[level];
-  gram.add(work.basis.residual.jacobian, S, MatrixXd(S.rows(), 0), -work.basis.residual.r);
-  const LinearEvidence evidence(gram, work.basis.unknowns, {});
-  double best = levels[level], most = -1;
-  for (std::size_t k = 0; k < cause.levels.size(); ++k) {
-    std::vector<int> columns;
-    for (const int number : term.numbers)
-      columns.push_back(signatures.columnsOf(0, static_cast<int>(k))[static_cast<std::size_t>(number)]);
-    if (const double fall = evidence.fall(columns); fall > most) most = fall, best = cause.levels[k];
+  std::vector<double> gaps = gapsBetween(work.basis.readings, from, to);
+  while (gaps.size() > kMostTimes) {
+    const std::size_t step = gaps.size() / kMostTimes + 1;
+    std::vector<double> some;
+    for (std::size_t k = 0; k < gaps.size(); k += step) some.push_back(gaps[k]);
+    const std::size_t best = bestTime(work, cause, term, some) * step;
+    const std::size_t first = best > step ? best - step : 0, last = std::min(gaps.size() - 1, best + step);
+    gaps = std::vector<double>(gaps.begin() + static_cast<std::ptrdiff_t>(first),
+                               gaps.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   }
-  return best;
+  return gaps.size() < 2 ? levels[level] : gaps[bestTime(work, cause, term, gaps)];
 }
 
 Placed place(const DiagnosisWork& work, const CompetingModel& model) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 #include "calibration/reading_prediction.hpp"
 
@@ -11,6 +12,8 @@ namespace tubeplan::calibration {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
+
+constexpr std::size_t kNumbersOfLayer = 8;
 
 bool actsAlike(const Cause& cause) { return cause.effects.size() > 1; }
 
@@ -31,6 +34,7 @@ int Signatures::addColumn(const Unknown& unknown) {
   return static_cast<int>(columns_.size()) - 1;
 }
 
+/// Few causes to a layer: each is derived beside all others of its layer.
 void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes) {
   std::size_t most_levels = 0;
   for (const Cause& cause : causes)
@@ -44,8 +48,10 @@ void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& ca
         layer.columns.push_back(of_cause_[c][level].back());
         layer.unknowns.push_back(unknown);
       }
+      if (layer.unknowns.size() < kNumbersOfLayer) continue;
+      layers_.push_back(std::exchange(layer, Layer{fitted, {}, {}, {}}));
     }
-    layers_.push_back(std::move(layer));
+    if (!layer.unknowns.empty()) layers_.push_back(std::move(layer));
   }
 }
 
