@@ -117,6 +117,21 @@ TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
   EXPECT_FALSE(mentions("joint-offset"));
 }
 
+// Of 1,000 times the catalogue tries 64: a slip among the others asked for a link's length beside it, of size none.
+TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 1000, 3);
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    readings[k].time = 60. * static_cast<double>(k);
+    if (k >= 500) readings[k].p_W->x() += 0.1 * kInch;
+  }
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.verdict, Verdict::kExplained);
+  ASSERT_EQ(found.alternatives.size(), 1U);
+  ASSERT_TRUE(holds(found, "base-slip", "base"));
+  EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
+}
+
 TEST(Diagnosis, SameSeedSameAnswer) {
   const Diagnosis a = diagnosisOf("hysteresis", "theta3", {0.0002}, 5, 45);
   const Diagnosis b = diagnosisOf("hysteresis", "theta3", {0.0002}, 5, 45);
