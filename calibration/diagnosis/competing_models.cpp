@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -305,16 +306,6 @@ bool hasEffects(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) 
   return std::any_of(terms.begin(), terms.end(), [&](const ModelTerm& t) { return work.cause(t.cause).frees.empty(); });
 }
 
-/// Two errors of one joint's reading together follow about any function of it: they would name what is not known.
-bool followOneJoint(const Cause& a, const Cause& b) {
-  if (a.effects.size() != 1 || b.effects.size() != 1) return false;
-  const auto isOfReading = [](const Cause& cause) {
-    return deflection::effectKinds()[static_cast<std::size_t>(cause.effects.front().kind)].stage ==
-           deflection::EffectStage::kReading;
-  };
-  return isOfReading(a) && isOfReading(b) && a.effects.front().place.row == b.effects.front().place.row;
-}
-
 /// Whether a cause at the largest usual size would show at all beyond what the fitted numbers absorb.
 bool isVisible(const DiagnosisWork& work, int cause) {
   const auto shows = [&](int column) {
@@ -330,8 +321,7 @@ bool isVisible(const DiagnosisWork& work, int cause) {
 
 bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause) {
   return std::none_of(terms.begin(), terms.end(), [&](const ModelTerm& term) {
-    return term.cause == cause || followOneJoint(work.cause(term.cause), work.cause(cause)) ||
-           overlap(work.cause(term.cause), work.cause(cause));
+    return term.cause == cause || overlap(work.cause(term.cause), work.cause(cause));
   });
 }
 
@@ -449,13 +439,29 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
   return found;
 }
 
-/// Those that are worth going on from.
-std::vector<CompetingModel> leadersOf(const std::vector<CompetingModel>& models, double nothing, std::size_t most) {
+/// Says several single causes at once: one at all joints alike, or all of the geometry.
+bool saysManyAtOnce(const DiagnosisWork& work, const CompetingModel& model) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const ModelTerm& term) {
+    const Cause& cause = work.cause(term.cause);
+    return cause.effects.size() > 1 || cause.frees.size() > 1;
+  });
+}
+
+/// Those that are worth going on from. One that says many causes at once gains what a few of them together would, and
+/// none of them alone: single ones are held against single ones.
+std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vector<CompetingModel>& models,
+                                      double nothing, std::size_t most) {
   std::vector<CompetingModel> leaders;
-  if (models.empty()) return leaders;
-  const double best = models.front().logWeight(), window = leaderWindow(best, nothing);
-  for (const CompetingModel& model : models)
-    if (leaders.size() < most && model.logWeight() > best - window) leaders.push_back(model);
+  for (const bool of_many : {false, true}) {
+    std::size_t count = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const CompetingModel& model : models) {
+      if (saysManyAtOnce(work, model) != of_many) continue;
+      if (count == 0) least = model.logWeight() - leaderWindow(model.logWeight(), nothing);
+      if (count < most && model.logWeight() > least) leaders.push_back(model), ++count;
+    }
+  }
+  sortByWeight(leaders);
   return leaders;
 }
 
@@ -474,21 +480,33 @@ std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   return significant;
 }
 
-/// Linear evidence asks for a further cause where only another's time or shape was coarse: the best fitted model
-/// without the causes that it found no size of, where it is not fitted yet.
-CompetingModel* bestWithoutInsignificant(DiagnosisWork& work) {
+/// The same causes with all their numbers.
+std::vector<ModelTerm> fullTerms(const DiagnosisWork& work, std::vector<ModelTerm> terms) {
+  for (ModelTerm& term : terms) {
+    term.numbers.resize(static_cast<std::size_t>(countNumbers(work, term.cause, term.level)));
+    std::iota(term.numbers.begin(), term.numbers.end(), 0);
+  }
+  return terms;
+}
+
+/// A model that says the best fitted one otherwise and is not fitted yet. Linear evidence asks for a further cause
+/// where only another's time or shape was coarse: without the causes that the fit found no size of. And it leaves out a
+/// number that a strong error elsewhere hid: with all numbers of the causes.
+CompetingModel* unfittedVariant(DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
-  if (!best.is_fitted || best.terms.size() < 2 || !std::isfinite(best.log_evidence)) return nullptr;
-  const auto terms = significantTerms(best);
-  if (terms.empty() || terms.size() == best.terms.size()) return nullptr;
-  const auto causes = causesOf(terms);
-  const auto same = std::find_if(work.models.begin(), work.models.end(),
-                                 [&](const CompetingModel& model) { return causesOf(model.terms) == causes; });
-  if (same != work.models.end()) return same->is_fitted ? nullptr : &*same;
-  double log_share = 0;
-  for (const ModelTerm& term : terms) log_share += logShareOf(work, term);
-  work.models.push_back(weigh(work, terms, log_share));
-  return &work.models.back();
+  if (!best.is_fitted || best.terms.empty() || !std::isfinite(best.log_evidence)) return nullptr;
+  for (const auto& terms : {significantTerms(best), fullTerms(work, best.terms)}) {
+    if (terms.empty() || terms == best.terms) continue;
+    const auto same = std::find_if(work.models.begin(), work.models.end(),
+                                   [&](const CompetingModel& model) { return model.terms == terms; });
+    if (same != work.models.end() && same->is_fitted) continue;
+    if (same != work.models.end()) return &*same;
+    double log_share = 0;
+    for (const ModelTerm& term : terms) log_share += logShareOf(work, term);
+    work.models.push_back(weigh(work, terms, log_share));
+    return &work.models.back();
+  }
+  return nullptr;
 }
 
 /// That of nothing missing, and leaders until no other comes near the best of them.
@@ -503,13 +521,13 @@ void fitNearest(DiagnosisWork& work) {
   const std::size_t most = are_many ? limit : 2 * limit;
   for (std::size_t fitted = 0;;) {
     sortByWeight(models);
-    CompetingModel* simpler = bestWithoutInsignificant(work);
+    CompetingModel* variant = unfittedVariant(work);
     const double best = models.front().logWeight();
     const double window = leaderWindow(best, nothing);
     std::vector<CompetingModel*> next;
-    if (simpler) next.push_back(simpler);
+    if (variant) next.push_back(variant);
     for (std::size_t k = 0; fitted < most && k < std::min(limit, models.size()) && next.size() < kFitsAtOnce; ++k)
-      if (!models[k].is_fitted && models[k].logWeight() > best - window && &models[k] != simpler)
+      if (!models[k].is_fitted && models[k].logWeight() > best - window && &models[k] != variant)
         next.push_back(&models[k]);
     if (next.empty()) return;
     tell(work.options.hooks, "models", fitted, limit);
@@ -592,7 +610,7 @@ void compareModels(DiagnosisWork& work) {
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
     tell(work.options.hooks, "causes", static_cast<std::size_t>(depth),
          static_cast<std::size_t>(work.options.most_causes));
-    level = extended(work, leadersOf(level, nothing.logWeight(), kMostSeeds));
+    level = extended(work, leadersOf(work, level, nothing.logWeight(), kMostSeeds));
     if (level.empty()) break;
     work.models.insert(work.models.end(), level.begin(), level.end());
     const double before = std::exchange(best, std::max(best, level.front().logWeight()));

@@ -21,6 +21,8 @@ struct ModelTerm {
   int cause = -1;
   int level = 0;
   std::vector<int> numbers;  ///< indices into the cause's numbers
+
+  bool operator==(const ModelTerm&) const = default;
 };
 
 struct CompetingModel {

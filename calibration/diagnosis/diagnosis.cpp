@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kMostClosest = 8;
 constexpr std::size_t kMostJudged = 3;
-constexpr std::size_t kFewOutliers = 20;  // one reading in that many, at most
+constexpr std::size_t kFewOutliers = 20;     // one reading in that many, at most
+constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again about it
 constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
@@ -25,6 +26,8 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   baseline.folds = 0;
   baseline.intervals_by_profile = false;
   baseline.hooks = untold(options.hooks);
+  if (baseline.solver.method == LeastSquaresMethod::kInTurn && !baseline.solver.tolerance)
+    baseline.solver.tolerance = kBaselineTolerance;
   return baseline;
 }
 

@@ -1,5 +1,6 @@
 #include "calibration/diagnosis/effect_warnings.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kNearNeutral = 2;  // sigmas
 constexpr int kRivals = 6;          // models that are fitted in place of an effect
+constexpr double kMostWork = 2e4;   // fitted numbers times readings times effects, up to which rivals are fitted
 
 /// What the warnings of both commands look at.
 struct Case {
@@ -194,6 +196,34 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   }
 }
 
+/// What chi-square would rise by without the effect, by the fit's covariance: Wald's statistic of its sizes.
+double riseWithout(const Case& c, int effect) {
+  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
+  std::vector<Eigen::Index> which;
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < c.with.numbers.size(); ++k) {
+    const IdentifiedNumber& number = c.with.numbers[k];
+    if (number.unknown.owner != Unknown::Owner::kArm || number.unknown.path.effect != effect) continue;
+    const auto& parameter = deflection::numbersOf(carried)[static_cast<std::size_t>(number.unknown.path.value)];
+    if (parameter.is_shape) continue;
+    which.push_back(static_cast<Eigen::Index>(k));
+    sizes.push_back(variableAt(number.unknown, number.value) - variableAt(number.unknown, parameter.neutral));
+  }
+  const auto x = Eigen::Map<const Eigen::VectorXd>(sizes.data(), static_cast<Eigen::Index>(sizes.size()));
+  return x.dot(c.with.covariance(which, which).ldlt().solve(x));
+}
+
+/// Of a model so large that fits in place of every effect would take minutes: by the covariance alone.
+void judgeByCovariance(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
+  const double gain = riseWithout(c, effect);
+  if (!(gain >= c.limits.gap)) warnings.push_back(unneeded(c, effect, gain - c.limits.gap));
+}
+
+bool isLarge(const Case& c, std::size_t effects) {
+  const auto work = static_cast<double>(c.with.numbers.size()) * static_cast<double>(c.readings.size());
+  return work * static_cast<double>(effects) > kMostWork && c.with.covariance.size() > 0;
+}
+
 EffectWarning remaining(const Case& c, int effect, double p_value) {
   EffectWarning warning = named(c, effect, EffectWarningKind::kMisfitRemains);
   warning.p_value = p_value;
@@ -206,7 +236,10 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
   std::size_t done = 0;
   for (const int e : effects) {
     tell(hooks, "effects of the cell", done++, effects.size());
-    judgeEffect(c, e, options, warnings);
+    if (isLarge(c, effects.size()) && !fittedNumbers(c.with, e).empty())
+      judgeByCovariance(c, e, warnings);
+    else
+      judgeEffect(c, e, options, warnings);
     findBeyondPlausible(c, e, warnings);
     if (c.with.p_value < c.limits.misfit) warnings.push_back(remaining(c, e, c.with.p_value));
   }

@@ -15,23 +15,27 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
     chain = assembleChain<double>(arm, arm, posture.q);
   else
     chain = assembleChain<S>(arm, castArm<double>(arm), posture.q);
-  std::vector<PoseOf<S>> frames(chain.links.size() + 1);
-  for (std::size_t k = 0; k < chain.links.size(); ++k) {
-    const ChainLink<S>& link = chain.links[k];
-    frames[k + 1].p = frames[k].p + frames[k].R * link.p;
-    frames[k + 1].R = link.type == ChainLinkType::kTurn ? Matrix3<S>(frames[k].R * link.R) : frames[k].R;
+  const std::size_t count = chain.links.size();
+  std::vector<Vector3<S>> gravity(count);  // in the axes that each link begins in
+  Vector3<S> along = posture.gravity_B;
+  for (std::size_t k = 0; k < count; ++k) {
+    gravity[k] = along;
+    if (chain.links[k].type == ChainLinkType::kTurn) along = (chain.links[k].R.transpose() * along).eval();
   }
   std::vector<Vector3<S>> moments(arm.rows.size(), Vector3<S>::Zero());
-  Vector3<S> force = posture.gravity_B * posture.load, moment = Vector3<S>::Zero();
-  for (std::size_t k = chain.links.size(); k-- > 0;) {
+  Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();  // in the axes and about the end of link k
+  for (std::size_t k = count; k-- > 0;) {
     const ChainLink<S>& link = chain.links[k];
-    if (link.type == ChainLinkType::kFrame)
-      moments[static_cast<std::size_t>(link.row)] = frames[k].R.transpose() * moment;
-    const Vector3<S> weight = posture.gravity_B * link.weight;
-    const bool hangs_aside = link.type == ChainLinkType::kLump;
-    const Vector3<S> chord = frames[k + 1].p - frames[k].p;
-    const Vector3<S> lever = hangs_aside ? Vector3<S>(frames[k].R * link.lever) : Vector3<S>(chord * S(0.5));
-    moment += chord.cross(force) + lever.cross(weight);
+    if (link.type == ChainLinkType::kFrame) moments[static_cast<std::size_t>(link.row)] = moment;
+    if (link.type == ChainLinkType::kTurn) {
+      force = (link.R * force).eval();
+      moment = (link.R * moment).eval();
+    }
+    const Vector3<S> weight = gravity[k] * link.weight;
+    if (link.type == ChainLinkType::kLump)
+      moment += link.lever.cross(weight);
+    else
+      moment += link.p.cross(force + weight * S(0.5));  // it hangs at the middle
     force += weight;
   }
   return moments;

@@ -9,6 +9,7 @@ import argparse
 import collections
 from concurrent.futures import ThreadPoolExecutor
 import pathlib
+import random
 import statistics
 import sys
 
@@ -76,18 +77,30 @@ def covered(case):
     return []
 
 
-def calibration(cases, bins=10):
-    """The expected calibration error of the first candidate's probability: is it the truth as often as it says?"""
-    filled = collections.defaultdict(list)
+def calibration(cases, bins=10, draws=400):
+    """The expected calibration error of the first candidate's probability: is it the truth as often as it says?
+
+    Beside it what exact probabilities would show over so few sets: truths drawn by those that were stated.
+    """
+    stated = []
     for case in cases:
         first = (case.answer.get("ranking") or [{}])[0]
         probability = first.get("probability")
         if isinstance(probability, (int, float)):
-            hit = (first.get("effect"), first.get("at")) in case.wanted
-            filled[min(int(probability * bins), bins - 1)].append((probability, hit))
-    count = sum(map(len, filled.values()))
-    gaps = (abs(sum(p for p, _ in part) - sum(hit for _, hit in part)) for part in filled.values())
-    return f"{sum(gaps) / count:.3f} over {count}" if count else "-"
+            stated.append((probability, (first.get("effect"), first.get("at")) in case.wanted))
+    if not stated:
+        return "-"
+
+    def error(hits):
+        gaps = collections.defaultdict(float)
+        for (probability, _), hit in zip(stated, hits):
+            gaps[min(int(probability * bins), bins - 1)] += probability - hit
+        return sum(map(abs, gaps.values())) / len(stated)
+
+    drawn = random.Random(1)
+    exact = sorted(error([drawn.random() < probability for probability, _ in stated]) for _ in range(draws))
+    return (f"{error([hit for _, hit in stated]):.3f} over {len(stated)} (exact probabilities would show "
+            f"{statistics.fmean(exact):.3f}, 95 % of the time below {exact[int(0.95 * draws)]:.3f})")
 
 
 def said(case):

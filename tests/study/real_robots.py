@@ -1,0 +1,365 @@
+#!/usr/bin/env python3
+"""real_robots.py TUBEPLAN REAL-FOLDER [SET...] [--farthest]: `improve` on measured robots, and a black box.
+
+REAL-FOLDER holds one folder per robot, with a nominal cell and readings whose column `split` keeps a half out. It is
+no part of the repository: without it the study says so and ends with code 77. For each set:
+
+  improve   `improve` from the nominal cell; the cell that it wrote is judged as it stands by `compare`;
+            a cell holds one base, so with several set-ups only the bases are placed anew for it, nothing else fitted
+  black box a Gaussian process over the joints (and the sense of motion, the load and the set-up where they vary), put
+            on top of a fit of geometry and base alone; one length scale, chosen with the noise by marginal likelihood
+  goal      the mean held-out error that `improve` is to reach, where one is set
+
+All figures are means of the position error in mm over readings kept out of both. Touches of points that nobody measured
+are judged by their spread about each point's mean, which an arm that shrinks makes small; so the known distance between
+two of those points is shown beside it.
+
+The farthest quarter is `diagnose`'s own: of each set-up, the poses (readings of one `point` go together) whose reach is
+not below the element at 3/4 of the sorted reaches; a reach is the distance from the arm's base to the predicted tip.
+Here the prediction is that of the fit of geometry. The columns `far` are means over its readings that are kept out.
+With --farthest both ways also start afresh from readings of which exactly this quarter, and nothing else, is kept out:
+how they carry over to where nothing was measured.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cho_factor, cho_solve
+from scipy.optimize import minimize
+from scipy.spatial.distance import cdist
+
+ABSENT = 77  # exit code of a study whose material is not there
+
+
+@dataclass
+class RobotSet:
+    cell: str
+    readings: str
+    goal: float = None      # mm
+    setup: str = ""         # only readings of this one
+    carried_to: str = ""    # readings on which the improved cell is judged too, its base or base and tip placed anew
+    carried_goal: float = None
+    pair_apart: float = None  # mm between the points NAME-0 and NAME-1, known apart from the readings
+
+
+SETS = {
+    "irb120": RobotSet("irb120/cell.yaml", "irb120/measurements.csv", 0.33),
+    "hilti-flat": RobotSet("hilti/cell.yaml", "hilti/measurements.csv", 1.5, setup="flat"),
+    "hilti": RobotSet("hilti/cell.yaml", "hilti/measurements.csv"),
+    "motoman-wide": RobotSet("motoman/cell-wide.yaml", "motoman/measurements-wide.csv", 1.3),
+    "iiwa-all": RobotSet("kuka-iiwa7/cell.yaml", "kuka-iiwa7/measurements-allaxes.csv", 0.28),
+    "iiwa-2.5": RobotSet("kuka-iiwa7/cell-payload.yaml", "kuka-iiwa7/measurements-payload-2.5kg.csv", 0.35,
+                         carried_to="kuka-iiwa7/measurements-allaxes.csv", carried_goal=0.9),
+    "wam": RobotSet("wam/cell.yaml", "wam/measurements.csv", 1.75),
+    "panda": RobotSet("panda-touch/cell.yaml", "panda-touch/measurements.csv", pair_apart=50.0),
+    "ur5": RobotSet("ur5/cell.yaml", "ur5/measurements.csv"),
+    "justin-right": RobotSet("justin-right/cell.yaml", "justin-right/measurements.csv"),
+}
+
+
+class Refused(Exception):
+    """The program did not do what it was asked, in its own words."""
+
+
+def read_rows(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def write_rows(path, rows):
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    return path
+
+
+def copy_of_cell(cell, to, free):
+    """The cell with another `identify` list, beside the arm of the one it was made from."""
+    arm = re.search(r'^arm: *"?([^"\n]+?)"? *$', cell.read_text(), re.MULTILINE).group(1)
+    text = re.sub(r"^arm:.*$", f'arm: "{cell.parent / arm}"', cell.read_text(), flags=re.MULTILINE)
+    to.write_text(re.sub(r"^identify:.*$", f"identify: [{', '.join(free)}]", text, flags=re.MULTILINE))
+    return to
+
+
+class Program:
+    def __init__(self, path):
+        self.path = path
+
+    def run(self, *words):
+        """Figures of one command, and its CPU seconds."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        command = [self.path] + [str(word) for word in words] + ["--json", "-"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        try:
+            figures = json.loads(done.stdout)
+        except ValueError:
+            said = done.stderr.strip().splitlines() or ["no word"]
+            raise Refused(f"{words[0]} ended with {done.returncode}: {said[-1]}") from None
+        return figures, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+    def compare(self, cell, readings):
+        return self.run("compare", cell, readings, "--folds", 0)[0]
+
+
+class Comparison:
+    """What `compare` says of each reading, in the order of the file: errors and places in mm."""
+
+    def __init__(self, figures, rows):
+        by_id = {str(reading["id"]): reading for reading in figures["readings"]}
+        told = [by_id.get(row["id"]) for row in rows]
+        if not all(told) or len(by_id) != len(rows):
+            raise Refused(f"compare told of {len(by_id)} readings out of {len(rows)}")
+        self.as_written = np.array([reading["error_before"] for reading in told], float)
+        self.refitted = np.array([reading["error_after"] for reading in told], float)
+        self.tips_as_written = np.array([reading["position_before"] for reading in told], float)
+        self.kept_out = np.array([reading["held_out"] for reading in told])
+        bases = {base["setup"]: np.array(base["base"]["position"]) for base in figures["refit"]["bases"]}
+        tips = np.array([reading["position_after"] for reading in told], float)
+        self.reach = np.linalg.norm([tip - bases[row.get("setup") or ""] for tip, row in zip(tips, rows)], axis=1)
+
+
+def farthest_quarter(rows, reach):
+    """True for each reading of the farthest quarter of its set-up's poses."""
+    far = np.zeros(len(rows), bool)
+    setups = np.array([row.get("setup") or "" for row in rows])
+    points = np.array([row["point"] or f"row {k}" for k, row in enumerate(rows)])
+    for setup in np.unique(setups):
+        here = setups == setup
+        reaches = {point: reach[here & (points == point)].max() for point in np.unique(points[here])}
+        least = sorted(reaches.values())[3 * len(reaches) // 4]
+        far |= here & np.array([reaches.get(point, 0) >= least for point in points])
+    return far
+
+
+def is_slide(column):
+    return column.endswith("_mm") and column not in ("x_mm", "y_mm", "z_mm", "sigma_mm")
+
+
+def features_of(rows):
+    """Sine and cosine of each joint; slides and loads by their spread; senses of motion and set-ups as they are."""
+    columns = []
+    for name in rows[0]:
+        if name.endswith("_deg") and not name.startswith("temperature"):
+            angles = np.radians([float(row[name]) for row in rows])
+            columns += [np.sin(angles), np.cos(angles)]
+        elif name.endswith("_dir"):
+            columns.append(np.array([float(row[name] or 0) for row in rows]))
+        elif name.startswith("load_") or is_slide(name):
+            values = np.array([float(row[name] or 0) for row in rows])
+            columns.append(values / (values.std() or 1))
+    setups = sorted({row.get("setup") or "" for row in rows})
+    columns += [np.array([float((row.get("setup") or "") == setup) for row in rows]) for setup in setups[1:]]
+    return np.column_stack([column for column in columns if np.ptp(column) > 0])
+
+
+class GaussianProcess:
+    """Error vectors over features: squared exponential, one length scale and one noise for the three coordinates."""
+
+    def __init__(self, features, errors):
+        self.features, self.mean = features, errors.mean(axis=0)
+        self.errors = errors - self.mean
+        self.squares = cdist(features, features, "sqeuclidean")
+        start = np.log(self.errors.std())
+        tries = [minimize(self.cost, [start, np.log(scale), start - 1], jac=True, method="L-BFGS-B",
+                          bounds=[(start - 5, start + 5), (-3, 4), (start - 6, start + 2)]) for scale in (0.5, 2, 6)]
+        self.size, self.scale, self.noise = np.exp(min(tries, key=lambda found: found.fun).x)
+        kernel = self.kernel(self.squares) + (self.noise ** 2 + self.jitter()) * np.eye(len(features))
+        self.weights = cho_solve(cho_factor(kernel, lower=True), self.errors)
+
+    def jitter(self):
+        return 1e-8 * self.size ** 2
+
+    def kernel(self, squares):
+        return self.size ** 2 * np.exp(-squares / (2 * self.scale ** 2))
+
+    def cost(self, logs):
+        """Negative log likelihood of the errors, and its slope."""
+        self.size, self.scale, self.noise = np.exp(logs)
+        kernel = self.kernel(self.squares)
+        unit = np.eye(len(kernel))
+        factor = cho_factor(kernel + (self.noise ** 2 + self.jitter()) * unit, lower=True)
+        weights, inverse = cho_solve(factor, self.errors), cho_solve(factor, unit)
+        count = self.errors.shape[1]
+        value = 0.5 * np.sum(self.errors * weights) + count * np.log(np.diag(factor[0])).sum()
+        pull = weights @ weights.T - count * inverse
+        slope = [-np.sum(pull * kernel) - self.jitter() * np.trace(pull),
+                 -0.5 * np.sum(pull * kernel * self.squares) / self.scale ** 2, -self.noise ** 2 * np.trace(pull)]
+        return value, np.array(slope)
+
+    def predict(self, features):
+        return self.mean + self.kernel(cdist(features, self.features, "sqeuclidean")) @ self.weights
+
+
+def is_touched_alone(rows):
+    return not any(row["x_mm"] for row in rows)
+
+
+def sizes(rows, errors):
+    """Length of each error; of touches, about the mean of each point's, which is not known better."""
+    errors = errors.copy()
+    if is_touched_alone(rows):
+        points = np.array([row["point"] for row in rows])
+        for point in np.unique(points):
+            errors[points == point] -= errors[points == point].mean(axis=0)
+    return np.linalg.norm(errors, axis=1)
+
+
+def mean_of(rows, errors, chosen):
+    return sizes([row for row, is_chosen in zip(rows, chosen) if is_chosen], errors[chosen]).mean()
+
+
+def geometry_alone(program, cell, readings, rows, folder):
+    """A fit of geometry and base to the readings that are not kept out. Touches alone do not hold a length: there the
+    cell's own list."""
+    if not is_touched_alone(rows):
+        cell = copy_of_cell(cell, folder / "geometry.yaml", ["geometry"])
+    return Comparison(program.compare(cell, readings), rows)
+
+
+def by_black_box(rows, rigid):
+    """Errors of all readings with the process's prediction taken off."""
+    features = features_of(rows)
+    process = GaussianProcess(features[~rigid.kept_out], rigid.refitted[~rigid.kept_out])
+    return rigid.refitted - process.predict(features)
+
+
+def judgement(program, written, readings, rows, folder):
+    """The comparison of the written cell, its errors those of the model with nothing but bases placed anew."""
+    if len({row.get("setup") or "" for row in rows}) < 2:
+        return Comparison(program.compare(written, readings), rows)
+    placed = Comparison(program.compare(copy_of_cell(written, folder / "placed.yaml", []), readings), rows)
+    placed.as_written = placed.refitted
+    return placed
+
+
+def by_improve(program, cell, readings, rows, folder):
+    """The comparison of the cell that was written, what the command said, its CPU seconds, and the cell."""
+    written = folder / "improved.yaml"
+    told, seconds = program.run("improve", cell, readings, "--out", written)
+    if not written.exists():
+        raise Refused(f"improve wrote no cell and ended with {told['end']}: {told['steps'][-1]['reason']}")
+    return judgement(program, written, readings, rows, folder), told, seconds, written
+
+
+def without_farthest(program, cell, rows, far, folder):
+    """Means over the farthest quarter of both ways, neither of which has seen it."""
+    apart = [dict(row, split="held-out" if is_far else "fit") for row, is_far in zip(rows, far)]
+    readings = write_rows(folder / "without-farthest.csv", apart)
+    rigid = geometry_alone(program, cell, readings, apart, folder)
+    box = by_black_box(apart, rigid)
+    improved = by_improve(program, cell, readings, apart, folder)[0].as_written
+    return {"far_apart": mean_of(apart, improved, far), "box_far_apart": mean_of(apart, box, far),
+            "rigid_far_apart": mean_of(apart, rigid.refitted, far)}
+
+
+def carried(program, written, readings, folder):
+    """Held-out means of the improved cell on other readings: its base placed anew, and base and tip."""
+    figures = program.compare(copy_of_cell(written, folder / "carried.yaml", ["tool.tip"]), readings)
+    errors = figures["refit"]["errors"]
+    return errors["heldout_before"]["mean"], errors["heldout_after"]["mean"]
+
+
+def pairs_apart(rows, tips):
+    """Mean distance between the places that the model gives the points NAME-0 and NAME-1."""
+    points = np.array([row["point"] for row in rows])
+    places = {point: tips[points == point].mean(axis=0) for point in np.unique(points)}
+    return np.mean([np.linalg.norm(place - places[point[:-1] + "1"]) for point, place in places.items()
+                    if point.endswith("-0") and point[:-1] + "1" in places])
+
+
+def first_added(told):
+    for step in told["steps"]:
+        if step["added"]:
+            return step["added"][0] + (f" and {len(step['added']) - 1} more" if len(step["added"]) > 1 else "")
+    return "nothing"
+
+
+def study(program, real, robot, with_farthest, folder):
+    """The figures of one set."""
+    cell, readings = real / robot.cell, real / robot.readings
+    if robot.setup:
+        readings = write_rows(folder / "some.csv", [row for row in read_rows(readings) if row["setup"] == robot.setup])
+    rows = read_rows(readings)
+    rigid = geometry_alone(program, cell, readings, rows, folder)
+    far = farthest_quarter(rows, rigid.reach)
+    out, far_out = rigid.kept_out, rigid.kept_out & far
+    box = by_black_box(rows, rigid)
+    judged, told, seconds, written = by_improve(program, cell, readings, rows, folder)
+    improved = judged.as_written
+    figures = {"rigid": mean_of(rows, rigid.refitted, out), "improved": mean_of(rows, improved, out),
+               "box": mean_of(rows, box, out), "far": mean_of(rows, improved, far_out),
+               "box_far": mean_of(rows, box, far_out), "seconds": seconds, "first": first_added(told),
+               "end": told["end"]}
+    if robot.carried_to:
+        figures["carried"] = carried(program, written, real / robot.carried_to, folder)
+    if robot.pair_apart:
+        figures["apart"] = pairs_apart(rows, judged.tips_as_written)
+    if with_farthest:
+        figures.update(without_farthest(program, cell, rows, far, folder))
+    return figures
+
+
+def number(value, width=9):
+    return f"{'-' if value is None else format(value, '.3f'):>{width}s}"
+
+
+def print_head(with_farthest):
+    apart = f"{'geometry':>11s}{'improve':>9s}{'box':>9s}" if with_farthest else ""
+    over = f"{'without farthest':>29s}" if with_farthest else ""
+    print(f"{'':13s}{'held out, mean in mm':>36s}{'far':>18s}{over}\n{'set':13s}{'geometry':>9s}{'improve':>9s}"
+          f"{'goal':>9s}{'box':>9s}{'improve':>9s}{'box':>9s}{apart}{'CPU s':>8s}  added first, end", flush=True)
+
+
+def print_row(name, robot, figures, with_farthest):
+    apart = "".join(number(figures[key], width) for key, width in
+                    (("rigid_far_apart", 11), ("far_apart", 9), ("box_far_apart", 9))) if with_farthest else ""
+    missed = "" if robot.goal is None or figures["improved"] <= robot.goal else "  goal missed"
+    told = "".join(number(value) for value in (figures["rigid"], figures["improved"], robot.goal, figures["box"],
+                                               figures["far"], figures["box_far"]))
+    print(f"{name:13s}{told}{apart}{figures['seconds']:8.1f}  {figures['first']}, {figures['end']}{missed}", flush=True)
+    if robot.pair_apart:
+        print(f"{'':13s} points known to be {robot.pair_apart:.1f} mm apart: {figures['apart']:.1f} mm", flush=True)
+    if robot.carried_to:
+        placed, with_tip = figures["carried"]
+        print(f"{'':13s} carried to {pathlib.Path(robot.carried_to).name}: {placed:.3f} with the base placed anew, "
+              f"{with_tip:.3f} with base and tip; goal {robot.carried_goal:.3f}"
+              f"{'' if with_tip <= robot.carried_goal else '  goal missed'}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("real", type=pathlib.Path)
+    parser.add_argument("sets", nargs="*", metavar="SET", help=", ".join(SETS))
+    parser.add_argument("--farthest", action="store_true", help="both ways afresh, without the farthest quarter")
+    asked = parser.parse_args()
+    unknown = [name for name in asked.sets if name not in SETS]
+    if unknown:
+        parser.error(f"no set {unknown[0]}; there are {', '.join(SETS)}")
+    if not asked.real.is_dir():
+        print(f"{asked.real} is not there: the measured robots are no part of the repository, nothing was judged")
+        sys.exit(ABSENT)
+    program, real = Program(str(asked.program.resolve())), asked.real.resolve()
+    print_head(asked.farthest)
+    for name in asked.sets or SETS:
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                figures = study(program, real, SETS[name], asked.farthest, pathlib.Path(folder))
+            except Refused as refusal:
+                print(f"{name:13s} {refusal}", flush=True)
+                continue
+            print_row(name, SETS[name], figures, asked.farthest)
+
+
+if __name__ == "__main__":
+    main()
