@@ -2,6 +2,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
@@ -119,8 +120,11 @@ std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::ve
 }
 
 std::vector<VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads, int count,
-                                    std::uint64_t seed) {
+                                    std::uint64_t seed, const PostureQuestion& is_allowed) {
   const ClearUnderLoads clear(cell, loads);
+  const auto isAllowed = [&](const VectorXd& q) {
+    return !is_allowed || std::all_of(loads.begin(), loads.end(), [&](double load) { return is_allowed(q, load); });
+  };
   boost::random::mt19937_64 random(seed);
   std::vector<VectorXd> found;
   for (int round = 0; round < kTriesPerPosture && static_cast<int>(found.size()) < count; ++round) {
@@ -128,7 +132,7 @@ std::vector<VectorXd> clearPostures(planner::Workcell cell, const std::vector<do
     for (int k = 0; k < count; ++k) drawn.push_back(drawPosture(cell.arm, random));
     std::vector<char> is_clear(drawn.size());
     oneapi::tbb::parallel_for(std::size_t{0}, drawn.size(),
-                              [&](std::size_t k) { is_clear[k] = clear.atAll(drawn[k]); });
+                              [&](std::size_t k) { is_clear[k] = clear.atAll(drawn[k]) && isAllowed(drawn[k]); });
     for (std::size_t k = 0; k < drawn.size() && static_cast<int>(found.size()) < count; ++k)
       if (is_clear[k]) found.push_back(drawn[k]);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,14 @@ struct ReachedHole {
 [[nodiscard]] std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::vector<int>& tubes,
                                                   bool all_branches);
 
+/// Whether a posture under a load [N] may be proposed.
+using PostureQuestion = std::function<bool(const Eigen::VectorXd& q, double load)>;
+
 /// Random postures within the joints' limits (a turn where an angle has none), clear of the scene under each of the
-/// loads [N]. Fewer where hardly any is clear.
+/// loads [N], and allowed where that is asked. Fewer where hardly any is clear.
 [[nodiscard]] std::vector<Eigen::VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads,
-                                                         int count, std::uint64_t seed);
+                                                         int count, std::uint64_t seed,
+                                                         const PostureQuestion& is_allowed = {});
 
 /// The tip touched to each hole under the cell's load.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> holeTouches(const planner::Workcell& cell,

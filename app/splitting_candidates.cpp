@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "app/measured_room.hpp"
 #include "app/reading_candidates.hpp"
 #include "deflection/inverse_kinematics.hpp"
 #include "planner/arm_clearance.hpp"
@@ -135,7 +136,10 @@ std::vector<ReadingCandidate> bareCandidates(const Cell& cell, const calibration
     }
     return candidates;
   }
-  const auto postures = clearPostures(work, custom.loads, options.postures, options.seed);
+  PostureQuestion has_room;
+  if (work.scene.bodies.empty())
+    has_room = [room = MeasuredRoom(fitted, readings)](const VectorXd& q, double load) { return room.holds(q, load); };
+  const auto postures = clearPostures(work, custom.loads, options.postures, options.seed, has_room);
   if (custom.kind == MeasurementKind::kTouch)
     return custom.loads.size() < 2 ? candidates : pointTouches(work, postures, custom.loads, custom.sigma);
   return positionReadings(postures, custom.loads, custom.sigma);

@@ -17,7 +17,8 @@ struct SplittingCandidateOptions {
   std::uint64_t seed = 1;
 };
 
-/// Postures within the limits and clear of the scene, or points of the readings and holes of the sheet, reached by the
+/// Postures within the limits and clear of the scene, or where none is described within the room that the readings
+/// took (measured_room.hpp), or points of the readings and holes of the sheet, reached by the
 /// model as fitted where it stood last. Each has senses drawn at random where readings state them, the middle of their
 /// temperatures, and their last time.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> splittingCandidates(

@@ -49,6 +49,23 @@ function table(heads, rows, {text = [0], caption = null} = {}) {
          el("tbody", {}, body)));
 }
 
+/// A button that prints the section it stands in, and nothing else of the page; `prepare` is called before.
+function printButton(text, prepare = () => {}) {
+  return el("button", {
+    type: "button",
+    class: "print",
+    click: (event) => {
+      prepare();
+      const section = event.currentTarget.closest("section");
+      section.classList.add("printed");
+      document.body.classList.add("section-only");
+      window.print();
+      document.body.classList.remove("section-only");
+      section.classList.remove("printed");
+    },
+  }, text);
+}
+
 /// A group of buttons of which one is pressed; `choose` is called with its value.
 function choice(name, options, chosen, choose) {
   const buttons = options.map(

@@ -6,6 +6,7 @@ function nextReadingsSection(report) {
   const splitting = object(report.splitting) ?? {}, next = list(report.next_readings), pairs = list(splitting.pairs);
   return [
     el("p", {class: "lead"}, textOf(splitting.advice, "These readings would tell the explanations apart.")),
+    next.length === 0 ? null : printButton("Print these readings alone, to fill in"),
     next.length === 0 ? null : el("div", {class: "card"}, nextReadingsTable(report, next)),
     pairs.length === 0 ? null : el("div", {class: "card"}, el("h3", {}, "What they would do"), pairsTable(pairs)),
     otherMeansCard(splitting)
@@ -18,18 +19,23 @@ function senseText(senses, joint) {
   return sense > 0 ? " \u2191" : " \u2193";
 }
 
+/// What is to be written down of each kind of reading; a touch is its joints alone.
+const TO_WRITE = {position: ["x", "y", "z"], distance: ["distance"], deflection: ["dx", "dy", "dz"]};
+
 /// Joints with an arrow for the sense in which each must arrive, and the separation as a bar of the largest.
 function nextReadingsTable(report, next) {
   const joints = Object.keys(object(next[0].posture) ?? {});
   const most = Math.max(1e-12, ...next.map((entry) => entry.separation_sigmas).filter(isNumber));
-  const rows = next.map((entry) => [
-    textOf(entry.point, textOf(entry.kind)), short(entry.load),
+  const blank = TO_WRITE[textOf(next[0].kind)] ?? joints.map((joint) => `${joint} read`);
+  const rows = next.map((entry, i) => [
+    `${i + 1}. ${textOf(entry.point, textOf(entry.kind))}`, short(entry.load),
     ...joints.map((joint) => `${short(entry.posture?.[joint])}${senseText(entry.senses, joint)}`),
     textList(entry.splits).join(" from "),
-    barCell(entry.separation_sigmas / most, short(entry.separation_sigmas))
+    barCell(entry.separation_sigmas / most, short(entry.separation_sigmas)),
+    ...blank.map(() => el("span", {class: "to-fill"}))
   ]);
   const text = [0, 2 + joints.length];
-  return table(["reading", "load", ...joints, "splits", "by, in noise sigmas"], rows, {text});
+  return table(["reading", "load", ...joints, "splits", "by, in noise sigmas", ...blank], rows, {text});
 }
 
 function pairsTable(pairs) {
@@ -37,7 +43,7 @@ function pairsTable(pairs) {
     textOf(pair.if_true), textOf(pair.against), short(pair.criterion_gap_now), short(pair.criterion_gap_expected),
     probability(pair.probability_told)
   ]);
-  return table(["if it is", "rather than", "BIC apart now", "expected then", "chance to be told"], rows, {text: [0, 1]});
+  return table(["if it is", "rather than", "BIC apart now", "expected then", "chance to be named"], rows, {text: [0, 1]});
 }
 
 function otherMeansCard(splitting) {

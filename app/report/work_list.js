@@ -11,17 +11,10 @@ function workListSection(report) {
   const card = el(
       "details", {class: "card", toggle: (event) => event.target.open && show()},
       el("summary", {}, `Work list of ${plural(tubes.length, "tube")}, to print`), place);
-  const print = el("button", {
-    type: "button",
-    class: "print",
-    click: () => {
-      show();
-      card.open = true;
-      document.body.classList.add("list-only");
-      window.print();
-      document.body.classList.remove("list-only");
-    },
-  }, "Print the list alone");
+  const print = printButton("Print the list alone", () => {
+    show();
+    card.open = true;
+  });
   return [print, card];
 }
 

@@ -14,10 +14,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kFall = 0.03;          // of chi-square, by a step that asks for no further one
-constexpr double kFarSize = 4;          // of the largest usual: the prior of a size while it is fitted
-constexpr double kBeyondUsual = 2;      // sigmas past the largest usual size
-constexpr double kShapePrior = 3;       // of a knee's typical step
+constexpr double kFall = 0.03;      // of chi-square, by a step that asks for no further one
+constexpr double kFarSize = 4;      // of the largest usual: the prior of a size while it is fitted
+constexpr double kMostSize = 10;    // of the largest usual: no machine has more, and an arm may not shrink to a point
+constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
+constexpr double kShapePrior = 3;   // of a knee's typical step
 constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 
 /// A model under way: what is free beside the baseline's numbers.
@@ -109,7 +110,11 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
                             std::vector<Unknown>& unknowns) {
   unknowns = work.basis.unknowns;
   for (Unknown size : placed.sizes) {
-    if (size.path.effect >= 0) size.prior_sigma = kFarSize * size.typical;
+    if (size.path.effect >= 0) {
+      size.prior_sigma = kFarSize * size.typical;
+      size.lower = std::max(size.lower, -kMostSize * size.typical);
+      size.upper = std::min(size.upper, kMostSize * size.typical);
+    }
     unknowns.push_back(size);
   }
   unknowns.insert(unknowns.end(), placed.shapes.begin(), placed.shapes.end());
@@ -125,6 +130,16 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
   const LeastSquaresOptions solver{tolerance, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
   return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
                           solver);
+}
+
+/// Whether a size ended where no machine's is.
+bool isImpossible(const Placed& placed, const VectorXd& x, std::size_t fitted) {
+  for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
+    const Unknown& size = placed.sizes[k];
+    const double most = 0.999 * kMostSize * size.typical;
+    if (size.path.effect >= 0 && std::abs(x[static_cast<Index>(fitted + k)]) > most) return true;
+  }
+  return false;
 }
 
 /// The model about its optimum, as seen by one noise.
@@ -267,7 +282,8 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   std::vector<Unknown> unknowns;
   const auto solution = minimize(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
-  bool ok = solution.status != LeastSquaresStatus::kFailed;
+  bool ok =
+      solution.status != LeastSquaresStatus::kFailed && !isImpossible(placed, solution.x, work.basis.unknowns.size());
   for (std::size_t n = 0; ok && n < at.size(); ++n)
     ok = linearizeAt(work, placed, unknowns, solution.x, work.noise[n], at[n]);
   if (!ok) {

@@ -134,6 +134,18 @@ TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
 }
 
+// Touches of unknown points agree the better the shorter the arm: no size may grow until it is a point.
+TEST(Diagnosis, NamesNoSizeThatNoMachineHas) {
+  const auto& kinds = deflection::effectKinds();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [](const auto& k) { return k.name == "link-length"; });
+  const double usual = kind->parameters.front().plausible;
+  const Diagnosis large = diagnosisOf("link-length", "forearm", {6 * usual}, 5);
+  ASSERT_TRUE(holds(large, "link-length", "forearm"));
+  EXPECT_TRUE(large.alternatives.front().effects.front().numbers.front().is_beyond_usual);
+  const Diagnosis impossible = diagnosisOf("link-length", "forearm", {14 * usual}, 5);
+  EXPECT_FALSE(holds(impossible, "link-length", "forearm"));
+}
+
 TEST(Diagnosis, SameSeedSameAnswer) {
   const Diagnosis a = diagnosisOf("hysteresis", "theta3", {0.0002}, 5, 45);
   const Diagnosis b = diagnosisOf("hysteresis", "theta3", {0.0002}, 5, 45);
