@@ -55,12 +55,14 @@ struct Decision {
   std::string reason;
 };
 
-/// Of those that were judged and are worth it the one that does best on the farthest poses.
+/// Of those that were judged and are worth it, most probable first, the first that no other betters by 5 % on the
+/// farthest poses: less than that is their noise.
 template <class IsWorthIt>
 const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
   const Explanation* best = nullptr;
   for (const auto& one : explanations)
-    if (std::isfinite(one.farthest.rms) && isWorthIt(one) && (!best || one.farthest.rms < best->farthest.rms))
+    if (std::isfinite(one.farthest.rms) && isWorthIt(one) &&
+        (!best || one.farthest.rms < kWorthIt * best->farthest.rms))
       best = &one;
   return best;
 }
@@ -72,15 +74,21 @@ Decision amongEquals(const Diagnosis& diagnosis, const Units& units) {
     if (std::isfinite(alternative.apart)) widest = std::max(widest, alternative.apart);
   const Explanation* best = bestCarried(diagnosis.alternatives, [](const Explanation&) { return true; });
   const double gain = best ? diagnosis.heldout_before.rms - best->heldout.rms : 0;
-  if (!best || !(widest <= gain))
+  const bool is_close = best && widest <= gain;
+  if (!is_close && diagnosis.agreed && diagnosis.agreed->heldout.rms < diagnosis.heldout_before.rms &&
+      diagnosis.agreed->farthest.rms <= kNoWorse * diagnosis.farthest_before.rms)
+    return {&*diagnosis.agreed, ImprovementEnd::kNotRun,
+            "sure in every alternative, and it predicts the farthest poses"};
+  if (!is_close)
     return {nullptr, ImprovementEnd::kAmbiguous,
             fmt::format("the alternatives differ by {} over the arm's range, more than the {} that is gained: take the "
                         "readings that `diagnose` proposes, which separate them",
                         lengthText(widest, units), lengthText(std::max(0., gain), units))};
-  return {best, ImprovementEnd::kNotRun,
-          fmt::format("the alternatives differ by {} over the arm's range, less than the {} that is gained; this one "
-                      "predicts the farthest poses best",
-                      lengthText(widest, units), lengthText(gain, units))};
+  return {
+      best, ImprovementEnd::kNotRun,
+      fmt::format("the alternatives differ by {} over the arm's range, less than the {} that is gained; this one is "
+                  "the most probable of those that predict the farthest poses well",
+                  lengthText(widest, units), lengthText(gain, units))};
 }
 
 /// No cause is sure: one is added only for what it does to readings that it was not fitted to, near and far.
@@ -125,7 +133,7 @@ Decision decisionOn(const Diagnosis& diagnosis, const Units& units) {
 }
 
 ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision, const Units& units) {
-  ImprovementStep step{diagnosis.verdict, diagnosisSentence(diagnosis, units), {}, decision.reason, {}, {}, {}, {}};
+  ImprovementStep step{diagnosis.verdict, diagnosisSentence(diagnosis, units), {}, {}, decision.reason, {}, {}, {}, {}};
   step.heldout_before = diagnosis.heldout_before;
   step.farthest_before = diagnosis.farthest_before;
   if (!decision.cause) return step;
@@ -152,6 +160,8 @@ bool improveOnce(const CellReadings& input, const ImprovementRequest& request, c
         fitted(fmt::format("+ {}", fmt::join(addition.names, " + ")), addition.cell, input, request.seed, hooks);
     if (isUsable(model.fit) && model.fit.heldout.rms < last.fit.heldout.rms) {
       result.steps.back().added = addition.names;
+      for (const auto& effect : decision.cause->effects)
+        for (const auto& [name, at] : effect.also) result.steps.back().also.push_back(name + "@" + at);
       keep(request, std::move(model), result);
       return true;
     }
@@ -171,6 +181,7 @@ Improvement improveModel(const CellReadings& input, const ImprovementRequest& re
     result.end = ImprovementEnd::kMistake;
     result.steps.push_back({Verdict::kInconclusive,
                             checkText(*mistake, input.cell.units),
+                            {},
                             {},
                             "a mistake with the readings explains the error: nothing is added to the model",
                             {},
@@ -236,6 +247,7 @@ nlohmann::json improvementJson(const Improvement& result, const Units& units) {
     json["steps"].push_back({{"verdict", nameOf(step.verdict)},
                              {"sentence", step.sentence},
                              {"added", step.added},
+                             {"also", step.also},
                              {"reason", step.reason},
                              {"heldout_rms", pair(step.heldout_before, step.heldout_after)},
                              {"farthest_rms", pair(step.farthest_before, step.farthest_after)}});

@@ -44,6 +44,7 @@ struct ImprovementStep {
   calibration::Verdict verdict = calibration::Verdict::kNotRun;
   std::string sentence;                                    ///< of the diagnosis
   std::vector<std::string> added;                          ///< none in the round that ended it
+  std::vector<std::string> also;                           ///< what no reading could tell from one of those
   std::string reason;                                      ///< why it was added, or why the loop ends here
   calibration::ErrorSize heldout_before, heldout_after;    ///< folds of poses kept out
   calibration::ErrorSize farthest_before, farthest_after;  ///< the quarter of the poses that reach farthest kept out

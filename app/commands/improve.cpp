@@ -74,6 +74,7 @@ void print(const Improvement& result, const ImproveOptions& options, const Units
       fmt::print("  ended ({}): {}\n", nameOf(result.end), step.reason);
     else
       fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), step.reason);
+    if (!step.also.empty()) fmt::print("  the same all over the arm's range: {}\n", fmt::join(step.also, ", "));
   }
   if (result.end == ImprovementEnd::kNotFitted)
     fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);

@@ -164,6 +164,11 @@ void judgeAll(const Answer& found, Diagnosis& result) {
     explanations[k].heldout = judged(model, explanations[k].model_error);
     explanations[k].farthest = judgeOnFolds(work.basis, model, farthest, explanations[k].model_error);
   }
+  if (result.agreed) {
+    const ExplanationModel model = modelOf(work.basis, *result.agreed);
+    result.agreed->heldout = judged(model, result.agreed->model_error);
+    result.agreed->farthest = judgeOnFolds(work.basis, model, farthest, result.agreed->model_error);
+  }
   for (auto& entry : result.ranking) {
     entry.heldout_before = result.heldout_before;
     for (const auto& explanation : explanations)

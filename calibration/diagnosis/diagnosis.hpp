@@ -6,6 +6,7 @@
 // class selection: Beck and Yuen 2004, J. Eng. Mech. 130:192).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,7 @@ struct Diagnosis {
   std::string reason;                     ///< why not run, or why no verdict is possible; what would be needed
   Identification baseline;                ///< the model as it is, with what is free fitted
   std::vector<Explanation> alternatives;  ///< as the verdict says, most probable first
+  std::optional<Explanation> agreed;      ///< ambiguous: the causes that are sure, where the alternatives add to them
   std::vector<Explanation> closest;       ///< the most probable models that were fitted, whatever the verdict
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;

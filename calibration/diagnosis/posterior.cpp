@@ -281,6 +281,9 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     result.verdict = Verdict::kAmbiguous;
   else
     result.verdict = classes.front().scatter_probability > kRemains ? Verdict::kPartlyExplained : Verdict::kExplained;
+  if (result.alternatives.size() > 1 && !posterior.sure.causes.empty() &&
+      posterior.sure.causes.size() < classes.front().causes.size())
+    result.agreed = posterior.sure.explanation;
 }
 
 void rankCauses(const DiagnosisWork& work, Diagnosis& result) {

@@ -26,7 +26,7 @@ class Case:
             return "null"
         if any(effect.startswith("odd-") for effect, _ in self.wanted):
             return "odd"
-        return "single" if len(self.wanted) == 1 else "pair"
+        return ("single", "pair", "triple")[len(self.wanted) - 1]
 
     @property
     def verdict(self):

@@ -28,6 +28,7 @@ from truths import draw_truth, joint_change, twins
 SINGLE_D = (5., 8., 12., 20., None)      # None: a physical size as it comes
 ODD_D = (8., 12., 20., None)
 PAIR_D = (8., 12., 20.)
+TRIPLE_D = (12., 20.)
 OUTLIER_SHARE, OUTLIER_SIGMAS, TAIL_FREEDOM = .02, 10., 4
 HEADER = ("id,kind,point,load_lbf,{joints},x_in,y_in,z_in,sigma_in,{directions},temperature_degF,time_min")
 
@@ -46,8 +47,9 @@ def recipes(spec, rng):
                 d = ODD_D[(k + 2 * (k // len(ODD))) % len(ODD_D)]
                 made.append((_stratum(kind, d), [ODD[k % len(ODD)]], [d]))
             else:
-                two = rng.choice(len(CATALOGUE), 2, replace=False)
-                made.append(("pair", [CATALOGUE[i] for i in two], [float(d) for d in rng.choice(PAIR_D, 2)]))
+                count_of, sizes = (2, PAIR_D) if kind == "pair" else (3, TRIPLE_D)
+                some = rng.choice(len(CATALOGUE), count_of, replace=False)
+                made.append((kind, [CATALOGUE[i] for i in some], [float(d) for d in rng.choice(sizes, count_of)]))
     return [made[i] for i in rng.permutation(len(made))]
 
 
@@ -140,11 +142,11 @@ def make_set(out, index, recipe, seed, arm):
 def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", required=True, type=pathlib.Path)
-    parser.add_argument("--sets", required=True, help="such as null=24,single=60,pair=12,odd=16")
+    parser.add_argument("--sets", required=True, help="such as null=24,single=60,pair=12,triple=10,odd=16")
     parser.add_argument("--seed", required=True, type=int)
     options = parser.parse_args(arguments)
     spec = {kind: int(count) for kind, count in (part.split("=") for part in options.sets.split(","))}
-    unknown = set(spec) - {"null", "null-outliers", "null-heavy-tails", "single", "pair", "odd"}
+    unknown = set(spec) - {"null", "null-outliers", "null-heavy-tails", "single", "pair", "triple", "odd"}
     if unknown:
         parser.error(f"--sets: unknown kind {', '.join(sorted(unknown))}")
     arm, start, counts = read_arm(), time.time(), collections.Counter()

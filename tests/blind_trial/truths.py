@@ -1,5 +1,6 @@
 """What is hidden in a set: effects with a place, a shape and a size that gives their signature a wanted length d."""
 from dataclasses import dataclass
+import itertools
 
 import numpy as np
 
@@ -56,7 +57,7 @@ def draw_scene(drawn_arm, designs, rng):
 
 
 def draw_truth(drawn_arm, effects, wanted, stratum, rng):
-    """Effects (0 to 2 of them) hidden in a design; wanted: their lengths d, None for a size as it comes.
+    """Effects (0 to 3 of them) hidden in a design; wanted: their lengths d, None for a size as it comes.
 
     Where no design and place lets the size reach d, the set falls back to physical size, and its stratum says so.
     """
@@ -99,10 +100,8 @@ def _sized(scene, effect, place, wanted, rng):
 
 
 def _distinct(hidden):
-    if len(hidden) < 2:
-        return True
-    one, other = (part.signature / part.d for part in hidden)
-    return abs(one @ other) < PAIR_LIKENESS
+    units = [part.signature / part.d for part in hidden]
+    return all(abs(one @ other) < PAIR_LIKENESS for one, other in itertools.combinations(units, 2))
 
 
 def joint_change(truth):
@@ -114,7 +113,7 @@ def joint_change(truth):
 
 
 def twins(truth):
-    """For each hidden effect its (twin, peer), the other hidden effect being known.
+    """For each hidden effect its (twin, peer), the other hidden effects being known.
 
     The twin is the rival of the catalogue most like it; the peer the same among rivals with no more parameters than it
     has itself. A twin that is no peer holds the truth as a part and should lose by its parameters' price.
@@ -124,10 +123,10 @@ def twins(truth):
     found = []
     for part in truth.hidden:
         signature = part.signature
-        for other in truth.hidden:
-            if other is not part:
-                unit = other.signature / other.d
-                signature = signature - unit * (unit @ signature)
+        others = [other.signature for other in truth.hidden if other is not part]
+        if others:
+            basis, _ = np.linalg.qr(np.column_stack(others))
+            signature = signature - basis @ (basis.T @ signature)
         found.append((closest_rival(signature, rivals, without),
                       closest_rival(signature, rivals, without, _parameter_count(truth, part))))
     return found

@@ -134,6 +134,22 @@ TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
 }
 
+// Backlash and stiffening of one axis look alike over these readings; the hysteresis beside either is sure.
+TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
+  const auto cell = shippedBench();
+  auto with_backlash = cell;
+  with_backlash.arm.effects.push_back(deflection::makeEffect(cell.arm, "backlash", "tool.z").effect);
+  with_backlash.arm.effects.back().values = {0.1 * kDegree};
+  const auto readings = benchReadings(with_backlash, "hysteresis", "theta3", {0.0008}, 60, 3);
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  ASSERT_EQ(found.verdict, Verdict::kAmbiguous);
+  ASSERT_TRUE(found.agreed);
+  ASSERT_EQ(found.agreed->effects.size(), 1U);
+  EXPECT_EQ(found.agreed->effects.front().effect, "hysteresis");
+  EXPECT_EQ(found.agreed->effects.front().at, "theta3");
+  EXPECT_LT(found.agreed->heldout.rms, found.heldout_before.rms);
+}
+
 // Touches of unknown points agree the better the shorter the arm: no size may grow until it is a point.
 TEST(Diagnosis, NamesNoSizeThatNoMachineHas) {
   const auto& kinds = deflection::effectKinds();
