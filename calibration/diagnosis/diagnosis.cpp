@@ -6,6 +6,7 @@
 
 #include "calibration/diagnosis/indistinguishable.hpp"
 #include "calibration/diagnosis/model_fit.hpp"
+#include "calibration/diagnosis/noise_hypotheses.hpp"
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/evidence.hpp"
 #include "calibration/held_out.hpp"

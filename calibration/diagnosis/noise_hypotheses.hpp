@@ -1,0 +1,21 @@
+// Views of the noise under which models compete: the stated one, and one with the error that even the richest or the
+// best model leaves. Each has the columns of all causes and of the discrepancy at the readings, linearised about the
+// baseline.
+#pragma once
+
+#include "calibration/diagnosis/competing_models.hpp"
+
+namespace tubeplan::calibration {
+
+/// Linearises every cause about the baseline. False where the model cannot be evaluated. Unwinds where it was stopped.
+bool linearize(DiagnosisWork& work);
+
+/// The error of a coordinate [m] that the best model leaves beyond the stated noise; 0 where the noise is enough, or
+/// where the model says that a discrepancy makes it.
+[[nodiscard]] double errorBeyondBest(const DiagnosisWork& work);
+
+/// Takes in that the noise may be larger than stated, by this error of each coordinate [m]. False where the model
+/// cannot be evaluated.
+bool doubtNoise(DiagnosisWork& work, double model_error);
+
+}  // namespace tubeplan::calibration
