@@ -48,6 +48,7 @@ struct Search {
   MatrixXd absorbed;  ///< orthonormal: the fitted unknowns' columns
   VectorXd r;
   int freedom = 0;
+  const StopQuestion& stop;
 
   void takeOffPoints(MatrixXd& columns) const {
     for (const auto& point : weights.points) {
@@ -63,6 +64,7 @@ struct Search {
 
   /// Orthonormal columns of a basis in a frame, less what `others` (orthonormal) and the points absorb.
   [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
+    goOn(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
     for (std::size_t k = 0; k < scene.readings.size(); ++k) {
       const MatrixXd along = weights.whitener[k] * seenOf(scene, k) * axesOf(scene, frame, k);
@@ -71,6 +73,7 @@ struct Search {
     }
     const VectorXd lengths = columns.colwise().norm();
     takeOffPoints(columns);
+    goOn(stop);
     columns -= (others * (others.transpose() * columns)).eval();
     return orthonormal(columns, lengths);
   }
@@ -216,6 +219,7 @@ PatternTest ask(const Search& search, const Question& question, const MatrixXd& 
   MatrixXd beside = others;
   if (!isConstant(variable))
     beside = joined(others, search.columnsOf(MatrixXd::Ones(variable.value.size(), 1), question.frame, others));
+  goOn(search.stop);
   const VectorXd r = search.r - beside * (beside.transpose() * search.r);
   const Followed followed = variable.groups.empty() ? followFunctions(search, question, beside, r)
                                                     : followGroups(search, variable, beside, r);
@@ -267,7 +271,8 @@ PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& we
                              double level, const WorkHooks& hooks) {
   PatternSearch result;
   tell(hooks, "patterns");
-  Search search{scene, weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()), residual.r, 0};
+  Search search{scene,      weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()),
+                residual.r, 0,       hooks.stop};
   search.freedom = weights.degrees_of_freedom - static_cast<int>(search.absorbed.cols());
   std::vector<std::vector<Variable>> variables;
   for (const auto& kind : patternKinds()) {
