@@ -23,7 +23,7 @@ from designs import EXACTLY, NEARLY, SIGMA, reach, within_limits
 from effect_shapes import DEG
 from effects import CATALOGUE
 from odd_effects import ODD
-from truths import draw_truth, joint_change, twins
+from truths import NoPlace, draw_truth, joint_change, twins
 
 SINGLE_D = (5., 8., 12., 20., None)      # None: a physical size as it comes
 ODD_D = (8., 12., 20., None)
@@ -130,7 +130,13 @@ def make_set(out, index, recipe, seed, arm):
     stratum, effects, wanted = recipe
     rng = np.random.default_rng([seed, index])
     while True:
-        truth = draw_truth(arm, effects, wanted, stratum, rng)
+        try:
+            truth = draw_truth(arm, effects, wanted, stratum, rng)
+        except NoPlace:
+            if stratum != "triple":
+                raise
+            effects = [CATALOGUE[i] for i in rng.choice(len(CATALOGUE), len(effects), replace=False)]
+            continue
         reading = measure(truth, rng)
         if reading:
             break

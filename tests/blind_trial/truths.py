@@ -16,6 +16,10 @@ PAIR_LIKENESS = .9          # two hidden effects more alike than this are drawn 
 PLACES_TRIED, DESIGNS_TRIED = 5, 12
 
 
+class NoPlace(RuntimeError):
+    """No design and place shows these effects together as long as wanted."""
+
+
 @dataclass
 class Hidden:
     effect: object
@@ -69,7 +73,7 @@ def draw_truth(drawn_arm, effects, wanted, stratum, rng):
         hidden = [_hide(scene, effect, d, rng) for effect, d in zip(effects, wanted)]
         if all(hidden) and _distinct(hidden):
             return Truth(design, scene, hidden, stratum)
-    raise RuntimeError(f"no place found for {[effect.name for effect in effects]}")
+    raise NoPlace(f"no place found for {[effect.name for effect in effects]}")
 
 
 def _hide(scene, effect, wanted, rng):
