@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "calibration/measurement_posture.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
@@ -58,10 +57,9 @@ double distance(const Link& a, const Link& b) {
 
 /// Of each pair of links that are no neighbours, in a fixed order; infinite where one of them is too short to be one.
 std::vector<double> distancesOf(const std::vector<Link>& links) {
-  std::vector<int> group(links.size());  // links with only short ones between them are neighbours
-  for (std::size_t k = 1; k < links.size(); ++k)
-    group[k] = group[k - 1] + ((links[k].to - links[k].from).norm() > kShortLink);
   const auto isLink = [&](std::size_t k) { return (links[k].to - links[k].from).norm() > kShortLink; };
+  std::vector<int> group(links.size());  // links with only short ones between them are neighbours
+  for (std::size_t k = 1; k < links.size(); ++k) group[k] = group[k - 1] + isLink(k);
   std::vector<double> distances;
   for (std::size_t a = 0; a < links.size(); ++a)
     for (std::size_t b = a + 1; b < links.size(); ++b)

@@ -84,9 +84,6 @@ struct WeighedDiscrepancy : Evidence {
 [[nodiscard]] WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& single,
                                              const EvidenceOptions& options);
 
-/// Of the noise at the readings: -1/2 log det(2 pi Lambda).
-[[nodiscard]] double logDensityOf(const ReadingWeights& weights);
-
 /// Finds the models that compete about the linearisation, fills `work.models`. Unwinds where it was stopped.
 void compareModels(DiagnosisWork& work);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/diagnosis/noise_hypotheses.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/reading_prediction.hpp"
 

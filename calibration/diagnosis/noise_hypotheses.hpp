@@ -7,6 +7,9 @@
 
 namespace tubeplan::calibration {
 
+/// Of the noise at the readings: -1/2 log det(2 pi Lambda).
+[[nodiscard]] double logDensityOf(const ReadingWeights& weights);
+
 /// Linearises every cause about the baseline. False where the model cannot be evaluated. Unwinds where it was stopped.
 bool linearize(DiagnosisWork& work);
 
