@@ -145,7 +145,8 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     for (const auto& [name, value] : campaign->question) question += name + ": " + value + "\n";
   const bool is_same = ranks.fromFirst(question) == question;
   if (!ranks.holdsEverywhere(is_same && !wrong)) {
-    if (ranks.rank() > 0) return kBadInput;
+    // mpirun ends all ranks at the first exit code that is not 0: it must be of the one that has said why.
+    if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
     throw InputError("campaign", "another question on one of the machines, or none",
                      "the same program and the same files on each", "copy them to every machine");
