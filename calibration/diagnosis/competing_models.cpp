@@ -21,8 +21,8 @@ namespace {
 // Probability beforehand of so many causes.
 constexpr std::array<double, 5> kCount{0.5, 0.35, 0.11, 0.03, 0.01};
 // A size is of any order up to what real machines have, or now and then far beyond.
-constexpr std::array<std::array<double, 2>, 4> kSizes{
-    {{0.5, 0.4}, {0.15, 0.3}, {0.04, 0.2}, {4, 0.1}}};  // sigma over the largest usual, share
+constexpr std::array<std::array<double, 2>, 5> kSizes{
+    {{0.5, 0.3}, {0.15, 0.25}, {0.05, 0.2}, {0.012, 0.15}, {4, 0.1}}};  // sigma over the largest usual, share
 constexpr double kHopeless = 5;          // of log weight below nothing missing: from no such cause pairs are made
 constexpr std::size_t kMostSeeds = 20;   // models that are extended by another cause
 constexpr std::size_t kMostLooked = 40;  // extensions that a quick look leaves

@@ -29,9 +29,9 @@ inline EffectKind kind() {
           .odds = 0.5,
           .odds_reason = "creep of a mount is slow",
           .needs = {.time = true},
-          .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5},
-                         {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5},
-                         {"z", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-5}},
+          .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
+                         {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
+                         {"z", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6}},
           .places = places::theOnly,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
