@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -208,14 +209,27 @@ Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cau
   return best;
 }
 
+/// Says several single causes at once: one at all joints alike, or all of the geometry.
+bool saysManyAtOnce(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
+  return std::any_of(terms.begin(), terms.end(), [&](const ModelTerm& term) {
+    const Cause& cause = work.cause(term.cause);
+    return cause.effects.size() > 1 || cause.frees.size() > 1;
+  });
+}
+
 /// The models with one cause more, most probable first: of every cause its best term beside what each of the seeds has.
 std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   std::vector<Looked> looked(seeds.size() * causes);
+  std::atomic<bool> is_stopped = false;
   tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t at) {
     const CompetingModel& seed = seeds[at / causes];
     const int cause = static_cast<int>(at % causes);
-    if (shouldStop(work.basis.stop) || !isVisible(work, cause) || !mayStandTogether(work, seed.terms, cause)) return;
+    if (is_stopped || !isVisible(work, cause) || !mayStandTogether(work, seed.terms, cause)) return;
+    if (shouldStop(work.basis.stop)) {
+      is_stopped = true;
+      return;
+    }
     looked[at] = bestBeside(work, seed, cause, seed.terms.empty());
   });
   goOn(work.basis.stop);
@@ -226,9 +240,11 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
   std::set<std::vector<int>> seen;
   std::vector<std::size_t> chosen;
   const std::size_t most = seeds.front().terms.empty() ? looked.size() : kMostLooked;
-  for (const std::size_t k : order)
-    if (chosen.size() < most && std::isfinite(looked[k].log_weight) && seen.insert(causesOf(looked[k].terms)).second)
-      chosen.push_back(k);
+  std::array<std::size_t, 2> count{};  // of single ones, and of those that say many at once: neither crowds out others
+  for (const std::size_t k : order) {
+    if (!std::isfinite(looked[k].log_weight) || !seen.insert(causesOf(looked[k].terms)).second) continue;
+    if (count[saysManyAtOnce(work, looked[k].terms)]++ < most) chosen.push_back(k);
+  }
   std::vector<CompetingModel> found(chosen.size());
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t k) {
     if (shouldStop(work.basis.stop)) return;
@@ -243,27 +259,16 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
   return found;
 }
 
-/// Says several single causes at once: one at all joints alike, or all of the geometry.
-bool saysManyAtOnce(const DiagnosisWork& work, const CompetingModel& model) {
-  return std::any_of(model.terms.begin(), model.terms.end(), [&](const ModelTerm& term) {
-    const Cause& cause = work.cause(term.cause);
-    return cause.effects.size() > 1 || cause.frees.size() > 1;
-  });
-}
-
-/// Those that are worth going on from. One that says many causes at once gains what a few of them together would, and
-/// none of them alone: single ones are held against single ones.
+/// Those that are gone on from: however far behind the best a cause is alone, it may be one of the best few together.
+/// One that says many causes at once gains what a few of them together would, and none of them alone: single ones are
+/// held against single ones.
 std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vector<CompetingModel>& models,
-                                      double nothing, std::size_t most) {
+                                      std::size_t most) {
   std::vector<CompetingModel> leaders;
   for (const bool of_many : {false, true}) {
     std::size_t count = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const CompetingModel& model : models) {
-      if (saysManyAtOnce(work, model) != of_many) continue;
-      if (count == 0) least = model.logWeight() - leaderWindow(model.logWeight(), nothing);
-      if (count < most && model.logWeight() > least) leaders.push_back(model), ++count;
-    }
+    for (const CompetingModel& model : models)
+      if (saysManyAtOnce(work, model.terms) == of_many && count++ < most) leaders.push_back(model);
   }
   sortByWeight(leaders);
   return leaders;
@@ -386,15 +391,24 @@ void compareModels(DiagnosisWork& work) {
   const CompetingModel nothing = weigh(work, {}, 0);
   work.models = {nothing};
   std::vector<CompetingModel> level{nothing};
-  double best = nothing.logWeight();
+  // One that says many causes at once leaves little to gain beside it; a few single ones may still say it better.
+  std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
     tell(work.options.hooks, "causes", static_cast<std::size_t>(depth),
          static_cast<std::size_t>(work.options.most_causes));
-    level = extended(work, leadersOf(work, level, nothing.logWeight(), kMostSeeds));
+    level = extended(work, leadersOf(work, level, kMostSeeds));
     if (level.empty()) break;
     work.models.insert(work.models.end(), level.begin(), level.end());
-    const double before = std::exchange(best, std::max(best, level.front().logWeight()));
-    if (level.front().logWeight() < before - (depth == 1 ? kHopeless : 0)) break;
+    bool gains = false;
+    for (const bool of_many : {false, true}) {
+      const auto first = std::find_if(level.begin(), level.end(), [&](const CompetingModel& model) {
+        return saysManyAtOnce(work, model.terms) == of_many;
+      });
+      if (first == level.end()) continue;
+      const double before = std::exchange(best[of_many], std::max(best[of_many], first->logWeight()));
+      gains |= first->logWeight() >= before - (depth == 1 ? kHopeless : 0);
+    }
+    if (!gains) break;
   }
   sortByWeight(work.models);
 }

@@ -227,17 +227,31 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
   return all;
 }
 
+/// How many of these readings must be outliers: of the touches of one unknown point that are all set aside, one is left
+/// alone or is as good as the others.
+double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
+  std::map<std::string, int> left;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Measurement& m = readings[k];
+    if (m.is_held_out || m.kind != MeasurementKind::kTouch || m.p_W) continue;
+    left[m.point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+  }
+  const auto gone = std::count_if(left.begin(), left.end(), [](const auto& point) { return point.second == 0; });
+  return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
+}
+
 /// Log of the best model's weight; the readings that were set aside count as outliers, each at its odds.
-double bestWeight(const Answer& found) {
+double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
   // Readings that are set aside have no density of their own: that of an outlier stands for it, against one of noise.
-  const double outliers = static_cast<double>(found.result.set_aside.size());
+  const double outliers = countOutliers(found.result.set_aside, readings);
+  const auto set_aside = static_cast<double>(found.result.set_aside.size());
   const auto& weights = found.work.noise.front().weights;
   const double density = found.work.basis.readings.empty()
                              ? 0
                              : logDensityOf(weights) / static_cast<double>(found.work.basis.readings.size());
-  return best.logWeight() + outliers * (density - kOutlier);
+  return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
 /// Within which the linear evidence of its models may err.
@@ -266,12 +280,12 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
   Identification rest = fitBaseline(start, without(readings, set_aside), options);
   if (rest.status == IdentificationStatus::kRefused) return concluded(std::move(whole), readings);
   Answer fewer = compareAll(std::move(rest), readings, set_aside, options);
-  const double before = bestWeight(whole), after = bestWeight(fewer);
+  const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))
     return concluded(after > before ? std::move(fewer) : std::move(whole), readings);
   conclude(whole);
   conclude(fewer);
-  return completed(bestWeight(fewer) > bestWeight(whole) ? std::move(fewer) : std::move(whole), readings);
+  return completed(bestWeight(fewer, readings) > bestWeight(whole, readings) ? std::move(fewer) : std::move(whole), readings);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ constexpr double kFall = 0.03;      // of chi-square, by a step that asks for no
 constexpr double kFarSize = 4;      // of the largest usual: the prior of a size while it is fitted
 constexpr double kMostSize = 10;    // of the largest usual: no machine has more, and an arm may not shrink to a point
 constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
+constexpr double kFound = 2;         // sigmas from which a size is found
 constexpr double kShapePrior = 3;   // of a knee's typical step
 constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 
@@ -275,6 +276,21 @@ void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const Placed
   }
 }
 
+/// Whether of a cause at all joints alike the fit, which ended at `x`, found one size only: that joint's own cause says
+/// the same.
+bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const Placed& placed, const VectorXd& x) {
+  const std::size_t fitted = work.basis.unknowns.size();
+  std::size_t k = 0;
+  for (const ModelTerm& term : model.terms) {
+    int found = 0;
+    for (const std::size_t end = k + term.numbers.size(); k < end; ++k)
+      found += std::abs(x[static_cast<Index>(fitted + k)]) >
+               kFound * model.sigma[static_cast<Index>(k)] * placed.sizes[k].typical;
+    if (work.cause(term.cause).effects.size() > 1 && found < 2) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void fitModel(const DiagnosisWork& work, CompetingModel& model) {
@@ -299,6 +315,10 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
         return evidenceAt(at[n], noise, priorsOf(placed, scale));
       },
       model);
+  if (saysOneOnly(work, model, placed, solution.x)) {
+    model.log_evidence = -std::numeric_limits<double>::infinity();
+    return;
+  }
   const std::size_t likely = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
   keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
   Explanation& fit = model.fit;

@@ -6,7 +6,7 @@ import numpy as np
 
 from designs import SIGMA, draw_design, identified
 from effects import CATALOGUE
-from signatures import closest_rival, linearise, rival_bases, with_effect
+from signatures import closest_rival, linearise, orthonormal, rival_bases, with_effect
 
 DESIGN_SHARES = {"bench": .45, "bowl": .35, "touch": .2}
 SMALLEST = .05              # times an effect's low size: how far scaling may go down
@@ -114,6 +114,19 @@ def joint_change(truth):
     for part in truth.hidden:
         part.effect.apply(numbers, scene.arm, scene.session, part.place, part.shape, part.size)
     return scene.exact_change(numbers)
+
+
+def lengths_beside(truth):
+    """Of each hidden effect the length d that the others leave of it, all their parameters free: 0 where they say it."""
+    rivals = list(rival_bases(truth.scene, CATALOGUE))
+    lengths = []
+    for part in truth.hidden:
+        others = {(other.effect.name, other.place) for other in truth.hidden if other is not part}
+        columns = [base for effect, place, base in rivals if (effect.name, place) in others]
+        columns += [other.signature[:, None] for other in truth.hidden if other is not part]
+        base = orthonormal(np.concatenate(columns, axis=1)) if columns else np.zeros((len(part.signature), 0))
+        lengths.append(float(np.linalg.norm(part.signature - base @ (base.T @ part.signature))))
+    return lengths
 
 
 def twins(truth):

@@ -5,7 +5,6 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <filesystem>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,13 @@
 #include "calibration/placed_arm.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "deflection/effects/effect.hpp"
+#include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::calibration {
 
-inline constexpr double kDegree = std::numbers::pi / 180, kInch = 0.0254, kPoundForce = 4.4482216152605;
+using deflection::kDegree, deflection::kInch;
+
+inline constexpr double kPoundForce = deflection::kPound;
 
 inline app::Cell shippedBench() {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -148,6 +149,47 @@ TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   EXPECT_EQ(found.agreed->effects.front().effect, "hysteresis");
   EXPECT_EQ(found.agreed->effects.front().at, "theta3");
   EXPECT_LT(found.agreed->heldout.rms, found.heldout_before.rms);
+}
+
+// All of the geometry says three errors of it with 24 more numbers; the three that there are say it better.
+TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
+  auto hidden = shippedBench();
+  const auto hide = [&](const char* effect, const char* at, double value) {
+    hidden.arm.effects.push_back(deflection::makeEffect(hidden.arm, effect, at).effect);
+    hidden.arm.effects.back().values = {value};
+  };
+  hide("joint-offset", "theta4", 0.1 * kDegree);
+  hide("link-length", "forearm", 0.067 * kInch);
+  const auto readings = benchReadings(hidden, "joint-offset", "theta2", {0.142 * kDegree}, 90, 2);
+  const auto cell = shippedBench();
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  ASSERT_FALSE(found.alternatives.empty());
+  std::vector<std::string> names;
+  for (const FoundEffect& effect : found.alternatives.front().effects) names.push_back(effect.effect + "@" + effect.at);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"joint-offset@theta2", "joint-offset@theta4", "link-length@forearm"}));
+}
+
+TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
+  const Diagnosis found = diagnosisOf("joint-compliance", "base-link.z", {1e-5}, 5);
+  ASSERT_FALSE(found.alternatives.empty());
+  for (const Explanation& explanation : found.alternatives) EXPECT_EQ(explanation.effects.size(), 1U);
+}
+
+// Two touches of one unknown point share an outlier between them: neither stands out, and a slip between them would
+// explain both.
+TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
+  const PlacedArm start = cobra();
+  ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
+  maker.addTouches(31, {0, 30 * kPoundForce}, false);
+  auto& readings = maker.readings;
+  for (std::size_t k = 0; k < readings.size(); ++k) readings[k].time = 60. * static_cast<double>(k);
+  readings[41].q[2] += 0.1 * kDegree;
+  DiagnosisOptions options;
+  options.baseline.free = {{"tool.joint_stiffness.z"}, false};
+  const Diagnosis found = diagnose(start, readings, options);
+  EXPECT_TRUE(found.alternatives.empty());
+  EXPECT_EQ(found.set_aside, (std::vector<int>{40, 41}));
 }
 
 // Touches of unknown points agree the better the shorter the arm: no size may grow until it is a point.
