@@ -12,14 +12,14 @@
 #include "app/identification_json.hpp"
 #include "app/pattern_json.hpp"
 #include "app/readers/measurements_writer.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 using calibration::Adequacy, calibration::ComparedReading, calibration::Comparison, calibration::ComparisonStatus,
-    calibration::JointEquivalents, calibration::Measurement, calibration::MeasurementKind, calibration::ModelMisfit,
-    calibration::Repeats;
+    calibration::JointEquivalents, calibration::Measurement, calibration::ModelMisfit, calibration::Repeats;
 using nlohmann::json;
 
 constexpr std::size_t kWorstShown = 10;
@@ -98,7 +98,7 @@ json readingJson(const ComparedReading& compared, const Measurement& reading, co
                  const Units& units) {
   json entry = {
       {"id", reading.id},
-      {"kind", measurementKindName(reading.kind)},
+      {"kind", calibration::kindOf(reading).name},
       {"point", reading.point},
       {"setup", reading.setup},
       {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
@@ -118,7 +118,7 @@ json readingJson(const ComparedReading& compared, const Measurement& reading, co
       {"size_after", lengthJson(compared.error_after.norm(), units)},
       {"sigmas_before", finiteJson(compared.sigmas_before)},
       {"sigmas_after", finiteJson(compared.sigmas_after)}};
-  if (reading.kind == MeasurementKind::kDistance) entry["distance"] = lengthJson(reading.distance, units);
+  if (std::isfinite(reading.distance)) entry["distance"] = lengthJson(reading.distance, units);
   return entry;
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/command_inputs.hpp"
 #include "app/readers/measurements_writer.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
@@ -74,7 +75,7 @@ json jointsJson(const deflection::Arm& arm, const Units& units) {
 
 json readingJson(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
   json entry = {{"id", reading.id},
-                {"kind", measurementKindName(reading.kind)},
+                {"kind", calibration::kindOf(reading).name},
                 {"point", reading.point},
                 {"joints", json::array()},
                 {"load", brief(reading.load / units.factor(dimension::kForce))}};

@@ -15,6 +15,7 @@
 #include "app/readers/text_file.hpp"
 #include "app/touch_input.hpp"
 #include "calibration/measurement_posture.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
 #include "deflection/effects/formula.hpp"
@@ -23,15 +24,14 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Identification, calibration::Measurement, calibration::MeasurementKind;
+using calibration::Identification, calibration::Measurement;
 
 /// Touches of points that nobody measured reward a smaller arm: nothing in them is a length.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
   constexpr double kTooGood = 0.5;  // of chi-square per degree of freedom
   constexpr int kMany = 30;         // degrees of freedom from which that is no chance
-  const bool is_blind = std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
-    return reading.kind == MeasurementKind::kTouch && !reading.p_W;
-  });
+  const bool is_blind = std::all_of(readings.begin(), readings.end(),
+                                    [](const Measurement& reading) { return touchesUnknownPoint(reading); });
   if (!is_blind || result.degrees_of_freedom < kMany) return "";
   const double per_degree = result.chi2 / result.degrees_of_freedom;
   if (!(per_degree < kTooGood)) return "";
@@ -51,7 +51,7 @@ void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std:
     if (std::isfinite(reading.sigma)) continue;
     if (sigma > 0)
       reading.sigma = cell.units.toInternal(sigma, dimension::kLength);
-    else if (reading.kind == MeasurementKind::kTouch && cell.tool)
+    else if (isTouch(reading) && cell.tool)
       reading.sigma = touchSigmaOf(*cell.tool);
     else
       throw InputError(fmt::format("{}:{}", file, reading.line), "a reading without sigma", "its noise",

@@ -11,6 +11,7 @@
 #include "app/readers/effects_reader.hpp"
 #include "app/suggestion.hpp"
 #include "app/truth_file.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -18,7 +19,7 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::CampaignDesign, calibration::CampaignPlace;
-using calibration::kMostReadings, calibration::MeasurementKind;
+using calibration::kMostReadings;
 
 /// The error of a base that is not known, where no other is asked for.
 constexpr double kBaseShift = 0.0127;                     // m (0.5 in)
@@ -159,7 +160,7 @@ calibration::SimulatedCampaign simulateReadings(const Cell& cell, const Simulati
   campaign.seed = seed;
   campaign.holes = openHoles(cell);
   campaign.hole_axis_W = planner::kHoleAxis_W;
-  const bool touches_holes = design.kind == MeasurementKind::kTouch && design.place == CampaignPlace::kHoles;
+  const bool touches_holes = kindOf(design.kind).is_touch && design.place == CampaignPlace::kHoles;
   campaign.is_clear = clearanceOf(cell, task.truth, touches_holes);
   return calibration::simulateCampaign(task.truth, design, campaign, hooks);
 }

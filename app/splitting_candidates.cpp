@@ -9,6 +9,7 @@
 
 #include "app/measured_room.hpp"
 #include "app/reading_candidates.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/inverse_kinematics.hpp"
 #include "planner/arm_clearance.hpp"
 
@@ -34,7 +35,7 @@ struct Custom {
   std::vector<double> loads;
   double sigma = 0, temperature = 0, time = 0;
   bool has_senses = false;
-  std::optional<Eigen::Vector3d> anchor;
+  std::optional<Eigen::Vector3d> anchor, direction;
 };
 
 MeasurementKind usualKind(const std::vector<Measurement>& readings) {
@@ -66,9 +67,10 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
     if (std::isfinite(reading.temperature)) temperatures.push_back(reading.temperature);
     if (std::isfinite(reading.time)) times.push_back(reading.time);
     if (reading.p_W) custom.anchor = reading.p_W;
+    if (reading.direction_W) custom.direction = reading.direction_W;
     custom.has_senses |= std::any_of(reading.senses.begin(), reading.senses.end(), [](int s) { return s != 0; });
   }
-  custom.has_known_points = custom.kind == MeasurementKind::kTouch && custom.anchor;
+  custom.has_known_points = kindOf(custom.kind).is_touch && custom.anchor;
   custom.loads = thinnedOut(loads, most_loads);
   custom.sigma = medianOf(sigmas);
   custom.temperature = medianOf(temperatures);
@@ -82,8 +84,7 @@ std::vector<Measurement> pointsToTouch(const Cell& cell, const std::vector<Measu
   std::vector<Measurement> points;
   std::set<std::string> seen;
   for (const auto& reading : readings)
-    if (reading.kind == MeasurementKind::kTouch && reading.p_W && seen.insert(reading.point).second)
-      points.push_back(reading);
+    if (touchesKnownPoint(reading) && seen.insert(reading.point).second) points.push_back(reading);
   if (cell.sheet) {
     const auto& tubes = cell.sheet->tubes;
     const std::size_t step = std::max<std::size_t>(1, tubes.size() / most);
@@ -140,7 +141,7 @@ std::vector<ReadingCandidate> bareCandidates(const Cell& cell, const calibration
   if (work.scene.bodies.empty())
     has_room = [room = MeasuredRoom(fitted, readings)](const VectorXd& q, double load) { return room.holds(q, load); };
   const auto postures = clearPostures(work, custom.loads, options.postures, options.seed, has_room);
-  if (custom.kind == MeasurementKind::kTouch)
+  if (kindOf(custom.kind).is_touch)
     return custom.loads.size() < 2 ? candidates : pointTouches(work, postures, custom.loads, custom.sigma);
   return positionReadings(postures, custom.loads, custom.sigma);
 }
@@ -161,9 +162,10 @@ std::vector<ReadingCandidate> splittingCandidates(const Cell& cell, const calibr
       reading.time = custom.time;
       reading.is_held_out = false;
       reading.senses.clear();
-      if (custom.kind != MeasurementKind::kTouch) {
+      if (const auto& kind = kindOf(custom.kind); !kind.is_touch) {
         reading.kind = custom.kind;
-        reading.p_W = custom.kind == MeasurementKind::kDistance ? custom.anchor : std::nullopt;
+        reading.p_W = kind.has_anchor ? custom.anchor : std::nullopt;
+        reading.direction_W = custom.direction;
       }
       for (Eigen::Index j = 0; custom.has_senses && j < reading.q.size(); ++j)
         reading.senses.push_back(random() >> 63 ? 1 : -1);

@@ -10,13 +10,14 @@
 #include "app/command_inputs.hpp"
 #include "app/figures.hpp"
 #include "app/readers/measurements_writer.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate, calibration::SplitPair,
-    calibration::SplittingReading, calibration::SplittingReadings, calibration::SplittingStatus;
+using calibration::Measurement, calibration::ReadingCandidate, calibration::SplitPair, calibration::SplittingReading,
+    calibration::SplittingReadings, calibration::SplittingStatus;
 
 std::vector<std::string> jointNames(const deflection::Arm& arm) {
   std::vector<std::string> names;
@@ -33,7 +34,7 @@ nlohmann::json readingJson(const SplittingReadings& result, const SplittingReadi
                            const Measurement& reading, const deflection::Arm& arm, const Units& units) {
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
   const auto names = jointNames(arm);
-  nlohmann::json json = {{"kind", measurementKindName(reading.kind)},
+  nlohmann::json json = {{"kind", calibration::kindOf(reading).name},
                          {"posture", nlohmann::json::object()},
                          {"load", rounded(units.toFile(reading.load, dimension::kForce))},
                          {"splits", {explanationName(result, chosen.a), explanationName(result, chosen.b)}},
@@ -43,10 +44,8 @@ nlohmann::json readingJson(const SplittingReadings& result, const SplittingReadi
     json["posture"][names[j]] = rounded(joints[static_cast<Eigen::Index>(j)]);
   if (!reading.senses.empty()) json["senses"] = nlohmann::json::object();
   for (std::size_t j = 0; j < reading.senses.size(); ++j) json["senses"][names[j]] = reading.senses[j];
-  if (reading.kind == MeasurementKind::kTouch)
-    json["point"] = reading.p_W ? reading.point : "N" + std::to_string(number + 1);
-  if (reading.kind == MeasurementKind::kTouch && reading.p_W)
-    json["place"] = vectorJson(*reading.p_W, units, dimension::kLength);
+  if (isTouch(reading)) json["point"] = reading.p_W ? reading.point : "N" + std::to_string(number + 1);
+  if (touchesKnownPoint(reading)) json["place"] = vectorJson(*reading.p_W, units, dimension::kLength);
   return json;
 }
 
@@ -152,9 +151,9 @@ std::string runSheetCsv(const SplittingReadings& result, const std::vector<Readi
     for (std::size_t k = 0; k < readings.size(); ++k) {
       Measurement reading = readings[k];
       reading.id = k == 0 ? point : fresh();
-      const bool is_hole = reading.kind == MeasurementKind::kTouch && reading.p_W;
-      if (!is_hole) reading.p_W.reset();
-      if (!is_hole && reading.kind == MeasurementKind::kTouch) reading.point = point;
+      const bool is_hole = touchesKnownPoint(reading);
+      if (!is_hole && !kindOf(reading).has_anchor) reading.p_W.reset();
+      if (!is_hole && isTouch(reading)) reading.point = point;
       sheet.push_back(std::move(reading));
     }
   }
@@ -171,12 +170,11 @@ std::string splittingText(const SplittingReadings& result, const std::vector<Rea
   text += "   splits, by so many sigmas\n";
   for (std::size_t k = 0; k < result.readings.size(); ++k)
     for (const auto& reading : readingsOf(candidates, result.readings[k]))
-      text += fmt::format(
-          "  {:<10} {:8.4g}{}   {} from {}: {:.1f}\n",
-          reading.p_W && reading.kind == MeasurementKind::kTouch ? reading.point : "N" + std::to_string(k + 1),
-          units.toFile(reading.load, dimension::kForce), jointsText(reading, arm, units),
-          explanationName(result, result.readings[k].a), explanationName(result, result.readings[k].b),
-          result.readings[k].separation);
+      text += fmt::format("  {:<10} {:8.4g}{}   {} from {}: {:.1f}\n",
+                          touchesKnownPoint(reading) ? reading.point : "N" + std::to_string(k + 1),
+                          units.toFile(reading.load, dimension::kForce), jointsText(reading, arm, units),
+                          explanationName(result, result.readings[k].a), explanationName(result, result.readings[k].b),
+                          result.readings[k].separation);
   return text;
 }
 

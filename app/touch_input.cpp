@@ -8,6 +8,7 @@
 
 #include "app/input_error.hpp"
 #include "app/readers/measurements_writer.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -35,7 +36,7 @@ void requireNamedHole(const Measurement& reading, const Cell& cell, const std::s
 void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
   std::set<std::string> setups;
   for (const auto& reading : readings)
-    if (reading.kind == MeasurementKind::kTouch) setups.insert(reading.setup);
+    if (isTouch(reading)) setups.insert(reading.setup);
   if (!setup.empty() && !setups.contains(setup)) throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
   if (setup.empty() && setups.size() > 1)
     throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches of one placing of the base",
@@ -71,7 +72,7 @@ std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cel
   requireOneSetup(readings, file, setup);
   std::vector<Touch> touches;
   for (const auto& reading : readings) {
-    if (reading.kind != MeasurementKind::kTouch || !reading.p_W || (!setup.empty() && reading.setup != setup)) continue;
+    if (!touchesKnownPoint(reading) || (!setup.empty() && reading.setup != setup)) continue;
     requireNamedHole(reading, cell, file);
     const std::string hole = reading.point.empty() ? reading.id : reading.point;
     touches.push_back({reading.id, hole, *reading.p_W, reading.q, reading.load, sigmaOf(reading, cell, file), {}});

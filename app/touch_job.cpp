@@ -13,6 +13,7 @@
 #include "app/touch_input.hpp"
 #include "app/workcell.hpp"
 #include "calibration/base_calibration.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/touch_choice.hpp"
 #include "calibration/touch_reserve.hpp"
 
@@ -20,7 +21,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Knowledge, calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate;
+using calibration::Knowledge, calibration::Measurement, calibration::ReadingCandidate;
 using Proposal = TouchOutcome::Proposal;
 
 constexpr int kHoles = 60, kPostures = 600, kWorkPostures = 60;
@@ -45,7 +46,7 @@ bool wants(const Job& job, const std::string& goal) { return job.request.goal ==
 double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
   std::vector<double> sigmas;
   for (const auto& reading : readings)
-    if ((reading.kind == MeasurementKind::kTouch) == is_touch) sigmas.push_back(reading.sigma);
+    if (isTouch(reading) == is_touch) sigmas.push_back(reading.sigma);
   if (sigmas.empty()) return 0;
   std::nth_element(sigmas.begin(), sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2), sigmas.end());
   return sigmas[sigmas.size() / 2];

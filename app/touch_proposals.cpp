@@ -10,12 +10,13 @@
 #include "app/figures.hpp"
 #include "app/identification_json.hpp"
 #include "app/workcell.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::NumberForecast, calibration::TipSigma;
+using calibration::Measurement, calibration::NumberForecast, calibration::TipSigma;
 using Proposal = TouchOutcome::Proposal;
 
 /// A proposed reading with the name it goes by.
@@ -32,15 +33,13 @@ std::vector<NamedReading> nameReadings(const Proposal& proposal, char letter) {
     const auto& readings = proposal.chosen(proposal.next.design.steps[s]).readings;
     const std::string name = letter + std::to_string(s + 1);
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      const bool is_unknown_point = readings[k].kind == MeasurementKind::kTouch && !readings[k].p_W;
+      const bool is_unknown_point = touchesUnknownPoint(readings[k]);
       const std::string id = readings.size() == 1 ? name : name + static_cast<char>('a' + k);
       named.push_back({id, is_unknown_point ? name : readings[k].point, &readings[k], s});
     }
   }
   return named;
 }
-
-const char* nameOf(MeasurementKind kind) { return kind == MeasurementKind::kTouch ? "touch" : "position"; }
 
 nlohmann::json tipJson(const TipSigma& sigma, const Units& units) {
   const double unit = units.factor(dimension::kLength);
@@ -59,7 +58,7 @@ void appendReadings(const TouchOutcome& outcome, const Proposal& proposal, char 
     const auto& step = proposal.next.design.steps[named.step];
     nlohmann::json json = {{"id", named.id},
                            {"for", goal},
-                           {"kind", nameOf(named.reading->kind)},
+                           {"kind", kindOf(*named.reading).name},
                            {"joints", jointsJson(outcome, named.reading->q)},
                            {"load", units.toFile(named.reading->load, dimension::kForce)},
                            {"adds",
@@ -128,7 +127,7 @@ std::string readingsText(const TouchOutcome& outcome, const Proposal& proposal, 
                       tells ? "   tells most of" : "");
   std::size_t told = proposal.next.design.steps.size();
   for (const auto& named : nameReadings(proposal, letter)) {
-    text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, nameOf(named.reading->kind), named.point,
+    text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, kindOf(*named.reading).name, named.point,
                         named.reading->load / units.factor(dimension::kForce), jointsText(outcome, named.reading->q));
     if (tells && named.step != told) text += tellsText(proposal, named.step);
     told = named.step;
@@ -210,7 +209,7 @@ void appendRows(const TouchOutcome& outcome, const Proposal& proposal, char lett
   const Units& units = outcome.cell.units;
   const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, units);
   for (const auto& named : nameReadings(proposal, letter)) {
-    text += fmt::format("{},{},{},{}{}", named.id, nameOf(named.reading->kind), named.point,
+    text += fmt::format("{},{},{},{}{}", named.id, kindOf(*named.reading).name, named.point,
                         outcome.setup.empty() ? "" : outcome.setup + ",",
                         formatNumber(units.toFile(named.reading->load, dimension::kForce)));
     for (Eigen::Index k = 0; k < factors.size(); ++k) text += "," + formatNumber(named.reading->q[k] / factors[k]);

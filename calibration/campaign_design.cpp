@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "calibration/measurements/measurement_kinds.hpp"
+
 namespace tubeplan::calibration {
 
 namespace {
@@ -52,19 +54,22 @@ std::string findLoadProblem(const CampaignDesign& design) {
   if (loads.empty()) return "no loads";
   if (!std::all_of(loads.begin(), loads.end(), [](double load) { return std::isfinite(load) && load >= 0; }))
     return "a load that is negative or not finite";
-  if (design.kind == MeasurementKind::kDeflection && *std::min_element(loads.begin(), loads.end()) <= 0)
+  if (kindOf(design.kind).is_displacement && *std::min_element(loads.begin(), loads.end()) <= 0)
     return "a deflection under no load, which is nothing";
-  const bool is_seen = design.kind == MeasurementKind::kPosition && design.place == CampaignPlace::kHoles;
+  const bool is_seen =
+      kindOf(design.kind).is_place && !kindOf(design.kind).is_touch && design.place == CampaignPlace::kHoles;
   if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes looked at under a load";
   return {};
 }
 
 std::string findKindProblem(const CampaignDesign& design) {
-  const bool is_touch = design.kind == MeasurementKind::kTouch;
-  if (design.kind == MeasurementKind::kDistance && !design.anchor_W) return "distances without an anchor";
+  const MeasurementKindRow& kind = kindOf(design.kind);
+  const bool is_touch = kind.is_touch;
+  if (kind.has_anchor && !design.anchor_W) return std::string("readings of kind ") + kind.name + " without an anchor";
+  if (kind.has_direction && !design.direction_W)
+    return std::string("readings of kind ") + kind.name + " without a direction";
   if (!is_touch && design.place == CampaignPlace::kPlane) return "points of a plane that are not touched";
-  if (!is_touch && design.kind != MeasurementKind::kPosition && design.place == CampaignPlace::kHoles)
-    return "holes that are neither touched nor looked at";
+  if (!kind.is_place && design.place == CampaignPlace::kHoles) return "holes that are neither touched nor looked at";
   if (!is_touch && design.postures_per_point != 1) return "several postures for a point that is not touched";
   if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
     return "unknown points, each touched only once, which tell nothing";

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/predict_all.hpp"
 #include "calibration/prior.hpp"
 #include "calibration/reading_batch.hpp"
@@ -14,12 +15,6 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 namespace {
 
 constexpr std::size_t kBlock = 512;  // readings that one core takes at once, side by side
-
-/// What was measured: nothing for an unknown point, whose elimination takes it off.
-VectorXd measuredOf(const Measurement& reading) {
-  if (reading.kind == MeasurementKind::kDistance) return VectorXd::Constant(1, reading.distance);
-  return reading.p_W ? VectorXd(*reading.p_W) : VectorXd::Zero(3);
-}
 
 /// takePointsOff() in place.
 void takeWhatPointsAbsorb(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
@@ -149,20 +144,19 @@ void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::si
   const Eigen::Isometry3d& X_WB = placed_.placings[static_cast<std::size_t>(placing_of_[reading])].X_WB;
   const MatrixXd& whitener = weights_.whitener[reading];
   const Index row = weights_.first_row[reading];
+  const MeasurementKindRow& kind = kindOf(measured);
   Vector3d place = X_WB.linear() * batch.tip(k);
-  if (measured.kind != MeasurementKind::kDeflection) place += X_WB.translation();
+  if (!kind.is_displacement) place += X_WB.translation();
+  const MeasuredValue error = kind.value(measured, place) - kind.measured(measured);
   WhitenedRows by_place;
-  if (measured.kind == MeasurementKind::kDistance) {
-    const Vector3d line = place - *measured.p_W;
-    const double error = line.norm() - measured.distance;
-    (*to.r)[row] = whitener(0, 0) * error;
-    if (to.error) (*to.error)[row] = error;
-    by_place = whitener(0, 0) * line.normalized().transpose();
-  } else {
-    const Vector3d error = measured.p_W ? Vector3d(place - *measured.p_W) : place;
+  if (kind.rows == 3) {
     by_place = whitener;
-    to.r->segment<3>(row) = by_place.topRows<3>() * error;
+    to.r->segment<3>(row) = by_place.topRows<3>().lazyProduct(Vector3d(error));
     if (to.error) to.error->segment<3>(row) = error;
+  } else {
+    by_place = whitener(0, 0) * kind.slope(measured, place);
+    (*to.r)[row] = whitener(0, 0) * error[0];
+    if (to.error) (*to.error)[row] = error[0];
   }
   if (!to.jacobian) return;
   fillNumbers(batch, k, by_place * X_WB.linear(), row, *to.jacobian);
@@ -189,7 +183,7 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
   const Matrix3d by_turn = -deflection::crossMatrix<double>(R * batch.tip(k)) - R * by_gravity * R.transpose();
   Eigen::Matrix<double, 3, 6> by_base;
   by_base.leftCols<3>().setIdentity();
-  if (readings_[reading].kind == MeasurementKind::kDeflection) by_base.leftCols<3>().setZero();
+  if (kindOf(readings_[reading]).is_displacement) by_base.leftCols<3>().setZero();
   by_base.rightCols<3>() = by_turn * turns_[placing];
   for (Index c = 0; c < 6; ++c)
     if (const Index column = bases_[placing][static_cast<std::size_t>(c)]; column >= 0)
@@ -208,7 +202,7 @@ bool CampaignResidual::fillOneByOne(const Rows& to) const {
     const Prediction prediction = predictor.predict(placed_.placings[placing].X_WB, readings_[k], request);
     if (!prediction.ok) return false;
     const Index row = weights_.first_row[k];
-    const VectorXd error = prediction.value - measuredOf(readings_[k]);
+    const VectorXd error = prediction.value - kindOf(readings_[k]).measured(readings_[k]);
     to.r->segment(row, error.size()) = weights_.whitener[k] * error;
     if (to.error) to.error->segment(row, error.size()) = error;
     if (to.jacobian) scatter(placing_of_[k], prediction, weights_.whitener[k], row, *to.jacobian);

@@ -1,8 +1,7 @@
 #include "calibration/campaign_station.hpp"
 
-#include <array>
-
 #include "calibration/measurement_posture.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/tip_placement.hpp"
 #include "deflection/effects/situation.hpp"
 
@@ -12,63 +11,31 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// What a reading is made of, once the arm is in place.
-struct Shot {
-  const deflection::Arm& arm;
-  const CampaignDesign& design;
-  const CampaignSite& site;
-  Vector3d tip_W;
-  std::optional<Vector3d> point_W;
-  Vector3d noise;
-};
-
 std::optional<Vector3d> tipInWorld(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
   const auto tip = tipPlace(arm, postureOf(reading, site.gravity_B));
   if (!tip) return std::nullopt;
   return site.X_WB * *tip;
 }
 
-PostureRefusal measurePosition(const Shot& shot, Measurement& reading) {
-  reading.p_W = deflection::measurementScale(shot.arm) * shot.tip_W + shot.noise;
+/// What is read of the arm as it stands. A touch's noise is in where the tip rests.
+PostureRefusal measure(const deflection::Arm& arm, const CampaignDesign& design, const CampaignSite& site,
+                       const std::optional<Vector3d>& point_W, Vector3d tip_W, const Vector3d& noise,
+                       Measurement& reading) {
+  const MeasurementKindRow& kind = kindOf(reading);
+  if (kind.is_touch && design.points_known) reading.p_W = point_W;
+  if (kind.has_anchor) reading.p_W = design.anchor_W;
+  if (kind.has_direction) reading.direction_W = design.direction_W;
+  if (kind.is_displacement) {
+    Measurement unloaded = reading;
+    unloaded.load = 0;
+    const auto rest_W = tipInWorld(arm, site, unloaded);
+    if (!rest_W) return PostureRefusal::kUnsettled;
+    tip_W -= *rest_W;
+  }
+  const MeasuredValue value = deflection::measurementScale(arm) * kind.value(reading, tip_W) + noise.head(kind.rows);
+  if (kind.is_above_zero && !(value[0] > 0)) return PostureRefusal::kOutsideRegion;
+  kind.record(value, reading);
   return PostureRefusal::kNone;
-}
-
-/// Its noise is in where the tip rests.
-PostureRefusal measureTouch(const Shot& shot, Measurement& reading) {
-  if (shot.design.points_known) reading.p_W = shot.point_W;
-  return PostureRefusal::kNone;
-}
-
-PostureRefusal measureDeflection(const Shot& shot, Measurement& reading) {
-  Measurement unloaded = reading;
-  unloaded.load = 0;
-  const auto rest_W = tipInWorld(shot.arm, shot.site, unloaded);
-  if (!rest_W) return PostureRefusal::kUnsettled;
-  reading.p_W = deflection::measurementScale(shot.arm) * (shot.tip_W - *rest_W) + shot.noise;
-  return PostureRefusal::kNone;
-}
-
-PostureRefusal measureDistance(const Shot& shot, Measurement& reading) {
-  reading.p_W = shot.design.anchor_W;
-  reading.distance =
-      deflection::measurementScale(shot.arm) * (shot.tip_W - *shot.design.anchor_W).norm() + shot.noise.x();
-  return reading.distance > 0 ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
-}
-
-/// By kind; an open table.
-struct KindRow {
-  MeasurementKind kind;
-  PostureRefusal (*measure)(const Shot& shot, Measurement& reading);
-};
-constexpr std::array<KindRow, 4> kKinds{{{MeasurementKind::kPosition, measurePosition},
-                                         {MeasurementKind::kTouch, measureTouch},
-                                         {MeasurementKind::kDeflection, measureDeflection},
-                                         {MeasurementKind::kDistance, measureDistance}}};
-
-PostureRefusal measure(const Shot& shot, Measurement& reading) {
-  for (const auto& row : kKinds)
-    if (row.kind == reading.kind) return row.measure(shot, reading);
-  return PostureRefusal::kUnsettled;
 }
 
 Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
@@ -98,7 +65,7 @@ CampaignStation::CampaignStation(const deflection::Arm& arm, const CampaignDesig
 StationReadings CampaignStation::read(const CampaignSite& site, int number,
                                       const std::vector<ReadingConditions>& conditions) {
   StationReadings taken;
-  taken.name = (design_.kind == MeasurementKind::kTouch ? "H" : "P") + std::to_string(number);
+  taken.name = (kindOf(design_.kind).is_touch ? "H" : "P") + std::to_string(number);
   VectorXd here = here_, q = here_;
   for (std::size_t k = 0; k < conditions.size(); ++k) {
     if (k % design_.loads.size() == 0) taken.refusal = begin(site, taken, q);
@@ -128,7 +95,7 @@ TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
 PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
   if (design_.place == CampaignPlace::kHoles) return beginAtHole(site, taken, q);
   q = source_.anywhere();
-  if (design_.kind != MeasurementKind::kTouch || taken.p_W) return PostureRefusal::kNone;
+  if (!kindOf(design_.kind).is_touch || taken.p_W) return PostureRefusal::kNone;
   Measurement first;
   first.q = q;
   first.load = design_.loads.front();
@@ -140,7 +107,7 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
 }
 
 PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
-  const double below = design_.kind == MeasurementKind::kTouch ? 0 : options_.standoff;
+  const double below = kindOf(design_.kind).is_touch ? 0 : options_.standoff;
   std::vector<CampaignPoint> again;
   if (taken.p_W) again.push_back({taken.name, *taken.p_W});
   const auto start =
@@ -160,7 +127,7 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   }
   const TipTrial trial = check(site, reading);
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
-  return measure({arm_, design_, site, trial.tip_W, taken.p_W, conditions.coordinate_noise}, reading);
+  return measure(arm_, design_, site, taken.p_W, trial.tip_W, conditions.coordinate_noise, reading);
 }
 
 /// What the arm does may depend on the senses in which its joints arrive, and those on where they have to be.
@@ -181,7 +148,7 @@ PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const Reading
 
 std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, const Vector3d& noise) const {
   if (!taken.p_W) return std::nullopt;
-  if (design_.kind == MeasurementKind::kTouch) return *taken.p_W + noise;
+  if (kindOf(design_.kind).is_touch) return *taken.p_W + noise;
   return *taken.p_W - options_.standoff * options_.hole_axis_W;
 }
 

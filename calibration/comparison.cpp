@@ -5,6 +5,7 @@
 #include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/evidence.hpp"
 #include "calibration/fit.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -53,19 +54,19 @@ ModelMisfit misfitOf(const Evaluation& model, int fitted_numbers, double level) 
   misfit.repeats =
       judgeRepeats(model.scene.readings, model.weights, model.residual.error, misfit.chi2, misfit.degrees_of_freedom);
   misfit.inconclusive = inconclusiveSince(misfit, model.scene.readings, fitted_numbers);
-  misfit.adequacy = fallsShort(misfit, level)      ? Adequacy::kFallsShort
+  misfit.adequacy = fallsShort(misfit, level)     ? Adequacy::kFallsShort
                     : misfit.inconclusive.empty() ? Adequacy::kAdequate
                                                   : Adequacy::kInconclusive;
   return misfit;
 }
 
-/// The error in the world: a distance's lies along its line.
+/// The error in the world: one that is measured along a line lies along it.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
   const Index row = model.weights.first_row[k];
-  if (reading.kind != MeasurementKind::kDistance) return model.residual.error.segment<3>(row);
-  const Vector3d line = model.scene.tips.col(static_cast<Index>(k)) - *reading.p_W;
-  return line.normalized() * model.residual.error[row];
+  const MeasurementKindRow& kind = kindOf(reading);
+  return kind.slope(reading, model.scene.tips.col(static_cast<Index>(k))).transpose() *
+         model.residual.error.segment(row, kind.rows);
 }
 
 double sigmasOf(const Evaluation& model, std::size_t k) {

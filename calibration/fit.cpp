@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "calibration/campaign_residual.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
 
@@ -67,8 +68,8 @@ LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown
     problem.upper[k] = unknown.upper;
     problem.scale[k] = unknown.typical;
   }
-  const auto residual = std::make_shared<CampaignResidual>(start, unknowns, readings, weights,
-                                                           CampaignResidual::Priors::kAppended, stop);
+  const auto residual =
+      std::make_shared<CampaignResidual>(start, unknowns, readings, weights, CampaignResidual::Priors::kAppended, stop);
   problem.evaluate = [residual](const VectorXd& at, VectorXd& r, MatrixXd* jacobian) {
     return residual->evaluate(at, r, jacobian);
   };
@@ -206,8 +207,8 @@ class ErrorVariance {
     for (std::size_t k = 0; k < readings.size(); ++k) {
       const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(weights.noise[k]);
       noise_.push_back(axes.eigenvalues().cwiseMax(0));
-      squares_.push_back((axes.eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k])))
-                             .cwiseAbs2());
+      squares_.push_back(
+          (axes.eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k]))).cwiseAbs2());
     }
   }
 
@@ -275,9 +276,7 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) 
     for (int repeat = 0; repeat < 6; ++repeat) {
       std::vector<Vector3d> tips, places;
       for (const auto& reading : readings) {
-        const bool tells = reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch;
-        if (reading.is_held_out || !tells || !reading.p_W || placingOf(placed, reading) != static_cast<int>(p))
-          continue;
+        if (reading.is_held_out || !statesPlace(reading) || placingOf(placed, reading) != static_cast<int>(p)) continue;
         const auto shape =
             deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, placing.X_WB));
         if (shape.status != deflection::KinematicsStatus::kConverged) continue;

@@ -9,11 +9,13 @@
 
 namespace tubeplan::calibration {
 
+/// Rows of the table in measurements/measurement_kinds.hpp, which says what each measures.
 enum class MeasurementKind {
   kPosition,    ///< p_W is the tip's measured place
   kTouch,       ///< the tip rests centred at `point`; p_W is that place where it is known
   kDeflection,  ///< p_W is the tip's measured displacement from its unloaded place at the same joint readings
   kDistance,    ///< p_W is a fixed anchor, `distance` the measured length from it to the tip
+  kAxis,        ///< p_W is a fixed anchor, `distance` how far the tip is beyond it along `direction_W`
 };
 
 struct Measurement {
@@ -25,7 +27,8 @@ struct Measurement {
   double load = 0;    ///< N, hung from the tip
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows, rad (m for a prismatic joint)
   std::optional<Eigen::Vector3d> p_W;                          ///< m, in the world frame
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< m, of kind distance only
+  std::optional<Eigen::Vector3d> direction_W;                  ///< a unit vector, of kind axis only
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< m, of kinds that measure from an anchor
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, one standard deviation of each measured coordinate;
                                                             ///< NaN = not stated
   std::vector<int> senses;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {
@@ -22,7 +23,7 @@ bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector
   unloaded_.assign(count, -1);
   auto postures = static_cast<Index>(count);
   for (std::size_t k = 0; k < count; ++k)
-    if (readings[first + k].kind == MeasurementKind::kDeflection) unloaded_[k] = postures++;
+    if (kindOf(readings[first + k]).is_displacement) unloaded_[k] = postures++;
   postures_.resize(readings[first].q.size(), postures);
   for (std::size_t k = 0; k < count; ++k) {
     const Measurement& reading = readings[first + k];

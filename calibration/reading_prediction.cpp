@@ -52,19 +52,19 @@ void subtract(Prediction& a, const Prediction& b) {
   if (a.by_joints.size()) a.by_joints -= b.by_joints;
 }
 
-/// From the tip's place to its distance from the anchor.
-void measureFrom(const Vector3d& anchor, Prediction& tip) {
-  const Vector3d line = tip.value - anchor;
-  const Eigen::RowVector3d direction = line.normalized().transpose();
-  tip.value = Eigen::VectorXd::Constant(1, line.norm());
-  if (tip.by_numbers.size()) tip.by_numbers = direction * tip.by_numbers;
-  if (tip.by_base.size()) tip.by_base = direction * tip.by_base;
-  if (tip.by_joints.size()) tip.by_joints = direction * tip.by_joints;
+/// From the tip's place to what the reading's kind measures of it.
+void measure(const Measurement& reading, Prediction& tip) {
+  const MeasurementKindRow& kind = kindOf(reading);
+  const Vector3d p_W = tip.value;
+  tip.value = kind.value(reading, p_W);
+  if (kind.rows == 3) return;
+  const MeasuredSlope slope = kind.slope(reading, p_W);
+  if (tip.by_numbers.size()) tip.by_numbers = slope * tip.by_numbers;
+  if (tip.by_base.size()) tip.by_base = slope * tip.by_base;
+  if (tip.by_joints.size()) tip.by_joints = slope * tip.by_joints;
 }
 
 }  // namespace
-
-int rowsOf(const Measurement& reading) { return reading.kind == MeasurementKind::kDistance ? 1 : 3; }
 
 deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
   return postureOf(reading, deflection::gravityInBase(arm, X_WB));
@@ -111,17 +111,12 @@ Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measur
                                      const PredictionRequest& request) {
   deflection::Posture posture = postureOf(reading, arm_, X_WB);
   Prediction prediction = placeTip(X_WB, posture, request);
-  const bool is_length = reading.kind == MeasurementKind::kDistance;
-  if (reading.p_W && !is_length) scaleCoordinates(arm_, request, prediction);
-  if (reading.kind == MeasurementKind::kDeflection) {
+  if (kindOf(reading).is_displacement) {
     posture.load = 0;
-    Prediction unloaded = placeTip(X_WB, posture, request);
-    scaleCoordinates(arm_, request, unloaded);
-    subtract(prediction, unloaded);
+    subtract(prediction, placeTip(X_WB, posture, request));
   }
-  if (!is_length) return prediction;
-  measureFrom(*reading.p_W, prediction);
-  scaleCoordinates(arm_, request, prediction);
+  measure(reading, prediction);
+  if (reading.p_W) scaleCoordinates(arm_, request, prediction);
   return prediction;
 }
 

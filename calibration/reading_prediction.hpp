@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "calibration/measurement.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/tip_derivatives.hpp"
 
@@ -21,16 +21,12 @@ struct PredictionRequest {
   bool by_joints = false;
 };
 
-/// The place of the tip (position, touch), its displacement by the load (deflection), or its distance from the anchor:
-/// 3 or 1 rows, m.
+/// What the reading's kind measures of the tip (measurements/): 1 or 3 rows, m.
 struct Prediction {
   bool ok = false;  ///< whether the deflected shape settled; the rest is not to be used otherwise
   Eigen::VectorXd value;
   Eigen::MatrixXd by_numbers, by_base, by_joints;  ///< rows x numbers; rows x 6, at a zero step; rows x joints
 };
-
-/// 3, or 1 for a distance.
-[[nodiscard]] int rowsOf(const Measurement& reading);
 
 /// The posture of a reading at a placing.
 [[nodiscard]] deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,

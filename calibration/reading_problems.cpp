@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -21,8 +22,7 @@ bool isOnePosture(const std::vector<Measurement>& readings) {
 std::optional<int> loneTouch(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<int>> touched;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (readings[k].kind == MeasurementKind::kTouch && !readings[k].p_W)
-      touched[readings[k].point].push_back(static_cast<int>(k));
+    if (touchesUnknownPoint(readings[k])) touched[readings[k].point].push_back(static_cast<int>(k));
   for (const auto& [point, by] : touched)
     if (by.size() == 1) return by.front();
   return std::nullopt;
@@ -35,7 +35,7 @@ int numbersMeasured(const std::vector<Measurement>& readings) {
   int count = 0;
   for (const auto& reading : readings) {
     count += rowsOf(reading);
-    if (reading.kind == MeasurementKind::kTouch && !reading.p_W) points[reading.point] = 1;
+    if (touchesUnknownPoint(reading)) points[reading.point] = 1;
   }
   return count - 3 * static_cast<int>(points.size());
 }

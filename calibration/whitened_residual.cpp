@@ -5,6 +5,7 @@
 #include <map>
 
 #include "calibration/campaign_residual.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/predict_all.hpp"
 #include "calibration/reading_batch.hpp"
 
@@ -13,10 +14,6 @@ namespace tubeplan::calibration {
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
-
-bool touchesUnknownPoint(const Measurement& reading) {
-  return reading.kind == MeasurementKind::kTouch && !reading.p_W.has_value();
-}
 
 void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& weights) {
   std::map<std::string, std::size_t> index;
@@ -55,8 +52,8 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
                        const Measurement& reading, std::size_t joints) {
   MatrixXd slopes(3, static_cast<Index>(joints));
   for (std::size_t j = 0; j < joints; ++j) slopes.col(static_cast<Index>(j)) = X_WB.linear() * batch.column(k, j);
-  if (reading.kind != MeasurementKind::kDistance) return slopes;
-  return (X_WB * batch.tip(k) - *reading.p_W).normalized().transpose() * slopes;
+  const MeasurementKindRow& kind = kindOf(reading);
+  return kind.rows == 3 ? slopes : MatrixXd(kind.slope(reading, X_WB * batch.tip(k)) * slopes);
 }
 
 /// How each reading changes with the joints that it was read at.

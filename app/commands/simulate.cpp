@@ -12,6 +12,7 @@
 #include "app/simulation_job.hpp"
 #include "app/stop_signal.hpp"
 #include "app/truth_file.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
@@ -47,7 +48,7 @@ int run(const SimulateOptions& options) {
   folder.commit();
   fmt::print(
       "{}: {} readings of kind {}, {} held out\nwrote {}\n", task.design.name, campaign.readings.size(),
-      measurementKindName(task.design.kind),
+      calibration::kindOf(task.design.kind).name,
       std::count_if(campaign.readings.begin(), campaign.readings.end(), [](const auto& m) { return m.is_held_out; }),
       (folder.path() / "{measurements.csv,truth.yaml}").string());
   return kDone;
@@ -55,7 +56,7 @@ int run(const SimulateOptions& options) {
 
 std::string designHelp() {
   std::string text =
-      "one of these, or a YAML file {kind, at, points, postures, postures_per_point, loads, anchor, "
+      "one of these, or a YAML file {kind, at, points, postures, postures_per_point, loads, anchor, direction, "
       "region, setups, split, sigma}:";
   for (const auto& named : calibration::campaignDesigns()) text += fmt::format("\n{}: {}", named.name, named.summary);
   return text;

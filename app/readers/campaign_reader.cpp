@@ -7,15 +7,13 @@
 #include "app/readers/quantities.hpp"
 #include "app/readers/strict_yaml.hpp"
 #include "app/suggestion.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 using calibration::CampaignDesign, calibration::CampaignPlace, calibration::MeasurementKind;
-
-constexpr std::array kKinds{MeasurementKind::kPosition, MeasurementKind::kTouch, MeasurementKind::kDeflection,
-                            MeasurementKind::kDistance};
 
 struct PlaceRow {
   const char* name;
@@ -30,9 +28,9 @@ constexpr std::array<PlaceRow, 3> kPlaces{
 
 MeasurementKind readKind(const YamlNode& node) {
   std::vector<std::string> names;
-  for (const auto kind : kKinds) {
-    names.emplace_back(measurementKindName(kind));
-    if (node.text() == names.back()) return kind;
+  for (const auto& row : calibration::measurementKinds()) {
+    names.emplace_back(row.name);
+    if (node.text() == names.back()) return row.kind;
   }
   refuseWord(node, names);
 }
@@ -71,28 +69,35 @@ Eigen::AlignedBox3d readRegion(const YamlNode& node, const Units& units) {
 
 // A key that means nothing for this kind would be a wish unheard.
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
-  const bool is_touch = design.kind == MeasurementKind::kTouch;
+  const calibration::MeasurementKindRow& kind = kindOf(design.kind);
   for (const char* key : {"points", "postures_per_point"})
-    if (const YamlNode* node = root.find(key); node && !is_touch)
+    if (const YamlNode* node = root.find(key); node && !kind.is_touch)
       node->fail(std::string("`") + key + "` of a kind that touches nothing", "it with kind: touch", "remove it");
-  const YamlNode* anchor = root.find("anchor");
-  if (anchor && design.kind != MeasurementKind::kDistance)
-    anchor->fail("an anchor of a kind that measures no distance", "it with kind: distance", "remove it");
-  if (!anchor && design.kind == MeasurementKind::kDistance)
-    root.at("kind").fail("distances without an anchor", "the place they are measured from", "add anchor: [x, y, z]");
+  const auto check = [&](const char* key, bool calibration::MeasurementKindRow::*has, const std::string& what) {
+    std::string kinds;
+    for (const auto& row : calibration::measurementKinds())
+      if (row.*has) kinds += (kinds.empty() ? "" : " or ") + std::string(row.name);
+    const YamlNode* node = root.find(key);
+    if (node && !(kind.*has)) node->fail(what + " of a kind that needs none", "it with kind: " + kinds, "remove it");
+    if (!node && kind.*has)
+      root.at("kind").fail(std::string("readings of kind ") + kind.name + " without " + what, "what they are read from",
+                           std::string("add ") + key + ": [x, y, z]");
+  };
+  check("anchor", &calibration::MeasurementKindRow::has_anchor, "an anchor");
+  check("direction", &calibration::MeasurementKindRow::has_direction, "a direction");
 }
 
 // What the keys that are not there stand for.
 CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   CampaignDesign design;
   design.kind = readKind(root.at("kind"));
-  const bool is_touch = design.kind == MeasurementKind::kTouch;
+  const bool is_touch = kindOf(design.kind).is_touch;
   if (const YamlNode* points = root.find("points")) design.points_known = readPointsKnown(*points);
   if (is_touch && design.points_known) design.place = has_sheet ? CampaignPlace::kHoles : CampaignPlace::kPlane;
   if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
   design.loads = calibration::usualLoads();
   if (!is_touch && design.place == CampaignPlace::kHoles) design.loads = {0};
-  if (design.kind == MeasurementKind::kDeflection) design.loads.erase(design.loads.begin());
+  if (kindOf(design.kind).is_displacement) design.loads.erase(design.loads.begin());
   design.sigma = is_touch ? calibration::kTouchSigma : calibration::kPositionSigma;
   return design;
 }
@@ -109,6 +114,7 @@ void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
   if (const YamlNode* node = root.find("setups")) design.setups = node->integer(1, 1000);
   if (const YamlNode* node = root.find("loads")) design.loads = readLoads(*node, units);
   if (const YamlNode* node = root.find("anchor")) design.anchor_W = readVector(*node, units, dimension::kLength);
+  if (const YamlNode* node = root.find("direction")) design.direction_W = readDirection(*node);
   if (const YamlNode* node = root.find("region")) design.region_W = readRegion(*node, units);
   if (const YamlNode* node = root.find("split")) readShare(*node, design.held_out);
   design.sigma = readQuantityOr(root, "sigma", units, dimension::kLength, design.sigma);
@@ -120,7 +126,7 @@ void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
 CampaignFile readCampaignFile(const std::string& path, const Units& units, bool has_sheet) {
   const YamlFile source = readYamlFile(path);
   source.root.expectKeys({"kind"}, {"name", "at", "points", "postures", "postures_per_point", "loads", "anchor",
-                                    "region", "setups", "split", "sigma"});
+                                    "direction", "region", "setups", "split", "sigma"});
   CampaignFile file{designOfKind(source.root, has_sheet), std::nullopt};
   file.design.name = std::filesystem::path(path).stem().string();
   if (const YamlNode* name = source.root.find("name")) file.design.name = name->text();

@@ -2,35 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "app/input_error.hpp"
 #include "app/readers/measurement_columns.hpp"
 #include "app/readers/text_file.hpp"
 #include "app/suggestion.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 using calibration::Measurement;
-using calibration::MeasurementKind;
-
-/// A kind of reading: what it must have. Each needs coordinates but for the touch of an unknown point.
-struct KindRow {
-  const char* name;
-  MeasurementKind kind;
-  bool needs_point, needs_coordinates, needs_distance;
-};
-
-constexpr std::array<KindRow, 4> kKinds{{
-    {"position", MeasurementKind::kPosition, false, true, false},
-    {"touch", MeasurementKind::kTouch, true, false, false},
-    {"deflection", MeasurementKind::kDeflection, false, true, false},
-    {"distance", MeasurementKind::kDistance, false, true, true},
-}};
+using calibration::MeasurementKindRow;
 
 /// One row of the table, for reading its fields and complaining about them.
 class RowReader {
@@ -75,9 +62,9 @@ class RowReader {
   const std::string& file_;
 };
 
-const KindRow& readKind(const RowReader& row, const MeasurementColumns& columns) {
+const MeasurementKindRow& readKind(const RowReader& row, const MeasurementColumns& columns) {
   std::vector<std::string> names;
-  for (const KindRow& kind : kKinds) {
+  for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
     if (row.field(columns.kind) == kind.name) return kind;
     names.emplace_back(kind.name);
   }
@@ -144,14 +131,34 @@ std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const Measuremen
   return Eigen::Vector3d(tube->x, tube->y, 0);
 }
 
-void checkKind(const RowReader& row, const KindRow& kind, const Measurement& m) {
-  if (kind.needs_point && m.point.empty())
+std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  int found = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!columns.direction[k] || row.field(*columns.direction[k]).empty()) continue;
+    const auto value = tubesheets::parseNumber(row.field(*columns.direction[k]));
+    if (!value) row.fail(*columns.direction[k], inQuotes(row.field(*columns.direction[k])), "a finite number");
+    direction[static_cast<Eigen::Index>(k)] = *value;
+    ++found;
+  }
+  if (found == 0) return std::nullopt;
+  if (found < 3) row.failRow("some of the direction's dx, dy, dz", "all three or none");
+  if (!(direction.norm() > 0)) row.failRow("the direction 0, 0, 0", "one that points somewhere");
+  return direction.normalized();
+}
+
+void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
+  if (kind.is_touch && m.point.empty())
     row.failRow("a touch without a point", "the point's name in the column 'point'");
   if (kind.needs_coordinates && !m.p_W)
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
-  if (kind.needs_distance && !(m.distance > 0))
-    row.failRow("a reading of kind distance without its length",
-                "a number above zero in the column distance_in (or _mm, _cm, _m, _ft)");
+  if (kind.rows == 1 && (std::isnan(m.distance) || (kind.is_above_zero && !(m.distance > 0))))
+    row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, kind.is_above_zero ? "length" : "value"),
+                fmt::format("a number{} in the column distance_in (or _mm, _cm, _m, _ft)",
+                            kind.is_above_zero ? " above zero" : ""));
+  if (kind.has_direction && !m.direction_W)
+    row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
+                "its direction in the columns dx, dy, dz (of any length)");
   if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
   if (m.load < 0) row.failRow("a negative load", "zero or more");
 }
@@ -159,7 +166,7 @@ void checkKind(const RowReader& row, const KindRow& kind, const Measurement& m) 
 Measurement readRow(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm,
                     const tubesheets::Sheet* sheet) {
   Measurement m;
-  const KindRow& kind = readKind(row, columns);
+  const MeasurementKindRow& kind = readKind(row, columns);
   m.line = row.line();
   m.kind = kind.kind;
   m.id = row.field(columns.id);
@@ -169,8 +176,9 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
   m.load = columns.load ? row.number(*columns.load) : 0;
   m.q = readJoints(row, columns, arm);
   m.p_W = readCoordinates(row, columns);
-  if (!m.p_W && kind.kind == MeasurementKind::kTouch) m.p_W = holeCentre(row, columns, m.point, sheet);
+  if (!m.p_W && kind.is_touch) m.p_W = holeCentre(row, columns, m.point, sheet);
   m.distance = row.numberOrNaN(columns.distance);
+  m.direction_W = readDirection(row, columns);
   m.sigma = row.numberOrNaN(columns.sigma);
   m.senses = readSenses(row, columns);
   m.temperature = row.numberOrNaN(columns.temperature);

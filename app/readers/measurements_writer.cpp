@@ -8,12 +8,13 @@
 #include <functional>
 
 #include "app/command_inputs.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind;
+using calibration::Measurement;
 
 /// A column of the table: its name, and what a reading has there.
 struct Column {
@@ -66,7 +67,7 @@ class Table {
 
   void addNames() {
     add("id", [](const auto& m) { return quoted(m.id); });
-    add("kind", [](const auto& m) { return std::string(measurementKindName(m.kind)); });
+    add("kind", [](const auto& m) { return std::string(calibration::kindOf(m).name); });
     add("point", [](const auto& m) { return quoted(m.point); });
     if (anyHas(readings_, [](const auto& m) { return !m.setup.empty(); }))
       add("setup", [](const auto& m) { return quoted(m.setup); });
@@ -98,6 +99,10 @@ class Table {
     addLength("z", [](const auto& m) { return m.p_W ? m.p_W->z() : kNothing; });
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.distance); }))
       addLength("distance", [](const auto& m) { return m.distance; });
+    if (anyHas(readings_, [](const auto& m) { return m.direction_W.has_value(); }))
+      for (Eigen::Index k = 0; k < 3; ++k)
+        add(std::string("d") + "xyz"[k],
+            [k](const auto& m) { return numberOrNothing(m.direction_W ? (*m.direction_W)[k] : kNothing); });
     addLength("sigma", [](const auto& m) { return m.sigma; });
   }
 
@@ -123,20 +128,6 @@ class Table {
 };
 
 }  // namespace
-
-const char* measurementKindName(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::kPosition:
-      return "position";
-    case MeasurementKind::kTouch:
-      return "touch";
-    case MeasurementKind::kDeflection:
-      return "deflection";
-    case MeasurementKind::kDistance:
-      return "distance";
-  }
-  return "";
-}
 
 std::string measurementsCsv(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units) {
   return Table(readings, arm, units).text();

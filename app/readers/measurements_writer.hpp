@@ -11,12 +11,9 @@
 namespace tubeplan::app {
 
 /// The readings in their order, numbers in these units to 12 digits. Columns: id, kind, point, setup, load, a reading
-/// for every joint, x, y, z, distance, sigma, the joints' senses, temperature, time, split; setup, distance, senses,
-/// temperature, time and split only where a reading has them.
+/// for every joint, x, y, z, distance, dx, dy, dz, sigma, the joints' senses, temperature, time, split; setup,
+/// distance, dx to dz, senses, temperature, time and split only where a reading has them.
 [[nodiscard]] std::string measurementsCsv(const std::vector<calibration::Measurement>& readings,
                                           const deflection::Arm& arm, const Units& units);
-
-/// As the column `kind` says it: position, touch, deflection, distance.
-[[nodiscard]] const char* measurementKindName(calibration::MeasurementKind kind);
 
 }  // namespace tubeplan::app

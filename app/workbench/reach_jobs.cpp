@@ -12,6 +12,7 @@
 #include "app/input_error.hpp"
 #include "app/touch_input.hpp"
 #include "app/workcell.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "planner/scoring.hpp"
 #include "planner/tube_reach.hpp"
@@ -71,7 +72,7 @@ std::vector<double> residuals(const Situation& situation, const tubesheets::Shee
   for (const auto& reading : situation.readings->readings) {
     const auto name = parseHoleName(reading.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
-    if (!hole || !reading.p_W || reading.kind != calibration::MeasurementKind::kTouch) continue;
+    if (!hole || !calibration::touchesKnownPoint(reading)) continue;
     const auto tip = calibration::predictReading(cell.arm, cell.X_WB, reading);
     if (tip.ok) values[static_cast<std::size_t>(*hole)] = (tip.value - *reading.p_W).norm();
   }

@@ -6,11 +6,12 @@
 #include <set>
 
 #include "app/command_inputs.hpp"
-#include "app/measurement_checks_json.hpp"
 #include "app/diagnosis_views_json.hpp"
+#include "app/measurement_checks_json.hpp"
 #include "app/readers/measurements_writer.hpp"
 #include "app/version.hpp"
 #include "app/workcell.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::app {
@@ -98,7 +99,7 @@ json measurementsJson(const Situation& situation) {
   std::set<std::string> setups;
   double sigma = std::numeric_limits<double>::quiet_NaN();
   for (const auto& reading : situation.readings->readings) {
-    ++kinds[measurementKindName(reading.kind)];
+    ++kinds[calibration::kindOf(reading).name];
     setups.insert(reading.setup);
     if (!(sigma >= reading.sigma)) sigma = reading.sigma;
   }
@@ -147,8 +148,7 @@ json readingsJson(const Model& model, const ReadingSet& set) {
     row["sigma"] = lengthOf(reading.sigma, cell.units);
     row["held_out"] = reading.is_held_out;
     row["position"] = reading.p_W ? vectorJson(*reading.p_W, cell.units, dimension::kLength) : json();
-    if (reading.kind == calibration::MeasurementKind::kDistance)
-      row["distance"] = lengthOf(reading.distance, cell.units);
+    if (std::isfinite(reading.distance)) row["distance"] = lengthOf(reading.distance, cell.units);
     const auto shape =
         deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));
     row["tip"] = shape.status == deflection::KinematicsStatus::kConverged

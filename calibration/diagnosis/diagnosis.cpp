@@ -10,6 +10,7 @@
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/evidence.hpp"
 #include "calibration/held_out.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -134,7 +135,9 @@ void dropWhatDoesNotHelp(Diagnosis& result) {
   std::erase_if(result.alternatives, [&](const Explanation& explanation) {
     return std::isfinite(explanation.heldout.rms) && explanation.heldout.rms >= result.heldout_before.rms;
   });
-  if (result.alternatives.empty()) {
+  if (result.alternatives.empty() && result.verdict == Verdict::kPartlyExplained) {
+    result.verdict = Verdict::kUnexplained;  // that something is missing is sure all the same
+  } else if (result.alternatives.empty()) {
     result.verdict = Verdict::kInconclusive;
     result.reason =
         "what explains the fitted readings does not lower the error of readings kept out; needed: more readings";
@@ -157,14 +160,17 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   result.heldout_after = result.heldout_before;
   result.farthest_before = judgeOnFolds(work.basis, bare, farthest, result.baseline.model_error);
   result.after = result.before;
+  const auto judgeEach = [&](std::vector<Explanation>& explanations) {
+    const std::size_t most = std::min(explanations.size(), kMostJudged);
+    for (std::size_t k = 0; k < most; ++k) {
+      tell(work.options.hooks, "readings kept out", k + 1, most + 1);
+      const ExplanationModel model = modelOf(work.basis, explanations[k]);
+      explanations[k].heldout = judged(model, explanations[k].model_error);
+      explanations[k].farthest = judgeOnFolds(work.basis, model, farthest, explanations[k].model_error);
+    }
+  };
   auto& explanations = result.alternatives.empty() ? result.closest : result.alternatives;
-  const std::size_t most = std::min(explanations.size(), kMostJudged);
-  for (std::size_t k = 0; k < most; ++k) {
-    tell(work.options.hooks, "readings kept out", k + 1, most + 1);
-    const ExplanationModel model = modelOf(work.basis, explanations[k]);
-    explanations[k].heldout = judged(model, explanations[k].model_error);
-    explanations[k].farthest = judgeOnFolds(work.basis, model, farthest, explanations[k].model_error);
-  }
+  judgeEach(explanations);
   if (result.agreed) {
     const ExplanationModel model = modelOf(work.basis, *result.agreed);
     result.agreed->heldout = judged(model, result.agreed->model_error);
@@ -179,6 +185,10 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   }
   if (result.alternatives.empty()) return;
   dropWhatDoesNotHelp(result);
+  if (result.verdict == Verdict::kUnexplained) {
+    result.remainder = remainderOf(work, work.models.front());
+    judgeEach(result.closest);
+  }
   if (result.alternatives.empty()) return;
   result.after = result.alternatives.front().after;
   result.heldout_after = result.alternatives.front().heldout;
@@ -215,13 +225,12 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
   };
-  const auto isOfUnknownPoint = [](const Measurement& m) { return m.kind == MeasurementKind::kTouch && !m.p_W; };
   std::map<std::string, int> touches;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && isOfUnknownPoint(readings[k])) ++touches[readings[k].point];
+    if (isLeft(k) && touchesUnknownPoint(readings[k])) ++touches[readings[k].point];
   std::vector<int> all = outliers;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && isOfUnknownPoint(readings[k]) && touches[readings[k].point] == 1)
+    if (isLeft(k) && touchesUnknownPoint(readings[k]) && touches[readings[k].point] == 1)
       all.push_back(static_cast<int>(k));
   std::sort(all.begin(), all.end());
   return all;
@@ -233,7 +242,7 @@ double countOutliers(const std::vector<int>& set_aside, const std::vector<Measur
   std::map<std::string, int> left;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const Measurement& m = readings[k];
-    if (m.is_held_out || m.kind != MeasurementKind::kTouch || m.p_W) continue;
+    if (m.is_held_out || !touchesUnknownPoint(m)) continue;
     left[m.point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
   }
   const auto gone = std::count_if(left.begin(), left.end(), [](const auto& point) { return point.second == 0; });
@@ -285,7 +294,8 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
     return concluded(after > before ? std::move(fewer) : std::move(whole), readings);
   conclude(whole);
   conclude(fewer);
-  return completed(bestWeight(fewer, readings) > bestWeight(whole, readings) ? std::move(fewer) : std::move(whole), readings);
+  return completed(bestWeight(fewer, readings) > bestWeight(whole, readings) ? std::move(fewer) : std::move(whole),
+                   readings);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/diagnosis/explanation_model.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -42,8 +43,8 @@ Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const Vector3d& p_WT
   if (!residual.ok) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Measurement& reading = basis.readings[k];
   const Index row = basis.weights.first_row[k];
-  if (reading.kind == MeasurementKind::kDistance) return -residual.error[row] * (p_WT - *reading.p_W).normalized();
-  return -residual.error.segment<3>(row);
+  const MeasurementKindRow& kind = kindOf(reading);
+  return -kind.slope(reading, p_WT).transpose() * residual.error.segment(row, kind.rows);
 }
 
 std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::vector<Explanation>& shown,

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -255,11 +256,10 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   const Index joints = prediction.by_joints.cols();
   MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 9);
   displacements.leftCols(joints) = prediction.by_joints;
-  if (reading.kind == MeasurementKind::kDeflection) return displacements;
+  if (kindOf(reading).is_displacement) return displacements;
   const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
   if (shape.status != deflection::KinematicsStatus::kConverged) return {};
-  MatrixXd seen = MatrixXd::Identity(3, 3);
-  if (reading.kind == MeasurementKind::kDistance) seen = (X_WB * shape.X_BD.p - *reading.p_W).normalized().transpose();
+  const MeasuredSlope seen = kindOf(reading).slope(reading, X_WB * shape.X_BD.p);
   displacements.middleCols(joints, 3) = seen * X_WB.linear() * shape.X_BD.R;
   displacements.middleCols(joints + 3, 3) = seen;
   displacements.rightCols(3) = -seen * crossed(X_WB.linear() * shape.X_BD.p);

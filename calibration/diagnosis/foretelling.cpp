@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/knowledge.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -38,8 +39,8 @@ std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size
   std::vector<Measurement> readings = candidate.readings;
   for (auto& reading : readings) {
     reading.setup = placed.placings.back().setup;
-    if (reading.kind == MeasurementKind::kTouch && !reading.p_W) reading.point = "candidate " + std::to_string(index);
-    if (reading.kind != MeasurementKind::kTouch && !reading.p_W) reading.p_W = Eigen::Vector3d::Zero();
+    if (touchesUnknownPoint(reading)) reading.point = "candidate " + std::to_string(index);
+    if (!isTouch(reading) && !reading.p_W) reading.p_W = Eigen::Vector3d::Zero();
   }
   return readings;
 }

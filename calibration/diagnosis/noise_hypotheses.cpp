@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "calibration/fit.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
 
@@ -36,8 +37,7 @@ std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings)
   std::map<std::string, std::vector<int>> touching;
   std::vector<std::vector<int>> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    const bool is_unknown = readings[k].kind == MeasurementKind::kTouch && !readings[k].p_W;
-    if (is_unknown)
+    if (touchesUnknownPoint(readings[k]))
       touching[readings[k].point].push_back(static_cast<int>(k));
     else
       groups.push_back({static_cast<int>(k)});

@@ -11,6 +11,7 @@
 #include "calibration/measurement_checks/joint_zero.hpp"
 #include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurement_checks/robust_fit.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -39,7 +40,7 @@ std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, 
   std::map<std::string, std::vector<std::size_t>> points;
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (readings[k].kind == MeasurementKind::kTouch && !readings[k].p_W)
+    if (touchesUnknownPoint(readings[k]))
       points[readings[k].point].push_back(k);
     else
       groups.push_back({k});
@@ -144,9 +145,8 @@ class Checking {
         drawn_{{"tool.tip"}, true, checked.free.priors},
         held_{{}, true, checked.free.priors},
         reach_(deflection::reachOf(checked.start.arm)),
-        has_places_(std::any_of(checked.readings.begin(), checked.readings.end(), [](const Measurement& reading) {
-          return reading.p_W && (reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch);
-        })) {}
+        has_places_(std::any_of(checked.readings.begin(), checked.readings.end(),
+                                [](const Measurement& reading) { return statesPlace(reading); })) {}
 
   MeasurementChecks run() {
     MeasurementChecks result;
@@ -257,7 +257,7 @@ class Checking {
   static double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& readings) {
     std::vector<Eigen::Vector3d> tips;
     for (const auto& reading : readings)
-      if (reading.kind == MeasurementKind::kTouch && !reading.p_W)
+      if (touchesUnknownPoint(reading))
         if (const auto tip = predictReading(
                 placed.arm, placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB, reading);
             tip.ok)

@@ -18,6 +18,7 @@
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/measurement_checks/sigma_unit.hpp"
 #include "calibration/measurement_checks/without.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::calibration {
 
@@ -47,7 +48,7 @@ std::optional<std::pair<int, int>> holeOf(const std::string& point) {
 }
 
 bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading) {
-  if (!checked.sheet || reading.kind != MeasurementKind::kTouch || !reading.p_W) return false;
+  if (!checked.sheet || !touchesKnownPoint(reading)) return false;
   const auto hole = holeOf(reading.point);
   const auto* tube = hole ? checked.sheet->find(hole->first, hole->second) : nullptr;
   constexpr double kRounding = 5e-5;  // m, of coordinates written with the hole's name

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
 
@@ -185,8 +186,7 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   const double reach = kSlack * deflection::reachOf(checked.start.arm);
   std::vector<std::string> ids;
   for (const auto& reading : checked.readings) {
-    const bool is_place = reading.kind == MeasurementKind::kPosition || reading.kind == MeasurementKind::kTouch;
-    if (!is_place || !reading.p_W) continue;
+    if (!statesPlace(reading)) continue;
     const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
     if (!((*reading.p_W - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
   }
@@ -209,7 +209,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
   std::size_t tried = 0;
   for (const auto& reading : checked.readings) {
     const auto hole = holeOf(reading.point);
-    if (!hole || !reading.p_W || reading.kind != MeasurementKind::kTouch || ++tried > kMostTried) continue;
+    if (!hole || !touchesKnownPoint(reading) || ++tried > kMostTried) continue;
     const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
     const auto tip = predictReading(found.arm, X_WB, reading);
     if (!tip.ok || !((tip.value - *reading.p_W).norm() > checked.sheet->pitch / 2)) continue;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -27,8 +28,7 @@ const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std
 
 /// Rows of a reading for an error along the world's axes: itself, or its part along the measured line.
 MatrixXd seenOf(const ReadingScene& scene, std::size_t k) {
-  if (scene.readings[k].kind != MeasurementKind::kDistance) return MatrixXd::Identity(3, 3);
-  return (scene.tips.col(static_cast<Index>(k)) - *scene.readings[k].p_W).normalized().transpose();
+  return kindOf(scene.readings[k]).slope(scene.readings[k], scene.tips.col(static_cast<Index>(k)));
 }
 
 /// Orthonormal columns that span what is left of `columns`, each having been of the given length.

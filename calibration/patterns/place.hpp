@@ -4,6 +4,7 @@
 // is that place plus the error. A coordinate that hardly differs is not asked, for then noise is all that it tells.
 #pragma once
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/patterns/pattern.hpp"
 
 namespace tubeplan::calibration::patterns::place {
@@ -13,8 +14,7 @@ inline constexpr double kLeastShare = 0.002;  // of the arm's reach that a coord
 inline Eigen::Matrix3Xd places(const ReadingScene& scene) {
   Eigen::Matrix3Xd places = scene.tips;
   for (std::size_t k = 0; k < scene.readings.size(); ++k)
-    if (scene.readings[k].kind == MeasurementKind::kTouch && scene.readings[k].p_W)
-      places.col(static_cast<Eigen::Index>(k)) = *scene.readings[k].p_W;
+    if (touchesKnownPoint(scene.readings[k])) places.col(static_cast<Eigen::Index>(k)) = *scene.readings[k].p_W;
   return places;
 }
 

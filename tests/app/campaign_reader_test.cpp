@@ -62,7 +62,7 @@ TEST_F(CampaignReader, TakesWhatSuitsTheKindForWhatIsLeftOut) {
 
 TEST_F(CampaignReader, RefusesWhatItDoesNotKnow) {
   expectRefused("at: holes\n", {"no key 'kind'"});
-  expectRefused("kind: positon\n", {"design.yaml:1:7", "'positon'", "position, touch, deflection or distance",
+  expectRefused("kind: positon\n", {"design.yaml:1:7", "'positon'", "position, touch, deflection, distance or axis",
                                     "did you mean 'position'?"});
   expectRefused("kind: position\nload: [1]\n", {"'load'", "did you mean 'loads'?"});
   expectRefused("kind: touch\npoints: maybe\n", {"'maybe'", "known or unknown"});
@@ -84,6 +84,9 @@ TEST_F(CampaignReader, RefusesKeysThatTheKindDoesNotHave) {
   expectRefused("kind: deflection\npostures_per_point: 2\n", {"`postures_per_point`", "kind: touch"});
   expectRefused("kind: position\nanchor: [1, 2, 3]\n", {"anchor", "kind: distance"});
   expectRefused("kind: distance\n", {"without an anchor", "add anchor"});
+  expectRefused("kind: axis\nanchor: [1, 2, 3]\n", {"without a direction", "add direction"});
+  expectRefused("kind: position\ndirection: [0, 0, 1]\n", {"direction", "kind: axis"});
+  expectRefused("kind: axis\nanchor: [1, 2, 3]\ndirection: [0, 0, 0]\n", {"not all zero"});
 }
 
 }  // namespace

@@ -102,5 +102,21 @@ TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
   expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): found the id 'a' again");
 }
 
+TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,dx,dy,dz,sigma_in\n";
+  const std::string good = "a,axis,10,90,-20,5,1,2,3,-4,0,3,-4,0.003\n";
+  const auto readings = read(header + good);
+  ASSERT_EQ(readings.size(), 1U);
+  EXPECT_EQ(readings.front().kind, MeasurementKind::kAxis);
+  EXPECT_NEAR(readings.front().distance, -4 * kInch, 1e-15);
+  EXPECT_TRUE(readings.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "without a direction");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "points somewhere");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,x,-4,")), "column dy");
+  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "without its value");
+}
+
 }  // namespace
 }  // namespace tubeplan::app

@@ -8,6 +8,7 @@
 #include "app/readers/strict_yaml.hpp"
 #include "app/touch_input.hpp"
 #include "calibration/campaign_random.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -25,13 +26,14 @@ class MeasurementsWriter : public ::testing::Test {
   [[nodiscard]] Measurement randomReading(int number) {
     Measurement m;
     m.id = "reading " + std::to_string(number);
-    m.kind = static_cast<MeasurementKind>(number % 4);
+    m.kind = static_cast<MeasurementKind>(number % static_cast<int>(calibration::measurementKinds().size()));
     m.point = "P" + std::to_string(number / 3);
     m.load = random.uniform(0, 200);
     m.q.resize(4);
     m.q << random.uniform(-3, 3), random.uniform(0, 3), random.uniform(-2, 2), random.uniform(-2, 2);
     if (m.kind != MeasurementKind::kTouch || random.index(2) == 0) m.p_W = random.vector(1);
-    if (m.kind == MeasurementKind::kDistance) m.distance = random.uniform(0.1, 2);
+    if (kindOf(m).has_anchor) m.distance = random.uniform(0.1, 2);
+    if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
     m.sigma = random.uniform(1e-5, 1e-3);
     return m;
   }
@@ -64,6 +66,10 @@ class MeasurementsWriter : public ::testing::Test {
       }
     };
     expectNear(a.distance, b.distance, 1e-10);
+    ASSERT_EQ(a.direction_W.has_value(), b.direction_W.has_value());
+    if (a.direction_W) {
+      EXPECT_LE((*a.direction_W - *b.direction_W).norm(), 1e-10);
+    }
     expectNear(a.sigma, b.sigma, 1e-14);
     expectNear(a.temperature, b.temperature, 1e-8);
     expectNear(a.time, b.time, 1e-6);

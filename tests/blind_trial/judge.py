@@ -161,6 +161,9 @@ def print_totals(cases):
             (f"unknown refused, d >= {REFUSABLE_D:.0f}, no rival above {STRANGE}",
              share(lambda case: case.word == "refused", strange)),
             ("pairs: both found", share(lambda case: case.within, by_kind["pair"])),
+            (f"pairs: both found, each of d >= {WEAK_D:.0f} beside the other",
+             share(lambda case: case.within, [case for case in by_kind["pair"]
+                                              if min(case.truth.get("d_beside", [0.])) >= WEAK_D])),
             ("pairs: at least one found", share(lambda case: case.within or case.word == "half", by_kind["pair"])),
             ("held-out/floor <= 1.05 where right", f"{sum(r <= 1.05 for r in good)}/{len(good)}" if good else "-"),
             ("95 % interval of the size holds the truth",

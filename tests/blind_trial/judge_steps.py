@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 
+from answers import WEAK_D
 from arm_description import CELLS
 
 
@@ -48,13 +49,17 @@ def main(arguments):
     with ThreadPoolExecutor(options.jobs) as pool:
         answers = list(pool.map(lambda f: improved(options.program, options.cells, f, options.timeout), folders))
     counts = collections.Counter()
+    shown = collections.Counter()
     for folder, (hidden, added, also) in zip(folders, answers):
         missed = hidden - (added or set()) - also
         found = None if added is None else len(hidden - missed)
         counts[found] += 1
+        if min(json.loads((folder / "truth.json").read_text()).get("d_beside", [0.])) >= WEAK_D:
+            shown[found == options.of] += 1
         wrong = sorted((added or set()) - hidden)
         print(f"{folder.name:12s} {'failed' if added is None else f'{found} of {options.of}'}  missed "
               f"{', '.join(sorted(missed)) or '-'}; beside {', '.join(wrong) or '-'}")
+    print(f"all found where each is of d >= {WEAK_D:.0f} beside the others: {shown[True]}/{shown.total()}")
     for found, count in sorted(counts.items(), key=str):
         print(f"{'failed' if found is None else f'{found} of {options.of} found':14s} {count}/{len(answers)}")
 

@@ -57,7 +57,10 @@ TEST(Identification, FindsTheTruthFromEveryKindOfReading) {
   const struct {
     MeasurementKind kind;
     int count;
-  } kKinds[] = {{MeasurementKind::kPosition, 8}, {MeasurementKind::kDeflection, 10}, {MeasurementKind::kDistance, 20}};
+  } kKinds[] = {{MeasurementKind::kPosition, 8},
+                {MeasurementKind::kDeflection, 10},
+                {MeasurementKind::kDistance, 20},
+                {MeasurementKind::kAxis, 20}};
   const PlacedArm truth = cobra();
   unsigned ways = 2;
   for (const auto& [kind, count] : kKinds) {

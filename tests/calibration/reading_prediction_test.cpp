@@ -8,8 +8,11 @@
 namespace tubeplan::calibration {
 namespace {
 
-constexpr MeasurementKind kKinds[] = {MeasurementKind::kPosition, MeasurementKind::kTouch, MeasurementKind::kDeflection,
-                                      MeasurementKind::kDistance};
+const auto kKinds = [] {
+  std::vector<MeasurementKind> kinds;
+  for (const auto& row : measurementKinds()) kinds.push_back(row.kind);
+  return kinds;
+}();
 
 Measurement reading(MeasurementKind kind) {
   Measurement m;
@@ -17,6 +20,7 @@ Measurement reading(MeasurementKind kind) {
   m.q = Eigen::Vector4d(25, 70, -60, -20) * kDegree;
   m.load = 30 * kPound;
   m.p_W = Eigen::Vector3d(1.5, -2, 0.4);
+  m.direction_W = Eigen::Vector3d(0.6, 0, -0.8);
   m.sigma = 0.003 * kInch;
   return m;
 }
@@ -39,6 +43,8 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   EXPECT_LE((value(MeasurementKind::kDeflection) - (loaded - bare)).norm(), 1e-9);
   ASSERT_EQ(value(MeasurementKind::kDistance).size(), 1);
   EXPECT_NEAR(value(MeasurementKind::kDistance)[0], (loaded - *m.p_W).norm(), 1e-9);
+  ASSERT_EQ(value(MeasurementKind::kAxis).size(), 1);
+  EXPECT_NEAR(value(MeasurementKind::kAxis)[0], m.direction_W->dot(loaded - *m.p_W), 1e-9);
   EXPECT_GT((loaded - bare).norm(), 0.01);
 }
 

@@ -50,12 +50,13 @@ class ReadingMaker {
       Measurement m = blank(kind, setup);
       m.q = drawPosture();
       m.load = uniform(10, 40) * kPound;
-      if (kind == MeasurementKind::kDistance) m.p_W = Eigen::Vector3d(uniform(-3, 3), uniform(-3, 3), uniform(-2, -1));
-      const Eigen::VectorXd value = predictReading(truth_.arm, baseOf(m), m).value;
-      if (kind == MeasurementKind::kDistance)
-        m.distance = value[0] + noise(m.sigma);
-      else
-        m.p_W = value + noise3(m.sigma);
+      const MeasurementKindRow& row = kindOf(kind);
+      if (row.has_anchor) m.p_W = Eigen::Vector3d(uniform(-3, 3), uniform(-3, 3), uniform(-2, -1));
+      if (row.has_direction)
+        m.direction_W = Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
+      MeasuredValue value = predictReading(truth_.arm, baseOf(m), m).value;
+      for (double& coordinate : value) coordinate += noise(m.sigma);
+      row.record(value, m);
       m.q += encoderNoise();
       readings.push_back(m);
     }

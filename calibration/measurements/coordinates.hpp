@@ -1,0 +1,18 @@
+// Kinds that measure all three coordinates: a tracker's position, a touched point, a displacement.
+#pragma once
+
+#include "calibration/measurements/measurement_kind.hpp"
+
+namespace tubeplan::calibration::coordinates {
+
+inline MeasuredValue value(const Measurement&, const Eigen::Vector3d& p_W) { return p_W; }
+inline MeasuredSlope slope(const Measurement&, const Eigen::Vector3d&) { return Eigen::Matrix3d::Identity(); }
+inline MeasuredValue measured(const Measurement& reading) {
+  return reading.p_W ? *reading.p_W : Eigen::Vector3d::Zero();
+}
+inline void record(const MeasuredValue& value, Measurement& reading) { reading.p_W = Eigen::Vector3d(value); }
+
+/// Where a touch rests is its point's place, known or not: nothing is written.
+inline void recordNothing(const MeasuredValue&, Measurement&) {}
+
+}  // namespace tubeplan::calibration::coordinates
