@@ -41,6 +41,7 @@ Run configureIdentify(CLI::App& cli);
 Run configureImprove(CLI::App& cli);
 Run configureLadder(CLI::App& cli);
 Run configureMap(CLI::App& cli);
+Run configureEffects(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
 Run configureScore(CLI::App& cli);

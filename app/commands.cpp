@@ -18,6 +18,8 @@ constexpr Command kCommands[] = {
      "tubeplan add app/cells/bench.yaml backlash@tool.z --out better.yaml\n"
      "tubeplan add app/cells/bench.yaml --formula 'theta3 += c*sin(3*theta1)' --out better.yaml",
      configureAdd},
+    {"effects", "the physical effects that an arm can have, their numbers, and where",
+     "tubeplan effects app/cells/bench.yaml backlash", configureEffects},
     {"compare", "where the model fails, by how much, and what its error follows",
      "tubeplan compare app/cells/bench.yaml readings.csv --json comparison.json", configureCompare},
     {"diagnose", "which effect the model lacks: one, one of several, none, or none that is known",

@@ -162,34 +162,4 @@ json readingsJson(const Model& model, const ReadingSet& set) {
           {"rows", rows}};
 }
 
-json catalogueJson(const Cell& cell) {
-  json effects = json::array();
-  for (const auto& kind : deflection::effectKinds())
-    for (const auto& at : deflection::placeTexts(cell.arm, kind)) {
-      const auto made = deflection::makeEffect(cell.arm, kind.name, at);
-      if (made.status != deflection::EffectStatus::kMade) continue;
-      json parameters = json::array();
-      for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
-        const auto number = deflection::numberOf(cell.arm, made.effect, static_cast<int>(v));
-        const Dimension unit = dimensionOf(number.quantity);
-        const auto bound = [&](double value) {
-          return std::isfinite(value) ? json(cell.units.toFile(value, unit)) : json();
-        };
-        parameters.push_back({{"name", kind.parameters[v].name},
-                              {"unit", cell.units.nameOf(unit)},
-                              {"neutral", bound(kind.parameters[v].neutral)},
-                              {"low", bound(number.lower)},
-                              {"high", bound(number.upper)},
-                              {"plausible", bound(kind.parameters[v].plausible)}});
-      }
-      effects.push_back({{"effect", kind.name},
-                         {"at", at},
-                         {"law", kind.law},
-                         {"validity", kind.validity},
-                         {"source", kind.source},
-                         {"parameters", parameters}});
-    }
-  return {{"units", unitsJson(cell.units)}, {"effects", effects}};
-}
-
 }  // namespace tubeplan::app

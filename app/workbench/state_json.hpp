@@ -13,7 +13,4 @@ namespace tubeplan::app {
 /// that the model predicts, in the world.
 [[nodiscard]] nlohmann::json readingsJson(const Model& model, const ReadingSet& set);
 
-/// Every effect at every place of the arm, with its law and numbers.
-[[nodiscard]] nlohmann::json catalogueJson(const Cell& cell);
-
 }  // namespace tubeplan::app

@@ -23,6 +23,26 @@ class EffectCommands : public ProgramTest {
   }
 };
 
+TEST_F(EffectCommands, EveryEffectOfTheCatalogueIsListedWithItsPlaces) {
+  const auto all = run("effects " + bench());
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  for (const auto& kind : deflection::effectKinds()) expectSays("\n" + all.out, "\n" + std::string(kind.name) + "\n");
+  const auto one = run("effects " + bench() + " backlash");
+  expectSays(one.out, "gap (deg, usually up to 1.15)");
+  expectSays(one.out, "tool.z");
+  EXPECT_EQ(one.out.find("hysteresis"), std::string::npos);
+  const json listed = json::parse(run("effects " + bench() + " --json -").out);
+  for (const auto& effect : listed["effects"])
+    EXPECT_EQ(run("add " + bench() + " '" + effect["effect"].get<std::string>() + "@" +
+                  effect["at"].get<std::string>() + "' --out " + path("better.yaml"))
+                  .exit_code,
+              0)
+        << effect["effect"] << effect["at"];
+  const auto wrong = run("effects " + bench() + " backlsh");
+  EXPECT_EQ(wrong.exit_code, 2);
+  expectSays(wrong.err, "did you mean 'backlash'?");
+}
+
 TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
   simulate("hysteresis@theta4:0.06deg");
   const std::string readings = path("set/measurements.csv");

@@ -1,0 +1,79 @@
+#include "app/effect_catalogue.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_inputs.hpp"
+#include "app/figures.hpp"
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// "gap (deg, usually up to 1.15)"; units are those at the first place.
+std::string numbersText(const Cell& cell, const deflection::EffectKind& kind, const std::string& at) {
+  const auto made = deflection::makeEffect(cell.arm, kind.name, at);
+  std::vector<std::string> numbers;
+  for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
+    const auto number = deflection::numberOf(cell.arm, made.effect, static_cast<int>(v));
+    const Dimension unit = dimensionOf(number.quantity);
+    const double most = kind.parameters[v].plausible;
+    std::string text = fmt::format("{} ({}", kind.parameters[v].name, cell.units.nameOf(unit));
+    if (std::isfinite(most)) text += fmt::format(", usually up to {:.3g}", cell.units.toFile(most, unit));
+    numbers.push_back(text + ")");
+  }
+  return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+}  // namespace
+
+json catalogueJson(const Cell& cell) {
+  json effects = json::array();
+  for (const auto& kind : deflection::effectKinds())
+    for (const auto& at : deflection::placeTexts(cell.arm, kind)) {
+      const auto made = deflection::makeEffect(cell.arm, kind.name, at);
+      if (made.status != deflection::EffectStatus::kMade) continue;
+      json parameters = json::array();
+      for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
+        const auto number = deflection::numberOf(cell.arm, made.effect, static_cast<int>(v));
+        const Dimension unit = dimensionOf(number.quantity);
+        const auto bound = [&](double value) {
+          return std::isfinite(value) ? json(cell.units.toFile(value, unit)) : json();
+        };
+        parameters.push_back({{"name", kind.parameters[v].name},
+                              {"unit", cell.units.nameOf(unit)},
+                              {"neutral", bound(kind.parameters[v].neutral)},
+                              {"low", bound(number.lower)},
+                              {"high", bound(number.upper)},
+                              {"plausible", bound(kind.parameters[v].plausible)}});
+      }
+      effects.push_back({{"effect", kind.name},
+                         {"at", at},
+                         {"law", kind.law},
+                         {"validity", kind.validity},
+                         {"source", kind.source},
+                         {"parameters", parameters}});
+    }
+  return {{"units", unitsJson(cell.units)}, {"effects", effects}};
+}
+
+std::string catalogueText(const Cell& cell, const std::string& only) {
+  std::string text;
+  for (const auto& kind : deflection::effectKinds()) {
+    if (!only.empty() && only != kind.name) continue;
+    const auto places = deflection::placeTexts(cell.arm, kind);
+    text += fmt::format("{}\n  {}\n", kind.name, kind.law);
+    text += places.empty() ? "  nowhere on this arm\n"
+                           : fmt::format("  numbers: {}\n  at: {}\n", numbersText(cell, kind, places.front()),
+                                         fmt::join(places, ", "));
+  }
+  return text;
+}
+
+}  // namespace tubeplan::app
