@@ -319,6 +319,10 @@ std::string detectableText(const Diagnosis& result, const Units& units) {
   std::string text = least.empty() ? "" : "  the least that would have been seen, four times in five:\n";
   for (const auto& [effect, entry] : least) {
     const Dimension unit = dimensionOf(entry->quantity);
+    if (!std::isfinite(entry->size)) {
+      text += fmt::format("    {:<24} {:<22} at no size: it moves none of these readings\n", effect, entry->at);
+      continue;
+    }
     text += fmt::format("    {:<24} {:<22} {:>9.3g} {}{}\n", effect, entry->at, entry->size / units.factor(unit),
                         units.nameOf(unit), entry->is_beyond_plausible ? " (more than real machines have)" : "");
   }

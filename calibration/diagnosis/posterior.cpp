@@ -21,6 +21,7 @@ constexpr std::size_t kMostAlternatives = 8;
 constexpr double kCredible = 0.95;    // of what is missing, that the alternatives hold together
 constexpr double kLeastShare = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
+constexpr double kNeverSeen = 1e-6;  // noise sigmas that a cause of the largest usual size shows
 
 double weightOf(const CompetingModel& model, double most) { return std::exp(model.logWeight() - most); }
 
@@ -337,7 +338,8 @@ void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
     const double sigmas = std::sqrt(2 * logLeastGain(cause, visibility)) + 0.84;
     PlacedArm placed = work.basis.fitted;
     const Unknown number = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(middle)]).front();
-    const double units = sigmas / std::max(1e-300, visibility);
+    // What moves no reading but for rounding shows at no size.
+    const double units = visibility > kNeverSeen ? sigmas / visibility : std::numeric_limits<double>::infinity();
     result.detectable.push_back({cause.effect, cause.at, number.name.substr(number.name.rfind('.') + 1),
                                  number.quantity, units * number.typical, units > 1});
   }
