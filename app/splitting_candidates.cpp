@@ -10,6 +10,7 @@
 #include "app/measured_room.hpp"
 #include "app/reading_candidates.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/statistics.hpp"
 #include "deflection/inverse_kinematics.hpp"
 #include "planner/arm_clearance.hpp"
 
@@ -21,12 +22,6 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Readi
 using Eigen::VectorXd;
 
 constexpr double kReached = 1e-7;  // m, of a point that is touched
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 /// What the readings so far have in common: how the next ones are made.
 struct Custom {
@@ -72,8 +67,8 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   }
   custom.has_known_points = kindOf(custom.kind).is_touch && custom.anchor;
   custom.loads = thinnedOut(loads, most_loads);
-  custom.sigma = medianOf(sigmas);
-  custom.temperature = medianOf(temperatures);
+  custom.sigma = calibration::median(sigmas);
+  custom.temperature = calibration::median(temperatures);
   custom.time =
       times.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(times.begin(), times.end());
   return custom;

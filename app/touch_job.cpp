@@ -14,6 +14,7 @@
 #include "app/workcell.hpp"
 #include "calibration/base_calibration.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/statistics.hpp"
 #include "calibration/touch_choice.hpp"
 #include "calibration/touch_reserve.hpp"
 
@@ -47,9 +48,7 @@ double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
   std::vector<double> sigmas;
   for (const auto& reading : readings)
     if (isTouch(reading) == is_touch) sigmas.push_back(reading.sigma);
-  if (sigmas.empty()) return 0;
-  std::nth_element(sigmas.begin(), sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2), sigmas.end());
-  return sigmas[sigmas.size() / 2];
+  return sigmas.empty() ? 0 : calibration::median(std::move(sigmas));
 }
 
 /// The noise that a reading to come is taken to have.

@@ -9,6 +9,7 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -34,9 +35,7 @@ VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWe
     size[static_cast<Index>(k)] =
         residual.r.segment(weights.first_row[k], rowsOf(readings[k])).norm() / std::sqrt(weight * rowsOf(readings[k]));
   }
-  std::vector<double> sorted(size.begin(), size.end());
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-  const double spread = std::max(1., sorted[sorted.size() / 2] / 0.89);  // median of chi_3 / sqrt 3
+  const double spread = std::max(1., median({size.begin(), size.end()}) / 0.89);  // median of chi_3 / sqrt 3
   VectorXd factors(size.size());
   for (Index k = 0; k < size.size(); ++k) {
     const double s = size[k] / spread;
@@ -234,9 +233,7 @@ class ErrorVariance {
   [[nodiscard]] double medianOfMeans(double variance) const {
     std::vector<double> means;
     for (std::size_t k = 0; k < squares_.size(); ++k) means.push_back(meanSquare(k, variance));
-    const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
-    std::nth_element(means.begin(), middle, means.end());
-    return *middle;
+    return median(std::move(means));
   }
 
  private:

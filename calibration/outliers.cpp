@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -58,9 +59,7 @@ std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit&
 double usualSquare(const std::vector<Measurement>& readings, const std::vector<Alone>& all) {
   std::vector<double> sizes;
   for (std::size_t k = 0; k < all.size(); ++k) sizes.push_back(all[k].square / rowsOf(readings[k]));
-  const auto middle = sizes.begin() + static_cast<long>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(1., *middle / 0.79);  // median of chi-square of three, over three
+  return std::max(1., median(std::move(sizes)) / 0.79);  // median of chi-square of three, over three
 }
 
 }  // namespace

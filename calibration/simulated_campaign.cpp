@@ -6,6 +6,7 @@
 #include <set>
 
 #include "calibration/campaign_station.hpp"
+#include "calibration/statistics.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {
@@ -95,9 +96,7 @@ class CampaignMaker {
       if (trial.refusal == PostureRefusal::kNone) heights.push_back(-arm_.gravity_W.dot(trial.tip_W));
     }
     if (heights.empty()) return failFor("the height of the plane", counts);
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    station_.setPlaneHeight(*middle);
+    station_.setPlaneHeight(median(std::move(heights)));
     return true;
   }
 

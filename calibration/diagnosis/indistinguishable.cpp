@@ -9,6 +9,7 @@
 
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -22,9 +23,7 @@ constexpr double kHardly = 9;  // of chi-square, by all these readings together
 double medianSigma(const std::vector<Measurement>& readings) {
   std::vector<double> sigmas;
   for (const auto& reading : readings) sigmas.push_back(reading.sigma);
-  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-  std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return *middle;
+  return median(std::move(sigmas));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -479,8 +480,7 @@ class Checking {
     constexpr std::size_t kFew = 6;
     std::vector<double> sigmas;
     for (const auto& reading : checked_.readings) sigmas.push_back(reading.sigma);
-    std::nth_element(sigmas.begin(), sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2), sigmas.end());
-    const double sigma = sigmas[sigmas.size() / 2];
+    const double sigma = median(std::move(sigmas));
     const bool is_large = checked_.readings.size() >= kFew && as_is_.chi2_per_freedom < kFarBelow;
     const bool is_fine = sigma < kFinest * reach_;
     if (!is_large && !is_fine) return;

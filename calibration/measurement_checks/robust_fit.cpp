@@ -8,6 +8,7 @@
 #include "calibration/fit.hpp"
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -32,10 +33,7 @@ class StudentLoss {
   double settle(const VectorXd& r) {
     for (std::size_t k = 0; k < square_.size(); ++k)
       square_[k] = r.segment(weights_.first_row[k], rowsOf(readings_[k])).squaredNorm();
-    auto sorted = square_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    variance_ = std::max(1., *middle / 3);
+    variance_ = std::max(1., median(square_) / 3);
     for (int step = 0; step < kScaleSteps; ++step) {
       const double before = variance_;
       double sum = 0;
