@@ -170,6 +170,19 @@ TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   EXPECT_EQ(names, (std::vector<std::string>{"joint-offset@theta2", "joint-offset@theta4", "link-length@forearm"}));
 }
 
+// Millimetres an hour are much for a base: a tenth of one is a drift all the same, and no unknown.
+TEST(Diagnosis, NamesASlowDrift) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 90, 4);
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    readings[k].time = 120. * static_cast<double>(k);
+    *readings[k].p_W += readings[k].time * Eigen::Vector3d(1e-8, -1.5e-8, 2.5e-8);
+  }
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.verdict, Verdict::kExplained);
+  EXPECT_TRUE(holds(found, "base-drift", "base"));
+}
+
 TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
   const Diagnosis found = diagnosisOf("joint-compliance", "base-link.z", {1e-5}, 5);
   ASSERT_FALSE(found.alternatives.empty());
