@@ -11,7 +11,6 @@
 #include "app/figures.hpp"
 #include "app/identification_json.hpp"
 #include "app/pattern_json.hpp"
-#include "app/readers/measurements_writer.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
-#include "app/readers/measurements_writer.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -16,17 +16,32 @@ namespace {
 
 using nlohmann::json;
 
+/// The numbers of an effect at neutral values, as they are at its place.
+json parametersJson(const Cell& cell, const deflection::EffectKind& kind, const deflection::Effect& effect) {
+  json parameters = json::array();
+  for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
+    const auto number = deflection::numberOf(cell.arm, effect, static_cast<int>(v));
+    const Dimension unit = dimensionOf(number.quantity);
+    const auto bound = [&](double value) {
+      return std::isfinite(value) ? json(cell.units.toFile(value, unit)) : json();
+    };
+    parameters.push_back({{"name", kind.parameters[v].name},
+                          {"unit", cell.units.nameOf(unit)},
+                          {"neutral", bound(kind.parameters[v].neutral)},
+                          {"low", bound(number.lower)},
+                          {"high", bound(number.upper)},
+                          {"plausible", bound(kind.parameters[v].plausible)}});
+  }
+  return parameters;
+}
+
 /// "gap (deg, usually up to 1.15)"; units are those at the first place.
 std::string numbersText(const Cell& cell, const deflection::EffectKind& kind, const std::string& at) {
-  const auto made = deflection::makeEffect(cell.arm, kind.name, at);
   std::vector<std::string> numbers;
-  for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
-    const auto number = deflection::numberOf(cell.arm, made.effect, static_cast<int>(v));
-    const Dimension unit = dimensionOf(number.quantity);
-    const double most = kind.parameters[v].plausible;
-    std::string text = fmt::format("{} ({}", kind.parameters[v].name, cell.units.nameOf(unit));
-    if (std::isfinite(most)) text += fmt::format(", usually up to {:.3g}", cell.units.toFile(most, unit));
-    numbers.push_back(text + ")");
+  for (const json& number : parametersJson(cell, kind, deflection::makeEffect(cell.arm, kind.name, at).effect)) {
+    const json& most = number["plausible"];
+    numbers.push_back(fmt::format("{} ({}{})", number["name"].get<std::string>(), number["unit"].get<std::string>(),
+                                  most.is_null() ? "" : fmt::format(", usually up to {:.3g}", most.get<double>())));
   }
   return fmt::format("{}", fmt::join(numbers, ", "));
 }
@@ -39,26 +54,12 @@ json catalogueJson(const Cell& cell) {
     for (const auto& at : deflection::placeTexts(cell.arm, kind)) {
       const auto made = deflection::makeEffect(cell.arm, kind.name, at);
       if (made.status != deflection::EffectStatus::kMade) continue;
-      json parameters = json::array();
-      for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
-        const auto number = deflection::numberOf(cell.arm, made.effect, static_cast<int>(v));
-        const Dimension unit = dimensionOf(number.quantity);
-        const auto bound = [&](double value) {
-          return std::isfinite(value) ? json(cell.units.toFile(value, unit)) : json();
-        };
-        parameters.push_back({{"name", kind.parameters[v].name},
-                              {"unit", cell.units.nameOf(unit)},
-                              {"neutral", bound(kind.parameters[v].neutral)},
-                              {"low", bound(number.lower)},
-                              {"high", bound(number.upper)},
-                              {"plausible", bound(kind.parameters[v].plausible)}});
-      }
       effects.push_back({{"effect", kind.name},
                          {"at", at},
                          {"law", kind.law},
                          {"validity", kind.validity},
                          {"source", kind.source},
-                         {"parameters", parameters}});
+                         {"parameters", parametersJson(cell, kind, made.effect)}});
     }
   return {{"units", unitsJson(cell.units)}, {"effects", effects}};
 }

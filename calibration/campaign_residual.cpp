@@ -148,17 +148,10 @@ void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::si
   Vector3d place = X_WB.linear() * batch.tip(k);
   if (!kind.is_displacement) place += X_WB.translation();
   const MeasuredValue error = kind.value(measured, place) - kind.measured(measured);
-  WhitenedRows by_place;
-  if (kind.rows == 3) {
-    by_place = whitener;
-    to.r->segment<3>(row) = by_place.topRows<3>().lazyProduct(Vector3d(error));
-    if (to.error) to.error->segment<3>(row) = error;
-  } else {
-    by_place = whitener(0, 0) * kind.slope(measured, place);
-    (*to.r)[row] = whitener(0, 0) * error[0];
-    if (to.error) (*to.error)[row] = error[0];
-  }
+  to.r->segment(row, kind.rows) = whitener.lazyProduct(error);
+  if (to.error) to.error->segment(row, kind.rows) = error;
   if (!to.jacobian) return;
+  const WhitenedRows by_place = whitener.lazyProduct(kind.slope(measured, place));
   fillNumbers(batch, k, by_place * X_WB.linear(), row, *to.jacobian);
   if (!bases_[static_cast<std::size_t>(placing_of_[reading])].empty())
     fillBase(batch, k, reading, by_place, *to.jacobian);

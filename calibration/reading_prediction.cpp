@@ -57,7 +57,6 @@ void measure(const Measurement& reading, Prediction& tip) {
   const MeasurementKindRow& kind = kindOf(reading);
   const Vector3d p_W = tip.value;
   tip.value = kind.value(reading, p_W);
-  if (kind.rows == 3) return;
   const MeasuredSlope slope = kind.slope(reading, p_W);
   if (tip.by_numbers.size()) tip.by_numbers = slope * tip.by_numbers;
   if (tip.by_base.size()) tip.by_base = slope * tip.by_base;

@@ -52,8 +52,7 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
                        const Measurement& reading, std::size_t joints) {
   MatrixXd slopes(3, static_cast<Index>(joints));
   for (std::size_t j = 0; j < joints; ++j) slopes.col(static_cast<Index>(j)) = X_WB.linear() * batch.column(k, j);
-  const MeasurementKindRow& kind = kindOf(reading);
-  return kind.rows == 3 ? slopes : MatrixXd(kind.slope(reading, X_WB * batch.tip(k)) * slopes);
+  return kindOf(reading).slope(reading, X_WB * batch.tip(k)) * slopes;
 }
 
 /// How each reading changes with the joints that it was read at.

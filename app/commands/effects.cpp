@@ -22,16 +22,15 @@ struct EffectsOptions {
   std::string cell, effect, json;
 };
 
-void requireEffect(const std::string& name) {
-  if (name.empty() || deflection::findEffectKind(name)) return;
-  std::vector<std::string> names;
-  for (const auto& kind : deflection::effectKinds()) names.emplace_back(kind.name);
-  throw InputError("EFFECT", inQuotes(name), alternatives(names), suggestion(name, names));
+void requireEffect(const deflection::Arm& arm, const std::string& name) {
+  const auto made = deflection::makeEffect(arm, name, "");
+  if (name.empty() || made.status != deflection::EffectStatus::kUnknownEffect) return;
+  throw InputError("EFFECT", inQuotes(name), alternatives(made.known), suggestion(name, made.known));
 }
 
 int run(const EffectsOptions& options) {
-  requireEffect(options.effect);
   const Cell cell = readCell(options.cell);
+  requireEffect(cell.arm, options.effect);
   checkJsonTarget(options.json);
   writeJson(options.json, catalogueJson(cell));
   if (printsText(options.json)) fmt::print("{}", catalogueText(cell, options.effect));

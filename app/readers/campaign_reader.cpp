@@ -3,7 +3,6 @@
 #include <array>
 #include <filesystem>
 
-#include "app/readers/measurements_writer.hpp"
 #include "app/readers/quantities.hpp"
 #include "app/readers/strict_yaml.hpp"
 #include "app/suggestion.hpp"
@@ -27,12 +26,8 @@ constexpr std::array<PlaceRow, 3> kPlaces{
 }
 
 MeasurementKind readKind(const YamlNode& node) {
-  std::vector<std::string> names;
-  for (const auto& row : calibration::measurementKinds()) {
-    names.emplace_back(row.name);
-    if (node.text() == names.back()) return row.kind;
-  }
-  refuseWord(node, names);
+  if (const auto* row = calibration::findMeasurementKind(node.text())) return row->kind;
+  refuseWord(node, calibration::measurementKindNames());
 }
 
 CampaignPlace readPlace(const YamlNode& node) {

@@ -118,7 +118,9 @@ MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::str
   columns.y = header.takeNumber("y", UnitKind::kLength);
   columns.z = header.takeNumber("z", UnitKind::kLength);
   columns.distance = header.takeNumber("distance", UnitKind::kLength);
-  columns.direction = {header.take("dx"), header.take("dy"), header.take("dz")};
+  columns.dx = header.take("dx");
+  columns.dy = header.take("dy");
+  columns.dz = header.take("dz");
   columns.sigma = header.takeNumber("sigma", UnitKind::kLength);
   columns.temperature = header.takeNumber("temperature", UnitKind::kTemperature);
   columns.time = header.takeNumber("time", UnitKind::kTime);

@@ -1,7 +1,6 @@
 // The columns of a measurement table: which one holds what, in which unit.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,9 +22,9 @@ struct MeasurementColumns {
   std::size_t id = 0, kind = 0;
   std::optional<std::size_t> point, setup, split;
   std::optional<NumberColumn> load, x, y, z, distance, sigma, temperature, time;
-  std::array<std::optional<std::size_t>, 3> direction;  ///< dx, dy, dz
-  std::vector<NumberColumn> joints;                     ///< one for each active row
-  std::vector<std::size_t> senses;                      ///< one for each active row, or none
+  std::optional<std::size_t> dx, dy, dz;
+  std::vector<NumberColumn> joints;  ///< one for each active row
+  std::vector<std::size_t> senses;   ///< one for each active row, or none
 };
 
 /// Throws InputError for columns that are unknown, missing, twice there in two units, or without a known unit.

@@ -29,16 +29,22 @@ class RowReader {
 
   [[nodiscard]] std::string textOr(const std::optional<std::size_t>& index) const { return index ? field(*index) : ""; }
 
+  [[nodiscard]] double number(std::size_t index) const {
+    const auto value = tubesheets::parseNumber(field(index));
+    if (!value) fail(index, describe(field(index)), "a finite number");
+    return *value;
+  }
+
   [[nodiscard]] double number(const NumberColumn& column) const {
-    const auto value = tubesheets::parseNumber(field(column.index));
-    if (!value) fail(column.index, describe(field(column.index)), "a finite number");
-    return (*value + column.unit->offset) * column.unit->factor;
+    return (number(column.index) + column.unit->offset) * column.unit->factor;
   }
 
   /// NaN where there is no such column or nothing in it.
+  [[nodiscard]] double numberOrNaN(const std::optional<std::size_t>& index) const {
+    return index && !field(*index).empty() ? number(*index) : std::numeric_limits<double>::quiet_NaN();
+  }
   [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const {
-    if (!column || field(column->index).empty()) return std::numeric_limits<double>::quiet_NaN();
-    return number(*column);
+    return column && !field(column->index).empty() ? number(*column) : std::numeric_limits<double>::quiet_NaN();
   }
 
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
@@ -63,11 +69,8 @@ class RowReader {
 };
 
 const MeasurementKindRow& readKind(const RowReader& row, const MeasurementColumns& columns) {
-  std::vector<std::string> names;
-  for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
-    if (row.field(columns.kind) == kind.name) return kind;
-    names.emplace_back(kind.name);
-  }
+  if (const auto* kind = calibration::findMeasurementKind(row.field(columns.kind))) return *kind;
+  const auto names = calibration::measurementKindNames();
   row.fail(columns.kind, "the kind " + inQuotes(row.field(columns.kind)), alternatives(names),
            suggestion(row.field(columns.kind), names));
 }
@@ -85,12 +88,26 @@ Eigen::VectorXd readJoints(const RowReader& row, const MeasurementColumns& colum
   return q;
 }
 
-std::optional<Eigen::Vector3d> readCoordinates(const RowReader& row, const MeasurementColumns& columns) {
-  const Eigen::Vector3d p(row.numberOrNaN(columns.x), row.numberOrNaN(columns.y), row.numberOrNaN(columns.z));
-  const auto missing = p.array().isNaN().count();
+/// Three numbers that are there together or not at all, NaN where one is not.
+std::optional<Eigen::Vector3d> allOrNone(const RowReader& row, const Eigen::Vector3d& numbers, const char* names) {
+  const auto missing = numbers.array().isNaN().count();
   if (missing == 3) return std::nullopt;
-  if (missing > 0) row.failRow("some of the coordinates x, y, z", "all three or none");
-  return p;
+  if (missing > 0) row.failRow(fmt::format("some of the {}", names), "all three or none");
+  return numbers;
+}
+
+std::optional<Eigen::Vector3d> readCoordinates(const RowReader& row, const MeasurementColumns& columns) {
+  return allOrNone(row, {row.numberOrNaN(columns.x), row.numberOrNaN(columns.y), row.numberOrNaN(columns.z)},
+                   "coordinates x, y, z");
+}
+
+std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
+  const auto direction =
+      allOrNone(row, {row.numberOrNaN(columns.dx), row.numberOrNaN(columns.dy), row.numberOrNaN(columns.dz)},
+                "direction's dx, dy, dz");
+  if (!direction) return std::nullopt;
+  if (!(direction->norm() > 0)) row.failRow("the direction 0, 0, 0", "one that points somewhere");
+  return direction->normalized();
 }
 
 std::vector<int> readSenses(const RowReader& row, const MeasurementColumns& columns) {
@@ -131,26 +148,10 @@ std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const Measuremen
   return Eigen::Vector3d(tube->x, tube->y, 0);
 }
 
-std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
-  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  int found = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!columns.direction[k] || row.field(*columns.direction[k]).empty()) continue;
-    const auto value = tubesheets::parseNumber(row.field(*columns.direction[k]));
-    if (!value) row.fail(*columns.direction[k], inQuotes(row.field(*columns.direction[k])), "a finite number");
-    direction[static_cast<Eigen::Index>(k)] = *value;
-    ++found;
-  }
-  if (found == 0) return std::nullopt;
-  if (found < 3) row.failRow("some of the direction's dx, dy, dz", "all three or none");
-  if (!(direction.norm() > 0)) row.failRow("the direction 0, 0, 0", "one that points somewhere");
-  return direction.normalized();
-}
-
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (kind.is_touch && m.point.empty())
     row.failRow("a touch without a point", "the point's name in the column 'point'");
-  if (kind.needs_coordinates && !m.p_W)
+  if (!kind.is_touch && !m.p_W)
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
   if (kind.rows == 1 && (std::isnan(m.distance) || (kind.is_above_zero && !(m.distance > 0))))
     row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, kind.is_above_zero ? "length" : "value"),

@@ -8,7 +8,6 @@
 #include "app/command_inputs.hpp"
 #include "app/diagnosis_views_json.hpp"
 #include "app/measurement_checks_json.hpp"
-#include "app/readers/measurements_writer.hpp"
 #include "app/version.hpp"
 #include "app/workcell.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"

@@ -31,7 +31,6 @@ constexpr std::size_t kManyTerms = 60;   // ways to say a cause, from which only
 constexpr std::size_t kFitsAtOnce = 6;   // side by side
 constexpr int kManyRows = 20000;         // from which fewer leaders are fitted
 constexpr double kLeastVisible = 1;      // noise sigmas that a cause of the largest usual size must show
-constexpr double kInsignificant = 2;     // sigmas of a fitted size, below which it may be none
 constexpr double kLeaderWindow = 8;      // of log weight behind the best: models that are fitted ...
 constexpr double kLeaderShare = 0.075;   // ... or a share of what the best gains, since linear evidence errs with it
 constexpr int kMostNumbers = 8;          // of a cause of which choices of some are tried
@@ -283,7 +282,7 @@ std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   for (const ModelTerm& term : model.terms) {
     const auto count = static_cast<Index>(term.numbers.size());
     const auto sigmas = model.sizes.segment(first, count).cwiseQuotient(model.sigma.segment(first, count));
-    if ((sigmas.array().abs() >= kInsignificant).any()) significant.push_back(term);
+    if ((sigmas.array().abs() >= kFoundSigmas).any()) significant.push_back(term);
     first += count;
   }
   return significant;

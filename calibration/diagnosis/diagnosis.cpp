@@ -220,17 +220,24 @@ std::vector<Measurement> without(std::vector<Measurement> readings, const std::v
   return readings;
 }
 
+/// How many touches each unknown point is left without these readings.
+std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
+  std::map<std::string, int> left;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (!readings[k].is_held_out && touchesUnknownPoint(readings[k]))
+      left[readings[k].point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+  return left;
+}
+
 /// With the touches that are then left alone at a point of unknown place: they determine nothing.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
   };
-  std::map<std::string, int> touches;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && touchesUnknownPoint(readings[k])) ++touches[readings[k].point];
+  const auto touches = touchesLeft(outliers, readings);
   std::vector<int> all = outliers;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && touchesUnknownPoint(readings[k]) && touches[readings[k].point] == 1)
+    if (isLeft(k) && touchesUnknownPoint(readings[k]) && touches.at(readings[k].point) == 1)
       all.push_back(static_cast<int>(k));
   std::sort(all.begin(), all.end());
   return all;
@@ -239,12 +246,7 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
 /// How many of these readings must be outliers: of the touches of one unknown point that are all set aside, one is left
 /// alone or is as good as the others.
 double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
-  std::map<std::string, int> left;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const Measurement& m = readings[k];
-    if (m.is_held_out || !touchesUnknownPoint(m)) continue;
-    left[m.point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
-  }
+  const auto left = touchesLeft(set_aside, readings);
   const auto gone = std::count_if(left.begin(), left.end(), [](const auto& point) { return point.second == 0; });
   return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
 }

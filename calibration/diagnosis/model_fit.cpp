@@ -19,7 +19,6 @@ constexpr double kFall = 0.03;      // of chi-square, by a step that asks for no
 constexpr double kFarSize = 4;      // of the largest usual: the prior of a size while it is fitted
 constexpr double kMostSize = 10;    // of the largest usual: no machine has more, and an arm may not shrink to a point
 constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
-constexpr double kFound = 2;         // sigmas from which a size is found
 constexpr double kShapePrior = 3;   // of a knee's typical step
 constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 
@@ -285,7 +284,7 @@ bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const P
     int found = 0;
     for (const std::size_t end = k + term.numbers.size(); k < end; ++k)
       found += std::abs(x[static_cast<Index>(fitted + k)]) >
-               kFound * model.sigma[static_cast<Index>(k)] * placed.sizes[k].typical;
+               kFoundSigmas * model.sigma[static_cast<Index>(k)] * placed.sizes[k].typical;
     if (work.cause(term.cause).effects.size() > 1 && found < 2) return true;
   }
   return false;

@@ -5,6 +5,8 @@
 
 namespace tubeplan::calibration {
 
+inline constexpr double kFoundSigmas = 2;  ///< of a fitted size, below which it may be none
+
 /// Fills the model's fit and takes its evidence anew; a model that cannot be fitted has none. Unwinds where it was
 /// stopped.
 void fitModel(const DiagnosisWork& work, CompetingModel& model);

@@ -1,4 +1,5 @@
-// How far the tip is along one direction: a dial indicator, a height gauge, a laser that looks along a line.
+// How far the tip is beyond x, y, z along the direction dx, dy, dz, of either sign: a dial indicator, a height gauge, a
+// laser that looks along a line.
 #pragma once
 
 #include "calibration/measurements/distance.hpp"
@@ -15,7 +16,6 @@ inline MeasuredSlope slope(const Measurement& reading, const Eigen::Vector3d&) {
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kAxis,
           .name = "axis",
-          .summary = "how far the tip is beyond x, y, z along the direction dx, dy, dz: `distance`, of either sign",
           .rows = 1,
           .has_anchor = true,
           .has_direction = true,

@@ -12,7 +12,8 @@ inline MeasuredValue measured(const Measurement& reading) {
 }
 inline void record(const MeasuredValue& value, Measurement& reading) { reading.p_W = Eigen::Vector3d(value); }
 
-/// Where a touch rests is its point's place, known or not: nothing is written.
-inline void recordNothing(const MeasuredValue&, Measurement&) {}
+inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
+  return {.kind = kind, .name = name, .value = value, .slope = slope, .measured = measured, .record = record};
+}
 
 }  // namespace tubeplan::calibration::coordinates

@@ -1,4 +1,4 @@
-// How far the tip moves by its load, the joint readings unchanged.
+// How far the tip moves by its load, the joint readings unchanged: x, y, z.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
@@ -6,14 +6,9 @@
 namespace tubeplan::calibration::deflection_reading {
 
 inline MeasurementKindRow kind() {
-  return {.kind = MeasurementKind::kDeflection,
-          .name = "deflection",
-          .summary = "the tip's displacement by its load from where it is unloaded: x, y, z",
-          .is_displacement = true,
-          .value = coordinates::value,
-          .slope = coordinates::slope,
-          .measured = coordinates::measured,
-          .record = coordinates::record};
+  MeasurementKindRow row = coordinates::row(MeasurementKind::kDeflection, "deflection");
+  row.is_displacement = true;
+  return row;
 }
 
 }  // namespace tubeplan::calibration::deflection_reading

@@ -1,4 +1,4 @@
-// The length of a wire or a laser's line from a fixed anchor to the tip.
+// The length of a wire or a laser's line from a fixed anchor x, y, z to the tip.
 #pragma once
 
 #include "calibration/measurements/measurement_kind.hpp"
@@ -17,7 +17,6 @@ inline void record(const MeasuredValue& value, Measurement& reading) { reading.d
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kDistance,
           .name = "distance",
-          .summary = "the length `distance` from the anchor x, y, z to the tip",
           .rows = 1,
           .has_anchor = true,
           .is_above_zero = true,

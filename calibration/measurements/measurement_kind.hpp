@@ -13,17 +13,15 @@ using MeasuredSlope = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
 
 struct MeasurementKindRow {
   MeasurementKind kind;
-  const char* name;     ///< in the column `kind`
-  const char* summary;  ///< what is read, and what its row must state
+  const char* name;  ///< in the column `kind`
   int rows = 3;
 
-  bool is_touch = false;          ///< the tip rests centred at `point`, whose place may be unknown
-  bool is_place = false;          ///< p_W is where the tip is
-  bool is_displacement = false;   ///< of the loaded tip from its unloaded place at the same joint readings
-  bool has_anchor = false;        ///< p_W is a fixed place that it is measured from
-  bool has_direction = false;     ///< and direction_W that along which
-  bool is_above_zero = false;     ///< a length, which has no sign
-  bool needs_coordinates = true;  ///< p_W must be stated
+  bool is_touch = false;         ///< the tip rests centred at `point`, whose place may be unknown
+  bool is_place = false;         ///< p_W is where the tip is
+  bool is_displacement = false;  ///< of the loaded tip from its unloaded place at the same joint readings
+  bool has_anchor = false;       ///< p_W is a fixed place that it is measured from
+  bool has_direction = false;    ///< and direction_W that along which
+  bool is_above_zero = false;    ///< a length, which has no sign
 
   /// Of a tip's place [m] (of a displacement: of the displacement).
   MeasuredValue (*value)(const Measurement& reading, const Eigen::Vector3d& p_W);

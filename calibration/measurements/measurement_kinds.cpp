@@ -25,4 +25,10 @@ const MeasurementKindRow* findMeasurementKind(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> measurementKindNames() {
+  std::vector<std::string> names;
+  for (const MeasurementKindRow& row : measurementKinds()) names.emplace_back(row.name);
+  return names;
+}
+
 }  // namespace tubeplan::calibration

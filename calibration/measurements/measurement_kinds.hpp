@@ -2,7 +2,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "calibration/measurements/measurement_kind.hpp"
 
@@ -16,6 +18,9 @@ namespace tubeplan::calibration {
 
 /// Null where there is none of that name.
 [[nodiscard]] const MeasurementKindRow* findMeasurementKind(std::string_view name);
+
+/// For messages: what would have been understood.
+[[nodiscard]] std::vector<std::string> measurementKindNames();
 
 [[nodiscard]] inline int rowsOf(const Measurement& reading) { return kindOf(reading).rows; }
 

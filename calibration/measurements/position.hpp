@@ -1,4 +1,4 @@
-// The tip's place, as a laser tracker sees it.
+// The tip's place, as a laser tracker sees it: x, y, z.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
@@ -6,14 +6,9 @@
 namespace tubeplan::calibration::position {
 
 inline MeasurementKindRow kind() {
-  return {.kind = MeasurementKind::kPosition,
-          .name = "position",
-          .summary = "the tip's place: x, y, z",
-          .is_place = true,
-          .value = coordinates::value,
-          .slope = coordinates::slope,
-          .measured = coordinates::measured,
-          .record = coordinates::record};
+  MeasurementKindRow row = coordinates::row(MeasurementKind::kPosition, "position");
+  row.is_place = true;
+  return row;
 }
 
 }  // namespace tubeplan::calibration::position

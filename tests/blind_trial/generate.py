@@ -23,7 +23,7 @@ from designs import EXACTLY, NEARLY, SIGMA, reach, within_limits
 from effect_shapes import DEG
 from effects import CATALOGUE
 from odd_effects import ODD
-from truths import NoPlace, draw_truth, joint_change, lengths_beside, twins
+from truths import NoPlace, draw_truth, joint_change, lengths_beside, rivals_of, twins
 
 SINGLE_D = (5., 8., 12., 20., None)      # None: a physical size as it comes
 ODD_D = (8., 12., 20., None)
@@ -103,10 +103,11 @@ def truth_content(truth, seed, arm):
         "joint_noise_deg": round(arm.encoder_sigma / DEG, 6), "stratum": truth.stratum}
     if hidden:
         content["d_each"] = [round(part.d, 2) for part in hidden]
+        rivals = rivals_of(truth)
         if len(hidden) > 1:
-            content["d_beside"] = [round(d, 2) for d in lengths_beside(truth)]
-        for name, rivals in zip(("twin", "peer"), zip(*twins(truth))):
-            content[name] = max(rivals, key=lambda rival: rival["correlation"])
+            content["d_beside"] = [round(d, 2) for d in lengths_beside(truth, rivals)]
+        for name, alike in zip(("twin", "peer"), zip(*twins(truth, rivals))):
+            content[name] = max(alike, key=lambda rival: rival["correlation"])
     return content
 
 

@@ -116,26 +116,29 @@ def joint_change(truth):
     return scene.exact_change(numbers)
 
 
-def lengths_beside(truth):
-    """Of each hidden effect the length d that the others leave of it, all their parameters free: 0 where they say it."""
-    rivals = list(rival_bases(truth.scene, CATALOGUE))
+def rivals_of(truth):
+    """What `lengths_beside` and `twins` compare with: rival_bases of the whole catalogue."""
+    return list(rival_bases(truth.scene, CATALOGUE))
+
+
+def lengths_beside(truth, rivals):
+    """Of each hidden effect, two or more, the length d that the others leave of it, all their parameters free."""
     lengths = []
     for part in truth.hidden:
         others = {(other.effect.name, other.place) for other in truth.hidden if other is not part}
         columns = [base for effect, place, base in rivals if (effect.name, place) in others]
         columns += [other.signature[:, None] for other in truth.hidden if other is not part]
-        base = orthonormal(np.concatenate(columns, axis=1)) if columns else np.zeros((len(part.signature), 0))
+        base = orthonormal(np.concatenate(columns, axis=1))
         lengths.append(float(np.linalg.norm(part.signature - base @ (base.T @ part.signature))))
     return lengths
 
 
-def twins(truth):
+def twins(truth, rivals):
     """For each hidden effect its (twin, peer), the other hidden effects being known.
 
     The twin is the rival of the catalogue most like it; the peer the same among rivals with no more parameters than it
     has itself. A twin that is no peer holds the truth as a part and should lose by its parameters' price.
     """
-    rivals = list(rival_bases(truth.scene, CATALOGUE))
     without = [(part.effect.name, part.place) for part in truth.hidden]
     found = []
     for part in truth.hidden:
