@@ -77,14 +77,14 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
       angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
-/// Of the base's place and turn, in all directions together, the misfit counted.
+/// Of the base's place and turn, in all directions together.
 struct FromNominalSigma {
   double distance, angle;
 };
 
 FromNominalSigma sigmaOf(const BaseCalibration& base) {
-  const Eigen::Matrix<double, 6, 6> covariance = calibration::widenedCovariance(base);
-  return {std::sqrt(covariance.topLeftCorner<3, 3>().trace()), std::sqrt(covariance.bottomRightCorner<3, 3>().trace())};
+  return {std::sqrt(base.covariance.topLeftCorner<3, 3>().trace()),
+          std::sqrt(base.covariance.bottomRightCorner<3, 3>().trace())};
 }
 
 }  // namespace

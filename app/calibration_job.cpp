@@ -4,6 +4,7 @@
 #include "app/input_error.hpp"
 #include "app/readers/cell_writer.hpp"
 #include "app/step_chances.hpp"
+#include "app/touch_input.hpp"
 #include "app/workcell.hpp"
 #include "deflection/rigid_branches.hpp"
 #include "planner/compensation.hpp"
@@ -37,7 +38,7 @@ std::vector<Eigen::VectorXd> workPostures(const Cell& cell, const Eigen::Isometr
 }
 
 std::optional<ModelError> modelErrorOf(const Cell& cell, const calibration::BaseCalibration& base,
-                                       const std::vector<calibration::Touch>& touches) {
+                                       const std::vector<calibration::Measurement>& touches) {
   if (base.status != calibration::CalibrationStatus::kDone || isFoundElsewhere(cell.model_error)) return std::nullopt;
   const double load = touches.front().load;
   const calibration::TipErrorQuestion asked{
@@ -47,12 +48,14 @@ std::optional<ModelError> modelErrorOf(const Cell& cell, const calibration::Base
 
 }  // namespace
 
-CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Touch>& touches,
+CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
                                  const std::string& file) {
   if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
     throw InputError(file, problem, "three or more different holes, well spread", "touch another hole");
   CalibrationOutcome outcome;
-  outcome.calibration = calibration::calibrateBase(cell.arm, touches, cell.X_WB);
+  calibration::BaseCalibrationOptions options;
+  if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
+  outcome.calibration = calibration::calibrateBase(cell.arm, touches, cell.X_WB, options);
   outcome.model_error = modelErrorOf(cell, outcome.calibration, touches);
   outcome.figures = calibrationJson(outcome.calibration, cell);
   if (outcome.model_error) outcome.figures["model_error"] = modelErrorJson(*outcome.model_error, cell.units);
@@ -61,7 +64,7 @@ CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration
 
 std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome, const std::string& out) {
   const auto& base = outcome.calibration;
-  return cellTextWithBase(cell, {base.X_WB, calibration::widenedCovariance(base), true, outcome.model_error}, out);
+  return cellTextWithBase(cell, {base.X_WB, base.covariance, true, outcome.model_error}, out);
 }
 
 }  // namespace tubeplan::app

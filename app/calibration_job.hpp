@@ -19,7 +19,7 @@ struct CalibrationOutcome {
 
 /// `file` is where the touches come from, for messages. Throws InputError for too few touches, or holes that do not
 /// place a base.
-[[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Touch>& touches,
+[[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
                                                const std::string& file);
 
 /// The cell's text with the base and the model's error that were found, to be written at `out`.

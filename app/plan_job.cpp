@@ -32,7 +32,7 @@ void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& tr
                      "the cell's (" + cell.sheet.fingerprint() + ")");
 }
 
-std::vector<calibration::Touch> rehearsedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
+std::vector<calibration::Measurement> rehearsedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
   if (!outcome.truth)
     throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
                      "name a true cell, or a file of touches");
@@ -45,11 +45,10 @@ std::vector<calibration::Touch> rehearsedTouches(const PlanOutcome& outcome, std
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
     throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
                      "give touches in a file");
-  addNeighbours(outcome.nominal.sheet, simulation.touches);
   return simulation.touches;
 }
 
-std::vector<calibration::Touch> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
+std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.touches == "auto") return rehearsedTouches(outcome, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
@@ -149,7 +148,7 @@ void addTruth(const Cell& truth, const std::string& file, PlanOutcome& outcome) 
 }
 
 /// Whether the base could be placed by the touches.
-bool placeBase(PlanOutcome& outcome, std::vector<calibration::Touch> touches) {
+bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touches) {
   outcome.touches = std::move(touches);
   outcome.calibration = calibrateBoth(outcome.nominal, outcome.touches);
   if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return false;

@@ -35,7 +35,7 @@ struct PlanOutcome {
   planner::Workcell nominal, model;  ///< before and after calibration
   std::optional<planner::Workcell> truth;
   planner::Compensation compensation = planner::Compensation::kViaPoint;
-  std::vector<calibration::Touch> touches;
+  std::vector<calibration::Measurement> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitConditions conditions;
   std::string left_out;    ///< "12 plugged": tubes that were not planned for

@@ -22,9 +22,9 @@ struct StepChances {
 
 /// Where the arm goes by its model, and how the tool stands there by it.
 struct StepQuestion {
-  const Cell& cell;                                ///< as read: what it says of base and model error
-  const planner::Workcell& model;                  ///< placed
-  const std::vector<calibration::Touch>& touches;  ///< that placed it; none: it stands as the cell has it
+  const Cell& cell;                                      ///< as read: what it says of base and model error
+  const planner::Workcell& model;                        ///< placed
+  const std::vector<calibration::Measurement>& touches;  ///< that placed it; none: it stands as the cell has it
   const std::vector<Eigen::VectorXd>& postures;
   const std::vector<planner::Centring>& predicted;  ///< by the model itself, one for each posture
 };

@@ -22,11 +22,9 @@ constexpr int kMostDraws = 1000;
 using Draw = DrawFrom<std::mt19937_64>;
 
 /// Touches of the first `count` holes by the true arm; empty when one is out of its reach.
-std::vector<calibration::Touch> touch(const planner::Workcell& truth, const std::vector<TrialHole>& holes, int count,
-                                      double sigma, Draw& draw) {
-  auto touches = touchHoles(truth, holes, count, sigma, draw.seed());
-  addNeighbours(truth.sheet, touches);
-  return touches;
+std::vector<calibration::Measurement> touch(const planner::Workcell& truth, const std::vector<TrialHole>& holes,
+                                            int count, double sigma, Draw& draw) {
+  return touchHoles(truth, holes, count, sigma, draw.seed());
 }
 
 std::vector<TrialHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
@@ -51,7 +49,9 @@ double meanTouchError(const planner::Workcell& model, const TruthMaker& truths,
     const auto holes = drawHoles(model, candidates, options.touch_fit_points, options.unmodelled_sigma, draw);
     const auto touches = touch(drawn, holes, options.touch_fit_points, touchSigmaOf(model.tool), draw);
     if (touches.empty()) continue;
-    const auto base = calibration::calibrateBase(model.arm, touches, model.X_WB);
+    calibration::BaseCalibrationOptions usual;
+    usual.neighbours = neighboursOn(model.sheet);
+    const auto base = calibration::calibrateBase(model.arm, touches, model.X_WB, usual);
     if (base.status != CalibrationStatus::kDone) continue;
     for (const auto& residual : base.residuals) sum += residual.residual_W.norm(), ++count;
   }

@@ -15,7 +15,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::Touch;
+using calibration::Measurement;
 
 double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& file) {
   if (std::isfinite(reading.sigma)) return reading.sigma;
@@ -55,48 +55,38 @@ std::optional<HoleName> parseHoleName(const std::string& name) {
   return hole;
 }
 
-void addNeighbours(const tubesheets::Sheet& sheet, std::vector<Touch>& touches) {
-  for (auto& touch : touches) {
-    const auto name = parseHoleName(touch.hole);
+calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet) {
+  return [&sheet](const Measurement& touch) {
+    std::vector<calibration::NeighbourHole> neighbours;
+    const auto name = parseHoleName(touch.point);
     const auto index = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
-    if (!index) continue;
-    for (int neighbour : sheet.neighbours(*index)) {
+    if (!index) return neighbours;
+    for (const int neighbour : sheet.neighbours(*index)) {
       const auto& tube = sheet.tubes[static_cast<std::size_t>(neighbour)];
-      touch.neighbours.push_back({tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube)});
+      neighbours.push_back({tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube)});
     }
-  }
+    return neighbours;
+  };
 }
 
-std::vector<Touch> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file,
-                             const std::string& setup) {
+std::vector<Measurement> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file,
+                                   const std::string& setup) {
   requireOneSetup(readings, file, setup);
-  std::vector<Touch> touches;
+  std::vector<Measurement> touches;
   for (const auto& reading : readings) {
     if (!touchesKnownPoint(reading) || (!setup.empty() && reading.setup != setup)) continue;
     requireNamedHole(reading, cell, file);
-    const std::string hole = reading.point.empty() ? reading.id : reading.point;
-    touches.push_back({reading.id, hole, *reading.p_W, reading.q, reading.load, sigmaOf(reading, cell, file), {}});
+    touches.push_back(reading);
+    if (reading.point.empty()) touches.back().point = reading.id;
+    touches.back().sigma = sigmaOf(reading, cell, file);
   }
   if (touches.empty())
     throw InputError(file, "no touch of a known hole", "rows of kind touch with a hole's name (R10C20) or x, y, z");
-  if (cell.sheet) addNeighbours(*cell.sheet, touches);
   return touches;
 }
 
-std::string touchesCsv(const std::vector<Touch>& touches, const Cell& cell) {
-  std::vector<Measurement> readings;
-  for (const auto& touch : touches) {
-    Measurement reading;
-    reading.id = touch.id;
-    reading.kind = MeasurementKind::kTouch;
-    reading.point = touch.hole;
-    reading.load = touch.load;
-    reading.q = touch.q;
-    reading.p_W = touch.p_WH;
-    reading.sigma = touch.sigma;
-    readings.push_back(std::move(reading));
-  }
-  return measurementsCsv(readings, cell.arm, cell.units);
+std::string touchesCsv(const std::vector<Measurement>& touches, const Cell& cell) {
+  return measurementsCsv(touches, cell.arm, cell.units);
 }
 
 }  // namespace tubeplan::app

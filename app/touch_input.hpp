@@ -1,4 +1,4 @@
-// Touches out of a measurement file, with the holes that each may have been mistaken for.
+// Touches out of a measurement file, and the holes that each may have been mistaken for.
 #pragma once
 
 #include <string>
@@ -13,18 +13,18 @@ namespace tubeplan::app {
 /// The touches of known holes among the readings. `file` is for messages. Throws InputError where there are none, where
 /// they come from several set-ups and none is chosen, or where a touch says no sigma and the cell has no tool to take
 /// it from.
-[[nodiscard]] std::vector<calibration::Touch> touchesOf(const std::vector<calibration::Measurement>& readings,
-                                                        const Cell& cell, const std::string& file,
-                                                        const std::string& setup = "");
+[[nodiscard]] std::vector<calibration::Measurement> touchesOf(const std::vector<calibration::Measurement>& readings,
+                                                              const Cell& cell, const std::string& file,
+                                                              const std::string& setup = "");
 
-/// The neighbours of the hole a touch names, for telling a mistaken one.
-void addNeighbours(const tubesheets::Sheet& sheet, std::vector<calibration::Touch>& touches);
+/// The neighbours of the hole that a touch names, none where it names none; for as long as the sheet is there.
+[[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
 
 /// Centring noise of the tool's last step, as one sigma of a coordinate: half of what that step lets through.
 [[nodiscard]] double touchSigmaOf(const tubesheets::SteppedTool& tool);
 
 /// Touches as a measurement file that `calibrate` reads.
-[[nodiscard]] std::string touchesCsv(const std::vector<calibration::Touch>& touches, const Cell& cell);
+[[nodiscard]] std::string touchesCsv(const std::vector<calibration::Measurement>& touches, const Cell& cell);
 
 /// Row and column of a name such as R10C20.
 struct HoleName {

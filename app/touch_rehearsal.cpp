@@ -56,26 +56,29 @@ std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
   return plans;
 }
 
-BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<calibration::Touch>& touches) {
-  return calibrateBoth(cell.arm, deflection::rigidCopy(cell.arm), cell.X_WB, touches);
+BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<calibration::Measurement>& touches) {
+  return calibrateBoth(cell.arm, deflection::rigidCopy(cell.arm), cell.X_WB, cell.sheet, touches);
 }
 
 BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                               const Eigen::Isometry3d& X_WB_start, const std::vector<calibration::Touch>& touches,
+                               const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,
+                               const std::vector<calibration::Measurement>& touches,
                                calibration::LeastSquaresMethod method) {
   BothCalibrations both;
   calibration::BaseCalibrationOptions options;
   options.method = method;
+  options.neighbours = neighboursOn(sheet);
   both.flexible = calibration::calibrateBase(flexible, touches, X_WB_start, options);
-  // A rigid model is off by inches; that is no sign of a mistaken hole.
-  options.model_sigma = 1;
+  // A rigid model is off by inches; that is no sign of a mistaken hole, nor does who works with it look for its error.
+  options.mistaken_hole_p_value = 0;
+  options.model_error = 0;
   both.rigid = calibration::calibrateBase(rigid, touches, X_WB_start, options);
   return both;
 }
 
 planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base) {
   cell.X_WB = base.X_WB;
-  cell.base_covariance = calibration::widenedCovariance(base);
+  cell.base_covariance = base.covariance;
   return cell;
 }
 

@@ -32,16 +32,15 @@ struct BothCalibrations {
   calibration::BaseCalibration flexible, rigid;
 };
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& cell,
-                                             const std::vector<calibration::Touch>& touches);
+                                             const std::vector<calibration::Measurement>& touches);
 
 /// The same with both arms at hand, for many calibrations of one model.
 [[nodiscard]] BothCalibrations calibrateBoth(
     const deflection::Arm& flexible, const deflection::Arm& rigid, const Eigen::Isometry3d& X_WB_start,
-    const std::vector<calibration::Touch>& touches,
+    const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches,
     calibration::LeastSquaresMethod method = calibration::LeastSquaresMethod::kInTurn);
 
-/// The cell with its base as calibrated. A misfit beyond noise widens the covariance by chi-square per degree of
-/// freedom.
+/// The cell with its base as calibrated.
 [[nodiscard]] planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base);
 
 }  // namespace tubeplan::app

@@ -2,20 +2,31 @@
 // asks).
 #pragma once
 
+#include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "calibration/base_residual.hpp"
 #include "calibration/least_squares.hpp"
+#include "calibration/placed_arm.hpp"
 
 namespace tubeplan::calibration {
+
+/// A hole that a touch may have been mistaken for.
+struct NeighbourHole {
+  std::string name;
+  Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();  ///< m
+};
+using NeighbourQuestion = std::function<std::vector<NeighbourHole>(const Measurement& touch)>;
 
 struct BaseCalibrationOptions {
   double model_sigma =
       7.62e-4;  ///< m per coordinate (0.030 in, the thesis's mean touch error): what the model may be off
   double collinear_ratio = 0.05;        ///< least height of the touches' triangle against its longest side
-  double mistaken_hole_p_value = 1e-4;  ///< below it, touches are searched for a mistaken hole
-  int alignments = 12;                  ///< closed-form alignments before the solver; each corrects gravity's direction
+  double mistaken_hole_p_value = 1e-4;  ///< below it, touches are searched for a mistaken hole; 0: never
+  NeighbourQuestion neighbours;         ///< of the hole that a touch names, for telling a mistaken one
+  std::optional<double> model_error;    ///< m, as in FitOptions
   LeastSquaresMethod method = LeastSquaresMethod::kInTurn;
 };
 
@@ -45,6 +56,7 @@ struct BaseCalibration {
   double rms = std::numeric_limits<double>::quiet_NaN();   ///< of the residuals' lengths [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< against the readings' own noise
   double p_value = std::numeric_limits<double>::quiet_NaN();
+  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it
   int degrees_of_freedom = 0;
   int iterations = 0;
   /// From where the search started, which is where the base should stand: shift [m], then rotation vector [rad], world
@@ -56,18 +68,15 @@ struct BaseCalibration {
 /// says, or a touch is not where it is said to be.
 [[nodiscard]] bool isFitRefused(const BaseCalibration& calibration);
 
-/// Least-squares base pose on the flexible model, each touch weighted by its centring and encoder noise, starting from
-/// any pose. The covariance is that of the readings' noise; a model that is off shows in chi2, not in it.
-[[nodiscard]] BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Touch>& touches,
+/// The base pose by fitUnknowns() with nothing else free, from any start: touches of known places, of one set-up, each
+/// with its sigma. The covariance is the fit's: where chi-square refuses the stated noise (p < 0.01) it has the model's
+/// own error.
+[[nodiscard]] BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Measurement>& touches,
                                             const Eigen::Isometry3d& X_WB_start,
                                             const BaseCalibrationOptions& options = {});
 
-/// The covariance to work with: that of the readings' noise, widened by chi-square per degree of freedom where the
-/// model is off.
-[[nodiscard]] Eigen::Matrix<double, 6, 6> widenedCovariance(const BaseCalibration& calibration);
-
 /// Why these touches cannot place a base (fewer than three holes, one hole twice under the same load, near a line), or
 /// empty.
-std::string findTouchProblem(const std::vector<Touch>& touches, const BaseCalibrationOptions& options = {});
+std::string findTouchProblem(const std::vector<Measurement>& touches, const BaseCalibrationOptions& options = {});
 
 }  // namespace tubeplan::calibration

@@ -2,14 +2,12 @@
 
 #include <cmath>
 
-#include "calibration/base_residual.hpp"
 #include "calibration/campaign_random.hpp"
+#include "calibration/placed_arm.hpp"
 
 namespace tubeplan::calibration {
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 CampaignTruth drawTruth(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const TruthOptions& options) {
   CampaignRandom random(options.seed, CampaignRandom::Stream::kTruth);

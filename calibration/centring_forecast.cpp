@@ -6,8 +6,8 @@
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
 
-#include "calibration/base_residual.hpp"
 #include "calibration/knowledge.hpp"
+#include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -111,7 +111,7 @@ EncoderShare encoderShare(const PlacedArm& placed, const std::vector<VectorXd>& 
   std::vector<double> sizes;
   const Eigen::Matrix<double, 6, 6> exact_base = Eigen::Matrix<double, 6, 6>::Zero();
   for (const auto& q : postures) {
-    const auto tip = tipInWorld(placed.arm, placed.placings.back().X_WB, q, load);
+    const auto tip = predictTip(placed.arm, placed.placings.back().X_WB, q, load);
     sizes.push_back(std::sqrt(tipCovariance(placed.arm, tip, exact_base).topLeftCorner<2, 2>().trace()));
   }
   return {quantile(sizes, 0.5), quantile(sizes, 0.95), *std::max_element(sizes.begin(), sizes.end())};

@@ -19,9 +19,10 @@ namespace {
 
 constexpr int kMaxRounds = 3;
 constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that asks for another round
-constexpr double kLackOfFit = 0.01;    // p below which the stated noise is refused
 constexpr double kMedianOfMeanSquare = 0.79;  // of chi-square of three, over three
 constexpr double kGrossErrorLevel = 0.01;     // chance of taking any reading for a gross error where there is none
+constexpr int kMostAlignments = 12;
+constexpr double kAligned = 1e-9;  // change of a placing (m, rad) that asks for no further alignment
 constexpr int kMaxModelErrorRounds = 8;
 constexpr double kModelErrorConverged = 0.01;  // relative change that asks for no further round
 
@@ -270,7 +271,7 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) 
   for (std::size_t p = 0; p < placed.placings.size(); ++p) {
     Placing& placing = placed.placings[p];
     if (placing.is_known) continue;
-    for (int repeat = 0; repeat < 6; ++repeat) {
+    for (int repeat = 0; repeat < kMostAlignments; ++repeat) {
       std::vector<Vector3d> tips, places;
       for (const auto& reading : readings) {
         if (reading.is_held_out || !statesPlace(reading) || placingOf(placed, reading) != static_cast<int>(p)) continue;
@@ -286,7 +287,9 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) 
       const Eigen::Matrix3Xd centred = from.colwise() - from.rowwise().mean();
       const auto spread = centred.jacobiSvd().singularValues();
       if (spread[1] < 1e-6 * spread[0]) break;  // all in one line: the turn about it cannot be told
+      const Eigen::Isometry3d before = placing.X_WB;
       placing.X_WB = Eigen::Isometry3d(Eigen::umeyama(from, to, false));
+      if ((placing.X_WB.matrix() - before.matrix()).norm() < kAligned) break;
     }
   }
 }

@@ -1,5 +1,5 @@
-// One weighted fit of chosen unknowns to chosen readings, with their priors: what identification, held-out judgement and
-// profiles repeat.
+// One weighted fit of chosen unknowns to chosen readings, with their priors: what identification, held-out judgement
+// and profiles repeat.
 #pragma once
 
 #include <optional>
@@ -24,6 +24,8 @@ struct Fit {
   int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };
+
+inline constexpr double kLackOfFit = 0.01;  ///< p of chi-square below which a fit refuses the stated noise
 
 struct FitOptions {
   LeastSquaresOptions solver;

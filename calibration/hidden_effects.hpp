@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "calibration/base_residual.hpp"
+#include "deflection/arm.hpp"
 
 namespace tubeplan::deflection {
 class PreparedArm;

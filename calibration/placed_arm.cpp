@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "calibration/base_residual.hpp"
 #include "deflection/effects/effect.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
 
@@ -235,6 +235,13 @@ std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, do
   if (unknown.scale == Unknown::Scale::kLinear) return {valueAt(unknown, lower), valueAt(unknown, upper)};
   const bool may_be_rigid = lower <= unknown.lower;
   return {valueAt(unknown, upper), may_be_rigid ? deflection::kRigid : valueAt(unknown, lower)};
+}
+
+Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step) {
+  Eigen::Isometry3d result = X_WB;
+  result.translation() += step.head<3>();
+  result.linear() = deflection::rotationFromVector<double>(step.tail<3>()) * X_WB.linear();
+  return result;
 }
 
 PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) {

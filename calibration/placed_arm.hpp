@@ -12,6 +12,11 @@
 
 namespace tubeplan::calibration {
 
+/// A small change of the base pose: translation of its origin [m], then a rotation vector [rad], both in world axes;
+/// X_WB becomes (exp(rotation) R, p + translation). The order of every 6 x 6 covariance of a base.
+using BaseStep = Eigen::Matrix<double, 6, 1>;
+[[nodiscard]] Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step);
+
 /// One placing of the base: every set-up of a session has its own.
 struct Placing {
   std::string setup;
@@ -55,10 +60,10 @@ struct Unknown {
 /// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; all others a weak one,
 /// a multiple of what a number may well be off by (Unknown::typical), which data soon outweigh.
 struct Priors {
-  double length = 0.005;  ///< m
-  double angle = 0.02;    ///< rad
-  double tip = 0.05;      ///< m, of the tool's tip, which is mounted and measured by hand
-  double weak = 10;       ///< of the typical size of all others
+  double length = 0.005;                ///< m
+  double angle = 0.02;                  ///< rad
+  double tip = 0.05;                    ///< m, of the tool's tip, which is mounted and measured by hand
+  double weak = 10;                     ///< of the typical size of all others
   std::map<std::string, double> named;  ///< of single numbers, in internal units; stiffnesses by their compliance
 };
 

@@ -74,9 +74,8 @@ ReadingPredictor::ReadingPredictor(const deflection::Arm& arm)
 
 ReadingPredictor::~ReadingPredictor() = default;
 
-/// The tip's place and its derivatives, in the world.
-Prediction ReadingPredictor::placeTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
-                                      const PredictionRequest& request) {
+Prediction ReadingPredictor::predictTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
+                                        const PredictionRequest& request) {
   std::vector<Variable> variables = request.numbers;
   const auto numbers = static_cast<Eigen::Index>(variables.size());
   if (request.by_base)
@@ -109,20 +108,25 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
   deflection::Posture posture = postureOf(reading, arm_, X_WB);
-  Prediction prediction = placeTip(X_WB, posture, request);
+  Prediction prediction = predictTip(X_WB, posture, request);
   if (kindOf(reading).is_displacement) {
     posture.load = 0;
-    subtract(prediction, placeTip(X_WB, posture, request));
+    subtract(prediction, predictTip(X_WB, posture, request));
   }
   measure(reading, prediction);
   if (reading.p_W) scaleCoordinates(arm_, request, prediction);
   return prediction;
 }
 
-MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading, const MatrixXd& by_joints) {
-  const Eigen::Index rows = rowsOf(reading);
-  const double sigma = std::isfinite(reading.sigma) ? std::max(reading.sigma, kLeastSigma) : kLeastSigma;
-  MatrixXd covariance = MatrixXd::Identity(rows, rows) * sigma * sigma;
+Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
+                      double load) {
+  PredictionRequest request;
+  request.by_base = request.by_joints = true;
+  return ReadingPredictor(arm).predictTip(X_WB, {q, load, deflection::gravityInBase(arm, X_WB)}, request);
+}
+
+MatrixXd encoderCovariance(const deflection::Arm& arm, const MatrixXd& by_joints) {
+  MatrixXd covariance = MatrixXd::Zero(by_joints.rows(), by_joints.rows());
   const auto active = deflection::activeRows(arm);
   assert(by_joints.cols() == static_cast<Eigen::Index>(active.size()));
   for (std::size_t k = 0; k < active.size(); ++k) {
@@ -131,6 +135,17 @@ MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& readin
     covariance += column * column.transpose();
   }
   return covariance;
+}
+
+Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
+                       const Eigen::Matrix<double, 6, 6>& base_covariance) {
+  return tip.by_base * base_covariance * tip.by_base.transpose() + encoderCovariance(arm, tip.by_joints);
+}
+
+MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading, const MatrixXd& by_joints) {
+  const Eigen::Index rows = rowsOf(reading);
+  const double sigma = std::isfinite(reading.sigma) ? std::max(reading.sigma, kLeastSigma) : kLeastSigma;
+  return MatrixXd::Identity(rows, rows) * sigma * sigma + encoderCovariance(arm, by_joints);
 }
 
 }  // namespace tubeplan::calibration

@@ -42,10 +42,11 @@ class ReadingPredictor {
   [[nodiscard]] Prediction predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                    const PredictionRequest& request = {});
 
- private:
-  [[nodiscard]] Prediction placeTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
-                                    const PredictionRequest& request);
+  /// The tip's place in the world [m] and its derivatives, by the true measure of length.
+  [[nodiscard]] Prediction predictTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
+                                      const PredictionRequest& request = {});
 
+ private:
   const deflection::Arm& arm_;
   std::unique_ptr<deflection::TipDifferentiation> tip_;
 };
@@ -53,6 +54,18 @@ class ReadingPredictor {
 /// The same of a single reading.
 [[nodiscard]] Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const Measurement& reading, const PredictionRequest& request = {});
+
+/// The tip where the arm stands at `X_WB`, with its derivatives by base and joints. Gravity turns in the base frame as
+/// the base turns.
+[[nodiscard]] Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
+                                    double load);
+
+/// Covariance [m^2] of what the joints' readings alone leave open, through `by_joints` (rows x joints).
+[[nodiscard]] Eigen::MatrixXd encoderCovariance(const deflection::Arm& arm, const Eigen::MatrixXd& by_joints);
+
+/// Covariance [m^2] of the tip's place by its derivatives, from that of the base and the encoders' noise together.
+[[nodiscard]] Eigen::Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
+                                            const Eigen::Matrix<double, 6, 6>& base_covariance);
 
 /// Covariance [m^2] of a reading: its own noise on every coordinate, and the encoders' through `by_joints`. Readings
 /// that state no sigma count as exact to a micrometre.

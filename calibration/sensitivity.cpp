@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "calibration/base_residual.hpp"
+#include "calibration/placed_arm.hpp"
 #include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {

@@ -35,6 +35,18 @@ std::vector<deflection::Branch> reachPlaces(const deflection::Arm& arm, const Ei
   return solver.refine(goals, starts);
 }
 
+Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double load, double sigma) {
+  Measurement touch;
+  touch.id = plan.id;
+  touch.kind = MeasurementKind::kTouch;
+  touch.point = plan.hole;
+  touch.p_W = plan.p_WH;
+  touch.q = q;
+  touch.load = load;
+  touch.sigma = sigma;
+  return touch;
+}
+
 TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                 const std::vector<TouchPlan>& plans, const TouchSimulationOptions& options) {
   TouchSimulation result;
@@ -54,8 +66,7 @@ TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isome
       result.reason = "hole " + plan.hole + " cannot be touched by the true arm: " + branches[k].reason;
       return result;
     }
-    result.touches.push_back(
-        {plan.id, plan.hole, plan.p_WH, branches[k].q + reading_noise[k], options.load, options.sigma, {}});
+    result.touches.push_back(plannedTouch(plan, branches[k].q + reading_noise[k], options.load, options.sigma));
   }
   result.status = TouchSimulationStatus::kDone;
   return result;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/base_residual.hpp"
+#include "calibration/measurement.hpp"
 #include "deflection/inverse_kinematics.hpp"
 
 namespace tubeplan::calibration {
@@ -31,7 +31,7 @@ enum class TouchSimulationStatus { kNotRun, kDone, kOutOfReach };
 struct TouchSimulation {
   TouchSimulationStatus status = TouchSimulationStatus::kNotRun;
   std::string reason;
-  std::vector<Touch> touches;
+  std::vector<Measurement> touches;  ///< of known places
 };
 
 /// How the arm, standing at X_WB, brings its deflected tip to each of these places, each from a start near it.
@@ -39,6 +39,9 @@ struct TouchSimulation {
                                                           const std::vector<Eigen::Vector3d>& places_W,
                                                           const std::vector<Eigen::VectorXd>& starts, double load,
                                                           const Eigen::Vector3d& axis_W);
+
+/// The reading of a planned touch: joints [rad, m], load [N], centring noise of each coordinate [m].
+[[nodiscard]] Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double load, double sigma);
 
 /// What the arm `truth`, standing at X_WB, would read at each planned touch.
 [[nodiscard]] TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,

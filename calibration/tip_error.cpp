@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "calibration/hidden_effects.hpp"
-#include "calibration/touched_arm.hpp"
+#include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -29,25 +29,33 @@ struct Slopes {
   MatrixXd effects;  ///< 3 x columns; empty where they are not asked for
 };
 
+PredictionRequest byBaseAndJoints() {
+  PredictionRequest request;
+  request.by_base = request.by_joints = true;
+  return request;
+}
+
 struct Solvers {
-  TouchedArm arm;
+  std::unique_ptr<ReadingPredictor> tips;
   std::unique_ptr<HiddenEffects> hidden;
 };
 
 std::vector<Slopes> slopesAt(const TipErrorQuestion& question, const std::vector<VectorXd>& postures,
                              const std::vector<double>& loads, bool with_effects, const TipErrorOptions& options) {
   oneapi::tbb::enumerable_thread_specific<Solvers> of_thread([&] {
-    return Solvers{TouchedArm(question.arm),
+    return Solvers{std::make_unique<ReadingPredictor>(question.arm),
                    with_effects ? std::make_unique<HiddenEffects>(question.arm, options.difference_share) : nullptr};
   });
+  const Eigen::Vector3d gravity_B = deflection::gravityInBase(question.arm, question.X_WB);
   std::vector<Slopes> slopes(postures.size());
   oneapi::tbb::parallel_for(std::size_t{0}, postures.size(), [&](std::size_t k) {
     Solvers& solvers = of_thread.local();
-    const TipInWorld tip = solvers.arm.tipInWorld(question.X_WB, postures[k], loads[k]);
+    const Prediction tip =
+        solvers.tips->predictTip(question.X_WB, {postures[k], loads[k], gravity_B}, byBaseAndJoints());
     slopes[k].ok = tip.ok;
     if (!tip.ok) return;
     slopes[k].by_base = tip.by_base;
-    slopes[k].encoders = touchCovariance(question.arm, tip, 0);
+    slopes[k].encoders = encoderCovariance(question.arm, tip.by_joints);
     if (with_effects) slopes[k].effects = solvers.hidden->at(question.X_WB, postures[k], loads[k]);
   });
   return slopes;
@@ -94,14 +102,15 @@ class TouchEvidence {
     noise_ = MatrixXd::Zero(rows, rows);
     effects_ = MatrixXd::Zero(rows, weights.size());
     VectorXd y(rows);
-    TouchedArm arm(question.arm);
+    const Eigen::Vector3d gravity_B = deflection::gravityInBase(question.arm, question.X_WB);
+    ReadingPredictor tips(question.arm);
     for (std::size_t k = 0; k < question.touches.size(); ++k) {
-      const Touch& touch = question.touches[k];
+      const Measurement& touch = question.touches[k];
       const Index row = 3 * static_cast<Index>(k);
       A.middleRows(row, 3) = at_touches[k].by_base;
       noise_.block<3, 3>(row, row) = at_touches[k].encoders + touch.sigma * touch.sigma * Eigen::Matrix3d::Identity();
       if (weights.size()) effects_.middleRows(row, 3) = at_touches[k].effects * weights.asDiagonal();
-      y.segment<3>(row) = arm.tipInWorld(question.X_WB, touch.q, touch.load).p_WT - touch.p_WH;
+      y.segment<3>(row) = tips.predictTip(question.X_WB, {touch.q, touch.load, gravity_B}).value - *touch.p_W;
     }
     const MatrixXd weighted = noise_.ldlt().solve(A);
     fit_ = (A.transpose() * weighted).ldlt().solve(weighted.transpose());

@@ -15,7 +15,8 @@
 #include <optional>
 #include <vector>
 
-#include "calibration/base_residual.hpp"
+#include "calibration/measurement.hpp"
+#include "deflection/arm.hpp"
 
 namespace tubeplan::calibration {
 
@@ -37,8 +38,8 @@ struct TipErrorOptions {
 struct TipErrorQuestion {
   const deflection::Arm& arm;
   Eigen::Isometry3d X_WB;
-  double load = 0;             ///< N
-  std::vector<Touch> touches;  ///< that placed the base; none: `base_covariance` has it
+  double load = 0;                   ///< N
+  std::vector<Measurement> touches;  ///< that placed the base; none: `base_covariance` has it
   Eigen::Matrix<double, 6, 6> base_covariance = Eigen::Matrix<double, 6, 6>::Zero();
   std::optional<StatedModelError> stated;
   std::vector<Eigen::VectorXd> postures;

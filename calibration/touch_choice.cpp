@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/reading_prediction.hpp"
+
 namespace tubeplan::calibration {
 
 namespace {
@@ -11,8 +13,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 Matrix6 informationOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const TouchPlan& candidate,
                       double sigma) {
-  const TipInWorld tip = tipInWorld(arm, X_WB, candidate.q_start, 0);
-  const Eigen::Matrix3d weight = touchCovariance(arm, tip, sigma).inverse();
+  const Prediction tip = predictTip(arm, X_WB, candidate.q_start, 0);
+  const Eigen::Matrix3d centring = sigma * sigma * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d weight = (centring + encoderCovariance(arm, tip.by_joints)).inverse();
   return tip.by_base.transpose() * weight * tip.by_base;
 }
 
@@ -21,7 +24,7 @@ Matrix6 workSensitivity(const deflection::Arm& arm, const Eigen::Isometry3d& X_W
                         const std::vector<Eigen::VectorXd>& work) {
   Matrix6 sum = Matrix6::Zero();
   for (const auto& q : work) {
-    const TipInWorld tip = tipInWorld(arm, X_WB, q, 0);
+    const Prediction tip = predictTip(arm, X_WB, q, 0);
     sum += tip.by_base.transpose() * tip.by_base / (3. * static_cast<double>(work.size()));
   }
   return sum;

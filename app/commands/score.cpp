@@ -45,8 +45,8 @@ struct Scored {
   std::vector<ScoredTube> tubes;
 };
 
-std::vector<calibration::Touch> touchBy(const planner::Workcell& truth, const planner::Workcell& model,
-                                        std::uint64_t seed) {
+std::vector<calibration::Measurement> touchBy(const planner::Workcell& truth, const planner::Workcell& model,
+                                              std::uint64_t seed) {
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(model.tool);
   options.seed = seed;
@@ -54,7 +54,6 @@ std::vector<calibration::Touch> touchBy(const planner::Workcell& truth, const pl
       calibration::simulateTouches(truth.arm, truth.X_WB, bestTouches(model, touchCandidates(model, 24), 3), options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
     throw InputError("--truth", simulation.reason, "a true arm that can touch the holes");
-  addNeighbours(model.sheet, simulation.touches);
   return simulation.touches;
 }
 

@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::CalibrationStatus, calibration::Touch, calibration::TouchPlan;
+using calibration::CalibrationStatus, calibration::TouchPlan;
 using Draw = DrawFrom<SplitMix>;
 
 constexpr int kMostDraws = 1000;
@@ -88,31 +88,22 @@ CentringTrials::CentringTrials(const planner::Workcell& model, const planner::Wo
       rigid_(deflection::rigidCopy(model.arm)),
       X_WB_(model.X_WB),
       truths_(armOnly(truth), options.spread),
-      holes_(prepared(holes.visited, model.sheet)) {
+      sheet_(model.sheet),
+      holes_(prepared(holes.visited)) {
   assert(static_cast<int>(holes_.size()) >= options.holes);
   for (const auto& setting : options.settings) fixed_.push_back(fixedHoles(model, holes, setting));
 }
 
-std::vector<CentringTrials::Hole> CentringTrials::prepared(const std::vector<TouchPlan>& plans,
-                                                           const tubesheets::Sheet& sheet) const {
-  const auto neighbours = findNeighbours(sheet);
+std::vector<CentringTrials::Hole> CentringTrials::prepared(const std::vector<TouchPlan>& plans) const {
   std::vector<Hole> holes;
-  for (const auto& plan : plans) {
-    Hole hole{plan, tubeOf(plan, sheet), {}};
-    for (const int index : neighbours[static_cast<std::size_t>(hole.tube)]) {
-      const auto& tube = sheet.tubes[static_cast<std::size_t>(index)];
-      hole.neighbours.push_back({tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube)});
-    }
-    holes.push_back(std::move(hole));
-  }
+  for (const auto& plan : plans) holes.push_back({plan, tubeOf(plan, sheet_)});
   return holes;
 }
 
 std::vector<CentringTrials::Hole> CentringTrials::fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
                                                              const CentringSetting& setting) const {
-  if (setting.rule == TouchRule::kBest)
-    return prepared(bestTouches(model, holes.touchable, setting.touches), model.sheet);
-  if (setting.rule == TouchRule::kSpread) return prepared(furthestApart(holes.visited, setting.touches), model.sheet);
+  if (setting.rule == TouchRule::kBest) return prepared(bestTouches(model, holes.touchable, setting.touches));
+  if (setting.rule == TouchRule::kSpread) return prepared(furthestApart(holes.visited, setting.touches));
   return {};
 }
 
@@ -171,22 +162,19 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
   const auto touches = touch(run, touched, setting);
   if (touches.empty()) return {TrialFailure::kUntouchable, {}};
   const auto base =
-      calibrateBoth(flexible_, rigid_, X_WB_, touches, calibration::LeastSquaresMethod::kLevenbergMarquardt);
+      calibrateBoth(flexible_, rigid_, X_WB_, sheet_, touches, calibration::LeastSquaresMethod::kLevenbergMarquardt);
   trial.failure = failureOf(base);
   if (trial.failure == TrialFailure::kNone) trial.visits = visit(run, visited, base);
   return trial;
 }
 
-std::vector<Touch> CentringTrials::touch(const Run& run, const std::vector<const Hole*>& holes,
-                                         const CentringSetting& setting) const {
+std::vector<calibration::Measurement> CentringTrials::touch(const Run& run, const std::vector<const Hole*>& holes,
+                                                            const CentringSetting& setting) const {
   std::vector<TrialHole> trial_holes;
   for (const Hole* hole : holes) trial_holes.push_back(trialHole(*hole, run.index));
   auto touches = touchHoles(run.truth, trial_holes, static_cast<int>(holes.size()), setting.touch_sigma,
                             keyOf({options_.seed, run.index, kNoiseKey}));
-  for (std::size_t k = 0; k < touches.size(); ++k) {
-    touches[k].sigma = std::max(touches[k].sigma, kLeastWeighingSigma);
-    touches[k].neighbours = holes[k]->neighbours;
-  }
+  for (auto& touch : touches) touch.sigma = std::max(touch.sigma, kLeastWeighingSigma);
   return touches;
 }
 

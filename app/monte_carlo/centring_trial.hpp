@@ -85,19 +85,17 @@ class CentringTrials {
   struct Hole {
     calibration::TouchPlan plan;
     int tube;
-    std::vector<calibration::NeighbourHole> neighbours;
   };
   struct Run;  ///< what settings share
 
-  [[nodiscard]] std::vector<Hole> prepared(const std::vector<calibration::TouchPlan>& plans,
-                                           const tubesheets::Sheet& sheet) const;
+  [[nodiscard]] std::vector<Hole> prepared(const std::vector<calibration::TouchPlan>& plans) const;
   [[nodiscard]] std::vector<Hole> fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
                                              const CentringSetting& setting) const;
   [[nodiscard]] TrialHole trialHole(const Hole& hole, std::uint64_t run) const;
   [[nodiscard]] std::vector<const Hole*> drawnHoles(std::uint64_t key, int count, int well_spread) const;
   [[nodiscard]] Trial runSetting(const Run& run, std::size_t index) const;
-  [[nodiscard]] std::vector<calibration::Touch> touch(const Run& run, const std::vector<const Hole*>& holes,
-                                                      const CentringSetting& setting) const;
+  [[nodiscard]] std::vector<calibration::Measurement> touch(const Run& run, const std::vector<const Hole*>& holes,
+                                                            const CentringSetting& setting) const;
   [[nodiscard]] std::vector<TrialVisit> visit(const Run& run, const std::vector<const Hole*>& holes,
                                               const BothCalibrations& base) const;
 
@@ -105,6 +103,7 @@ class CentringTrials {
   deflection::Arm flexible_, rigid_;
   Eigen::Isometry3d X_WB_;
   TruthMaker truths_;
+  tubesheets::Sheet sheet_;
   std::vector<Hole> holes_;
   std::vector<std::vector<Hole>> fixed_;  ///< touched, by setting; empty where drawn
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/monte_carlo/random_draw.hpp"
-#include "calibration/base_residual.hpp"
+#include "calibration/placed_arm.hpp"
 #include "deflection/parameters.hpp"
 #include "planner/workcell.hpp"
 

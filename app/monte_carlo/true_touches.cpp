@@ -2,10 +2,10 @@
 
 namespace tubeplan::app {
 
-using calibration::Touch, calibration::TouchPlan;
+using calibration::Measurement, calibration::TouchPlan;
 
-std::vector<Touch> touchHoles(const planner::Workcell& truth, const std::vector<TrialHole>& holes, int count,
-                              double sigma, std::uint64_t seed) {
+std::vector<Measurement> touchHoles(const planner::Workcell& truth, const std::vector<TrialHole>& holes, int count,
+                                    double sigma, std::uint64_t seed) {
   std::vector<TouchPlan> plans;
   for (int k = 0; k < count; ++k) {
     const auto& hole = holes[static_cast<std::size_t>(k)];
@@ -20,17 +20,15 @@ std::vector<Touch> touchHoles(const planner::Workcell& truth, const std::vector<
   auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone) return {};
   for (int k = 0; k < count; ++k)
-    simulation.touches[static_cast<std::size_t>(k)].p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
+    simulation.touches[static_cast<std::size_t>(k)].p_W = holes[static_cast<std::size_t>(k)].plan.p_WH;
   return simulation.touches;
 }
 
 bool areWellSpread(const std::vector<TrialHole>& holes, int count) {
-  std::vector<Touch> touches;
+  std::vector<Measurement> touches;
   for (int k = 0; k < count; ++k) {
-    Touch touch;
-    touch.hole = holes[static_cast<std::size_t>(k)].plan.hole;
-    touch.p_WH = holes[static_cast<std::size_t>(k)].plan.p_WH;
-    touches.push_back(touch);
+    const TouchPlan& plan = holes[static_cast<std::size_t>(k)].plan;
+    touches.push_back(calibration::plannedTouch(plan, plan.q_start, 0, 0));
   }
   calibration::BaseCalibrationOptions options;
   options.collinear_ratio = 0.3;

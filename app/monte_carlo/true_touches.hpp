@@ -18,10 +18,10 @@ struct TrialHole {
 };
 
 /// What the true arm reads when it touches the first `count` of the holes, each coordinate of a centring off by
-/// `sigma` [m]; without neighbours. Empty where one is out of its reach.
-[[nodiscard]] std::vector<calibration::Touch> touchHoles(const planner::Workcell& truth,
-                                                         const std::vector<TrialHole>& holes, int count, double sigma,
-                                                         std::uint64_t seed);
+/// `sigma` [m]. Empty where one is out of its reach.
+[[nodiscard]] std::vector<calibration::Measurement> touchHoles(const planner::Workcell& truth,
+                                                               const std::vector<TrialHole>& holes, int count,
+                                                               double sigma, std::uint64_t seed);
 
 /// Whether the first `count` holes lie well off a line: a line of them would place no base.
 [[nodiscard]] bool areWellSpread(const std::vector<TrialHole>& holes, int count);

@@ -90,13 +90,13 @@ json touchesData(const PlanOutcome& outcome) {
   for (std::size_t k = 0; k < outcome.touches.size(); ++k) {
     const auto& touch = outcome.touches[k];
     const auto& residual = outcome.calibration->flexible.residuals[k];
-    const auto name = parseHoleName(touch.hole);
+    const auto name = parseHoleName(touch.point);
     list.push_back({{"id", touch.id},
-                    {"hole", touch.hole},
+                    {"hole", touch.point},
                     {"row", name ? name->row : 0},
                     {"column", name ? name->column : 0},
-                    {"x", lengthOf(touch.p_WH.x(), units)},
-                    {"y", lengthOf(touch.p_WH.y(), units)},
+                    {"x", lengthOf(touch.p_W->x(), units)},
+                    {"y", lengthOf(touch.p_W->y(), units)},
                     {"residual", vectorJson(residual.residual_W, units, dimension::kLength)},
                     {"sigma", vectorJson(residual.sigma_W, units, dimension::kLength)}});
   }

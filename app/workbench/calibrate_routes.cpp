@@ -59,7 +59,7 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
 }
 
 /// What the true arm, or for want of it the cell's own, would read there.
-calibration::Touch simulatedTouch(const Situation& now, const calibration::TouchPlan& plan) {
+calibration::Measurement simulatedTouch(const Situation& now, const calibration::TouchPlan& plan) {
   const Cell& model = currentModel(now).cell;
   const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
   calibration::TouchSimulationOptions options;
@@ -87,13 +87,8 @@ Answer addTouch(Workbench& workbench, const Request& request) {
   if (made.is_simulated)
     made.touch = simulatedTouch(now, plan);
   else
-    made.touch = {plan.id,
-                  plan.hole,
-                  plan.p_WH,
-                  plan.q_start,
-                  loadOf(body, cell),
-                  touchSigmaOf(requireTool(cell, "touch a hole")),
-                  {}};
+    made.touch = calibration::plannedTouch(plan, plan.q_start, loadOf(body, cell),
+                                           touchSigmaOf(requireTool(cell, "touch a hole")));
   workbench.change([&](Situation& situation) {
     situation.touches.push_back(made);
     ++situation.next_touch;
@@ -120,7 +115,7 @@ Answer touches(Workbench& workbench, const Request&) {
   for (const auto& made : now.touches)
     list.push_back({{"id", made.touch.id},
                     {"hole", made.tube},
-                    {"name", made.touch.hole},
+                    {"name", made.touch.point},
                     {"joints", jointValuesJson(made.touch.q, cell)},
                     {"load", cell.units.toFile(made.touch.load, dimension::kForce)},
                     {"sigma", lengthOf(made.touch.sigma, cell.units)},
@@ -130,10 +125,10 @@ Answer touches(Workbench& workbench, const Request&) {
 
 /// Those of the list; where it is empty, those among the readings. Through the text of a measurement file, as the
 /// command takes them.
-std::vector<calibration::Touch> touchesToUse(const Situation& situation, const Cell& cell) {
+std::vector<calibration::Measurement> touchesToUse(const Situation& situation, const Cell& cell) {
   if (situation.touches.empty() && situation.readings)
     return touchesOf(situation.readings->readings, cell, situation.readings->name);
-  std::vector<calibration::Touch> made;
+  std::vector<calibration::Measurement> made;
   for (const auto& touch : situation.touches) made.push_back(touch.touch);
   if (made.empty()) throw InputError("touches", "none", "three or more touched holes", "touch some first");
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");

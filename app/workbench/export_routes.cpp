@@ -69,7 +69,7 @@ std::string readingsText(const Situation& s) {
   return measurementsCsv(input.readings, input.cell.arm, input.cell.units);
 }
 std::string touchesText(const Situation& s) {
-  std::vector<calibration::Touch> touches;
+  std::vector<calibration::Measurement> touches;
   for (const auto& made : s.touches) touches.push_back(made.touch);
   return touchesCsv(touches, currentModel(s).cell);
 }

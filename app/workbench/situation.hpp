@@ -21,12 +21,12 @@ namespace tubeplan::app {
 struct ReadingSet {
   std::string name;
   std::vector<calibration::Measurement> readings;  ///< each with its sigma
-  calibration::MeasurementChecks checks = {};       ///< what looked wrong when they were opened
+  calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
 };
 
 /// A hole touched, by the arm itself or by a simulated one.
 struct TouchMade {
-  calibration::Touch touch;
+  calibration::Measurement touch;
   int tube = -1;  ///< index in the sheet
   bool is_simulated = false;
 };

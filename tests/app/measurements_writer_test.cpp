@@ -9,6 +9,7 @@
 #include "app/touch_input.hpp"
 #include "calibration/campaign_random.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/simulated_touch.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -122,20 +123,21 @@ TEST_F(MeasurementsWriter, LeavesOutASigmaThatIsNotStated) {
 }
 
 TEST_F(MeasurementsWriter, WritesTouchesThatCalibrateReads) {
-  std::vector<calibration::Touch> touches(3);
+  std::vector<Measurement> touches(3);
   const Eigen::Vector4d q(0.1, 1, -0.5, 0.2);
   const char* const holes[] = {"R10C20", "R12C70", "R30C57"};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto name = *parseHoleName(holes[k]);
     const auto* tube = cell.sheet->find(name.row, name.column);
-    touches[k] = {"T" + std::to_string(k), holes[k], {tube->x, tube->y, 0}, q * (1 + 0.1 * k), 10, 1e-4, {}};
+    const calibration::TouchPlan plan{"T" + std::to_string(k), holes[k], {tube->x, tube->y, 0}, {}};
+    touches[k] = calibration::plannedTouch(plan, q * (1 + 0.1 * k), 10, 1e-4);
   }
   const auto readings = parseMeasurements(touchesCsv(touches, cell), "t.csv", cell.arm, &*cell.sheet);
   const auto again = touchesOf(readings, cell, "t.csv");
   ASSERT_EQ(again.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(again[k].hole, touches[k].hole);
-    EXPECT_LE((again[k].p_WH - touches[k].p_WH).norm(), 1e-10);
+    EXPECT_EQ(again[k].point, touches[k].point);
+    EXPECT_LE((*again[k].p_W - *touches[k].p_W).norm(), 1e-10);
     EXPECT_LE((again[k].q - touches[k].q).norm(), 1e-11);
     EXPECT_NEAR(again[k].load, 10, 1e-9);
     EXPECT_NEAR(again[k].sigma, 1e-4, 1e-14);

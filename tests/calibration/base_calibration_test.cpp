@@ -34,7 +34,8 @@ TEST(BaseCalibration, IsTheSameByEitherSolver) {
   const auto cell = touchedCell();
   BaseCalibrationOptions quick;
   quick.method = LeastSquaresMethod::kLevenbergMarquardt;
-  quick.model_sigma = 1;  // a rigid arm is off by inches
+  quick.mistaken_hole_p_value = 0;  // a rigid arm is off by inches
+  quick.model_error = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto touches = touchesOf(cell, 0.005, seed);
     for (const auto& arm : {cell.arm, deflection::rigidCopy(cell.arm)}) {
@@ -55,13 +56,13 @@ TEST(BaseCalibration, IsTheSameByEitherSolver) {
 TEST(BaseCalibration, RecoversAHangingBase) {
   auto cell = touchedCell();
   const Eigen::Isometry3d X_WB = pose(5, 30, 20, 180, 0, 30);
-  std::vector<Touch> touches;
+  std::vector<Measurement> touches;
   for (const Eigen::Vector4d& q : {Eigen::Vector4d(20, 60, -50, -40), Eigen::Vector4d(-30, 90, -60, 20),
                                    Eigen::Vector4d(70, 40, 30, -60), Eigen::Vector4d(0, 100, -90, 0)}) {
     const auto shape = deflection::solveFlexibleKinematics(
         cell.arm, {q * kDegree, 0, deflection::gravityInBase(cell.arm, X_WB)}, {1e-14, 100});
     const std::string name = "H" + std::to_string(touches.size());
-    touches.push_back({name, name, X_WB * shape.X_BD.p, q * kDegree, 0, 0.005 * kInch, {}});
+    touches.push_back(plannedTouch({name, name, X_WB * shape.X_BD.p, {}}, q * kDegree, 0, 0.005 * kInch));
   }
   const auto found = calibrateBase(cell.arm, touches, Eigen::Isometry3d::Identity());
   ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
@@ -123,7 +124,7 @@ TEST(BaseCalibration, RefusesTooFewTouches) {
 TEST(BaseCalibration, RefusesTheSameHoleTwice) {
   const auto cell = touchedCell();
   auto touches = touchesOf(cell, 0, 1);
-  touches[2].hole = touches[0].hole;
+  touches[2].point = touches[0].point;
   const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
   EXPECT_EQ(found.status, CalibrationStatus::kRefused);
   EXPECT_NE(found.reason.find("H1 is touched twice"), std::string::npos);
@@ -162,17 +163,20 @@ TEST(BaseCalibration, NamesTheMistakenHole) {
   for (std::size_t wrong = 0; wrong < 3; ++wrong)
     for (int way = 0; way < 4; ++way) {
       auto touches = touchesOf(cell, 0.005, 7 + static_cast<std::uint64_t>(way));
-      for (auto& touch : touches)
-        for (int k = 0; k < 4; ++k)
-          touch.neighbours.push_back({touch.hole + "+" + std::to_string(k), touch.p_WH + aside[k]});
       // The operator was one hole off: what is written down is the neighbour's name.
-      for (auto& neighbour : touches[wrong].neighbours) neighbour.p_WH -= aside[way];
-      touches[wrong].p_WH -= aside[way];
-      const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+      *touches[wrong].p_W -= aside[way];
+      BaseCalibrationOptions options;
+      options.neighbours = [&](const Measurement& touch) {
+        std::vector<NeighbourHole> neighbours;
+        for (int k = 0; k < 4; ++k)
+          neighbours.push_back({touch.point + "+" + std::to_string(k), *touch.p_W + aside[k]});
+        return neighbours;
+      };
+      const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal, options);
       ASSERT_EQ(found.status, CalibrationStatus::kRefused) << wrong << " " << way;
       ++cases;
-      const std::string right = "touch " + touches[wrong].id + " named " + touches[wrong].hole + " fits hole " +
-                                touches[wrong].hole + "+" + std::to_string(way);
+      const std::string right = "touch " + touches[wrong].id + " named " + touches[wrong].point + " fits hole " +
+                                touches[wrong].point + "+" + std::to_string(way);
       named += std::find(found.suspects.begin(), found.suspects.end(), right) != found.suspects.end();
     }
   EXPECT_EQ(named, cases);

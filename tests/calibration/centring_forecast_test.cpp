@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/base_residual.hpp"
+#include "calibration/reading_prediction.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -70,7 +70,7 @@ TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
   std::vector<double> radii;
   for (const auto& q : postures) {
     const auto& X_WB = fit.fitted.placings.front().X_WB;
-    radii.push_back((tipInWorld(fit.fitted.arm, X_WB, q, 0).p_WT - X_WB.translation()).head<2>().norm());
+    radii.push_back((predictTip(fit.fitted.arm, X_WB, q, 0).value - X_WB.translation()).head<2>().norm());
   }
   CentringForecastOptions options;
   const auto forecast = forecastCentring(fit, postures, options);
@@ -111,7 +111,7 @@ TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
   Eigen::VectorXd q = postures[0];
   q[0] += step;
   const auto tip = [&](const Eigen::VectorXd& at) {
-    return tipInWorld(fit.fitted.arm, fit.fitted.placings.front().X_WB, at, 0).p_WT;
+    return predictTip(fit.fitted.arm, fit.fitted.placings.front().X_WB, at, 0).value;
   };
   const double lever = (tip(q) - tip(postures[0])).head<2>().norm() / step;
   const auto forecast = forecastCentring(fit, postures);

@@ -3,6 +3,7 @@
 
 #include "app/readers/cell_reader.hpp"
 #include "calibration/base_calibration.hpp"
+#include "calibration/reading_prediction.hpp"
 #include "calibration/simulated_touch.hpp"
 
 namespace tubeplan::calibration {
@@ -38,7 +39,7 @@ inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& hol
 }
 
 /// Touches of the true arm; with sigma 0 exact ones, which still carry a stated noise of 0.005 in.
-inline std::vector<Touch> touchesOf(const TouchedCell& cell, double sigma_in, std::uint64_t seed) {
+inline std::vector<Measurement> touchesOf(const TouchedCell& cell, double sigma_in, std::uint64_t seed) {
   deflection::Arm truth = cell.arm;
   if (sigma_in == 0)
     for (auto& row : truth.rows) row.joint.encoder_sigma = 0;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "calibration/base_residual.hpp"
 #include "calibration/fit.hpp"
+#include "calibration/placed_arm.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {

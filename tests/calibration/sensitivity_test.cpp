@@ -29,18 +29,18 @@ struct Case {
 
 /// The tip of an arm that stands at X_WB.
 Eigen::Vector3d tipOf(const Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q) {
-  const TipInWorld tip = tipInWorld(arm, X_WB, q, 0);
+  const Prediction tip = predictTip(arm, X_WB, q, 0);
   EXPECT_TRUE(tip.ok);
-  return tip.p_WT;
+  return tip.value;
 }
 
 /// The first three places touched exactly where the arm's tip rests.
-std::vector<Touch> touchesBy(const Arm& arm, const Case& c) {
-  std::vector<Touch> touches;
+std::vector<Measurement> touchesBy(const Arm& arm, const Case& c) {
+  std::vector<Measurement> touches;
   for (int t = 0; t < 3; ++t) {
     const auto& plan = c.cell.plans[static_cast<std::size_t>(t)];
     const Eigen::Vector3d tip = tipOf(arm, c.cell.X_WB_nominal, plan.q_start);
-    touches.push_back({plan.id, plan.hole, tip, plan.q_start, 0, c.task.touch_sigma, {}});
+    touches.push_back(plannedTouch({plan.id, plan.hole, tip, {}}, plan.q_start, 0, c.task.touch_sigma));
   }
   return touches;
 }
@@ -136,7 +136,8 @@ TEST(Sensitivity, UncompensatedErrorIsWhatRigidCalibrationLeaves) {
   Case c;
   const Arm rigid = deflection::rigidCopy(c.cell.arm);
   BaseCalibrationOptions blunt;
-  blunt.model_sigma = 1;
+  blunt.mistaken_hole_p_value = 0;
+  blunt.model_error = 0;
   const auto base = calibrateBase(rigid, touchesBy(c.cell.arm, c), c.cell.X_WB_nominal, blunt);
   ASSERT_EQ(base.status, CalibrationStatus::kDone) << base.reason;
   double left = 0;

@@ -245,10 +245,7 @@ TEST(SimulatedCampaign, ACalibrationFindsTheBaseItWasMadeWith) {
   const CampaignTruth truth = benchTruth(1, 3.5e-5);
   CampaignDesign design = designOf(MeasurementKind::kTouch, kTouchSigma);
   design.place = CampaignPlace::kPlane;
-  std::vector<Touch> touches;
-  for (const auto& m : simulate(truth, design, 60).readings)
-    touches.push_back({m.id, m.point, *m.p_W, m.q, m.load, m.sigma, {}});
-  const auto found = calibrateBase(truth.arm, touches, benchCell().X_WB);
+  const auto found = calibrateBase(truth.arm, simulate(truth, design, 60).readings, benchCell().X_WB);
   ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
   EXPECT_GT(found.p_value, 1e-3);
   EXPECT_LT(found.p_value, 1 - 1e-3);

@@ -40,7 +40,7 @@ TEST(TipError, OfAModelWithoutErrorIsThatOfBaseAndReadings) {
   EXPECT_EQ(found.source, ModelErrorSource::kStated);
   for (std::size_t k = 0; k < postures.size(); ++k) {
     ASSERT_EQ(found.at[k].size(), 1u);
-    const auto tip = tipInWorld(cell.arm, base.X_WB, postures[k], 0);
+    const auto tip = predictTip(cell.arm, base.X_WB, postures[k], 0);
     const Eigen::Matrix2d expected = tipCovariance(cell.arm, tip, base.covariance).topLeftCorner<2, 2>();
     EXPECT_TRUE(found.at[k][0].covariance.isApprox(expected, 1e-6)) << found.at[k][0].covariance << "\n" << expected;
     EXPECT_LE(found.at[k][0].mean.norm(), 1e-9 * kInch);
@@ -94,7 +94,7 @@ TEST(TipError, GrowsWithTheMisfitOfTheTouches) {
   };
   const double before = errorAt();
   EXPECT_LT(before, 0.01 * kInch);
-  touches[3].p_WH.x() += 0.1 * kInch;
+  touches[3].p_W->x() += 0.1 * kInch;
   EXPECT_GT(errorAt(), 4 * before);
 }
 

@@ -50,7 +50,7 @@ TEST(TouchChoice, PredictsTheSpreadOfManyCalibrations) {
         calibrateBase(cell.arm, touchesOf(touched, 0.005, 50 + static_cast<std::uint64_t>(run)), cell.X_WB_nominal);
     for (const auto& q : work) {
       const Eigen::Vector3d off =
-          tipInWorld(cell.arm, found.X_WB, q, 0).p_WT - tipInWorld(cell.arm, cell.X_WB_true, q, 0).p_WT;
+          predictTip(cell.arm, found.X_WB, q, 0).value - predictTip(cell.arm, cell.X_WB_true, q, 0).value;
       sum += off.squaredNorm() / (3. * kRuns * static_cast<double>(work.size()));
     }
   }

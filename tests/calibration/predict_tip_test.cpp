@@ -13,10 +13,10 @@ Eigen::Vector3d tipAt(const TouchedCell& cell, const BaseStep& step, const Eigen
              .X_BD.p;
 }
 
-TEST(TipInWorld, DerivativesByTheBaseIncludeGravity) {
+TEST(PredictTip, DerivativesByTheBaseIncludeGravity) {
   const auto cell = touchedCell();
   for (const auto& plan : cell.plans) {
-    const auto tip = tipInWorld(cell.arm, cell.X_WB_true, plan.q_start, 60);
+    const auto tip = predictTip(cell.arm, cell.X_WB_true, plan.q_start, 60);
     ASSERT_TRUE(tip.ok);
     for (int k = 0; k < 6; ++k) {
       const double h = 1e-4;
@@ -26,7 +26,7 @@ TEST(TipInWorld, DerivativesByTheBaseIncludeGravity) {
       EXPECT_LE((slope - tip.by_base.col(k)).norm(), 1e-6 * tip.by_base.col(k).norm()) << k;
     }
     // Left out, gravity's turn would be missed by what the arm sags: more than a thousandth of the lever.
-    const Eigen::Vector3d lever = tip.p_WT - cell.X_WB_true.translation();
+    const Eigen::Vector3d lever = tip.value - cell.X_WB_true.translation();
     double without_gravity = 0;
     for (int k = 0; k < 3; ++k)
       without_gravity =
@@ -35,11 +35,11 @@ TEST(TipInWorld, DerivativesByTheBaseIncludeGravity) {
   }
 }
 
-TEST(TipInWorld, EncoderNoiseReachesTheTipThroughTheJacobian) {
+TEST(PredictTip, EncoderNoiseReachesTheTipThroughTheJacobian) {
   const auto cell = touchedCell();
-  const auto tip = tipInWorld(cell.arm, cell.X_WB_true, cell.plans[0].q_start, 0);
+  const auto tip = predictTip(cell.arm, cell.X_WB_true, cell.plans[0].q_start, 0);
   const Eigen::Matrix3d expected = std::pow(0.002 * kDegree, 2) * tip.by_joints * tip.by_joints.transpose();
-  EXPECT_LE((touchCovariance(cell.arm, tip, 0) - expected).norm(), 1e-9 * expected.norm());
+  EXPECT_LE((encoderCovariance(cell.arm, tip.by_joints) - expected).norm(), 1e-9 * expected.norm());
 }
 
 }  // namespace
