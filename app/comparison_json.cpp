@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_inputs.hpp"
+#include "app/diagnosis_views_json.hpp"
 #include "app/figures.hpp"
 #include "app/identification_json.hpp"
 #include "app/pattern_json.hpp"
@@ -117,7 +118,7 @@ json readingJson(const ComparedReading& compared, const Measurement& reading, co
       {"size_after", lengthJson(compared.error_after.norm(), units)},
       {"sigmas_before", finiteJson(compared.sigmas_before)},
       {"sigmas_after", finiteJson(compared.sigmas_after)}};
-  if (std::isfinite(reading.distance)) entry["distance"] = lengthJson(reading.distance, units);
+  addOwnNumbers(reading, units, entry);
   return entry;
 }
 

@@ -72,6 +72,12 @@ json jointsJson(const deflection::Arm& arm, const Units& units) {
   return joints;
 }
 
+void addOwnNumbers(const Measurement& reading, const Units& units, json& entry) {
+  for (const auto& [name, quantity] : calibration::kindOf(reading).columns)
+    if (const double value = calibration::ownNumber(reading, name); std::isfinite(value))
+      entry[name] = brief(units.toFile(value, dimensionOf(quantity)));
+}
+
 json readingJson(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
   json entry = {{"id", reading.id},
                 {"kind", calibration::kindOf(reading).name},
@@ -80,6 +86,7 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
                 {"load", brief(reading.load / units.factor(dimension::kForce))}};
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
   for (const double value : joints) entry["joints"].push_back(brief(value));
+  addOwnNumbers(reading, units, entry);
   if (!reading.setup.empty()) entry["setup"] = reading.setup;
   if (!reading.senses.empty()) entry["senses"] = reading.senses;
   if (std::isfinite(reading.temperature)) entry["temperature"] = brief(units.temperatureToFile(reading.temperature));

@@ -17,6 +17,9 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json readingJson(const calibration::Measurement& reading, const deflection::Arm& arm,
                                          const Units& units);
 
+/// Adds the numbers of a kind's own columns by their names, in the cell's units.
+void addOwnNumbers(const calibration::Measurement& reading, const Units& units, nlohmann::json& entry);
+
 /// [{name, rms, heldout_rms}, ...]: the model as it stands, refitted, and with each explanation that is shown. What
 /// nothing was fitted for has no held-out error of its own.
 [[nodiscard]] nlohmann::json ladderJson(const calibration::Diagnosis& result, const Units& units);

@@ -43,11 +43,38 @@ std::string shrunkenArm(const Identification& result, const std::vector<Measurem
 
 }  // namespace
 
+namespace {
+
+void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
+  const auto counts = [](const Measurement& reading) { return kindOf(reading).counts_steps; };
+  const auto first = std::find_if(readings.begin(), readings.end(), counts);
+  if (first == readings.end()) return;
+  if (!cell.tool)
+    throw InputError(fmt::format("{}:{}", file, first->line), "steps without a calibration tool in the cell",
+                     "its steps and tolerances", "add `tool` to " + cell.path);
+  settleSteps(readings, *cell.tool, file);
+}
+
+/// A reading of nothing but angles has their noise at the lever as its own.
+void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& cell) {
+  const auto& kind = kindOf(reading);
+  if (kind.turn_rows == 0) return;
+  if (!std::isfinite(reading.turn_sigma))
+    throw InputError(fmt::format("{}:{}", file, reading.line),
+                     fmt::format("a reading of kind {} without turn_sigma", kind.name), "the noise of its angles",
+                     fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
+  if (kind.rows <= kind.turn_rows) reading.sigma = calibration::kTurnLever * reading.turn_sigma;
+}
+
+}  // namespace
+
 void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
   if (!std::isfinite(sigma) || sigma < 0)
     throw InputError("--sigma", fmt::format("{}", sigma),
                      "a noise above zero, in " + std::string(cell.units.length().name));
+  settleCounts(readings, cell, file);
   for (auto& reading : readings) {
+    stateTurnSigma(reading, file, cell);
     if (std::isfinite(reading.sigma)) continue;
     if (sigma > 0)
       reading.sigma = cell.units.toInternal(sigma, dimension::kLength);

@@ -10,6 +10,7 @@
 #include "app/readers/campaign_reader.hpp"
 #include "app/readers/effects_reader.hpp"
 #include "app/suggestion.hpp"
+#include "app/touch_input.hpp"
 #include "app/truth_file.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "planner/workcell.hpp"
@@ -135,6 +136,13 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   return drawn;
 }
 
+/// From the centring error to the steps that went in; visits without one say nothing and are left out.
+void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& readings) {
+  for (auto& reading : readings) reading.own[0] = tubesheets::stepsInserted(tool, reading.own[1]);
+  std::erase_if(readings, [](const auto& reading) { return reading.own[0] == 0; });
+  settleSteps(readings, tool, "simulated visits");
+}
+
 }  // namespace
 
 SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request) {
@@ -147,6 +155,7 @@ SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& requ
     throw InputError("--design " + request.design, problem, "a campaign that can be measured",
                      "see `tubeplan simulate --help`");
   requireHoles(cell, task.design);
+  if (kindOf(task.design.kind).counts_steps) (void)requireTool(cell, "count its steps");
   task.base = baseErrorOf(request, cell, task.design);
   task.truth = makeTruth(request, cell, task.design, task.base);
   return task;
@@ -160,9 +169,11 @@ calibration::SimulatedCampaign simulateReadings(const Cell& cell, const Simulati
   campaign.seed = seed;
   campaign.holes = openHoles(cell);
   campaign.hole_axis_W = planner::kHoleAxis_W;
-  const bool touches_holes = kindOf(design.kind).is_touch && design.place == CampaignPlace::kHoles;
+  const bool touches_holes = kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   campaign.is_clear = clearanceOf(cell, task.truth, touches_holes);
-  return calibration::simulateCampaign(task.truth, design, campaign, hooks);
+  auto simulated = calibration::simulateCampaign(task.truth, design, campaign, hooks);
+  if (kindOf(design.kind).counts_steps) countSteps(*cell.tool, simulated.readings);
+  return simulated;
 }
 
 }  // namespace tubeplan::app

@@ -9,6 +9,7 @@
 #include "app/input_error.hpp"
 #include "app/readers/measurements_writer.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/steps.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -46,6 +47,22 @@ void requireOneSetup(const std::vector<Measurement>& readings, const std::string
 }  // namespace
 
 double touchSigmaOf(const tubesheets::SteppedTool& tool) { return tool.steps.back().tolerance / 2; }
+
+void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTool& tool, const std::string& file) {
+  const auto most = static_cast<double>(tool.steps.size());
+  for (auto& reading : readings) {
+    if (!kindOf(reading).counts_steps) continue;
+    const double steps = reading.own[0];
+    if (steps < 1 || steps > most || steps != std::round(steps))
+      throw InputError(fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
+                       fmt::format("1 to {} steps, as the tool has", tool.steps.size()),
+                       steps == 0 ? "leave the visit out: that no step went in says not how far the tip was off" : "");
+    const auto last = static_cast<std::size_t>(steps);
+    reading.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
+    reading.own[2] = tool.steps[last - 1].tolerance;
+    reading.sigma = calibration::steps::sigmaBetween(reading.own[1], reading.own[2]);
+  }
+}
 
 std::optional<HoleName> parseHoleName(const std::string& name) {
   HoleName hole;

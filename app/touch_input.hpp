@@ -23,6 +23,11 @@ namespace tubeplan::app {
 /// Centring noise of the tool's last step, as one sigma of a coordinate: half of what that step lets through.
 [[nodiscard]] double touchSigmaOf(const tubesheets::SteppedTool& tool);
 
+/// What readings of kind steps say of the centring error, by the tool's tolerances, with their sigma. `file` is for
+/// messages. Throws InputError for a count that the tool does not have, or none: that has no upper bound.
+void settleSteps(std::vector<calibration::Measurement>& readings, const tubesheets::SteppedTool& tool,
+                 const std::string& file);
+
 /// Touches as a measurement file that `calibrate` reads.
 [[nodiscard]] std::string touchesCsv(const std::vector<calibration::Measurement>& touches, const Cell& cell);
 

@@ -4,6 +4,7 @@
 
 #include "calibration/fit.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
 
@@ -100,6 +101,14 @@ std::vector<std::string> findMistakenHoles(const deflection::Arm& arm, const std
   return names;
 }
 
+/// From the covariance of the solver's rotation vector, which starts at the aligned base, to that of a turn from where
+/// the base was found.
+Eigen::Matrix<double, 6, 6> ofStep(const Fit& fit) {
+  Eigen::Matrix<double, 6, 6> step = Eigen::Matrix<double, 6, 6>::Identity();
+  step.bottomRightCorner<3, 3>() = deflection::leftJacobian(fit.solution.x.tail<3>());
+  return step * fit.covariance * step.transpose();
+}
+
 BaseStep stepBetween(const Isometry3d& from, const Isometry3d& to) {
   const Eigen::AngleAxisd turn(Matrix3d(to.linear() * from.linear().transpose()));
   BaseStep step;
@@ -162,7 +171,7 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
   }
   recordResiduals(arm, touches, result);
   if (isMistaken(arm, touches, options, result)) return result;
-  result.covariance = base.fit.covariance;
+  result.covariance = ofStep(base.fit);
   result.status = CalibrationStatus::kDone;
   return result;
 }

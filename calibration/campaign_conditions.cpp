@@ -23,9 +23,10 @@ std::vector<int> ReadingConditions::senses(const Eigen::VectorXd& from, const Ei
 }
 
 ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, double sigma,
-                                 std::uint64_t seed)
+                                 double turn_sigma, std::uint64_t seed)
     : pace_(pace),
       sigma_(sigma),
+      turn_sigma_(turn_sigma),
       reference_(arm.reference_temperature),
       period_(std::min(pace.longest_period, readings * (pace.shortest + pace.longest))),
       conditions_(seed, CampaignRandom::Stream::kConditions),
@@ -49,6 +50,7 @@ ReadingConditions ConditionSeries::next() {
   reading.coordinate_noise = noise_.vector(sigma_);
   reading.encoder_noise.resize(static_cast<Eigen::Index>(encoder_sigmas_.size()));
   for (int k = 0; k < reading.encoder_noise.size(); ++k) reading.encoder_noise[k] = noise_.normal(encoder_sigmas_[k]);
+  if (turn_sigma_ > 0) reading.turn_noise = noise_.vector(turn_sigma_);
   return reading;
 }
 

@@ -22,6 +22,7 @@ struct ReadingConditions {
   std::vector<int> turns;  ///< of each joint: +1 it stops where it arrives, -1 it passes and comes back
   std::vector<int> rests;  ///< of each joint, the sense in which one that need not move comes back to its place
   Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< m
+  Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< rad
   Eigen::VectorXd encoder_noise;                               ///< rad or m
 
   /// The sense of each joint's last motion on the way from one posture to another.
@@ -31,14 +32,15 @@ struct ReadingConditions {
 /// A series of conditions, in order of time.
 class ConditionSeries {
  public:
-  /// For so many readings; sigma [m] of each coordinate.
-  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, double sigma, std::uint64_t seed);
+  /// For so many readings; sigma [m] of each coordinate, turn_sigma [rad] of each angle.
+  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, double sigma, double turn_sigma,
+                  std::uint64_t seed);
 
   [[nodiscard]] ReadingConditions next();
 
  private:
   CampaignPace pace_;
-  double sigma_, reference_, period_, phase_ = 0, time_ = 0;
+  double sigma_, turn_sigma_, reference_, period_, phase_ = 0, time_ = 0;
   std::vector<double> encoder_sigmas_;
   bool is_first_ = true;
   CampaignRandom conditions_, noise_;

@@ -56,8 +56,7 @@ std::string findLoadProblem(const CampaignDesign& design) {
     return "a load that is negative or not finite";
   if (kindOf(design.kind).is_displacement && *std::min_element(loads.begin(), loads.end()) <= 0)
     return "a deflection under no load, which is nothing";
-  const bool is_seen =
-      kindOf(design.kind).is_place && !kindOf(design.kind).is_touch && design.place == CampaignPlace::kHoles;
+  const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes looked at under a load";
   return {};
 }
@@ -69,7 +68,10 @@ std::string findKindProblem(const CampaignDesign& design) {
   if (kind.has_direction && !design.direction_W)
     return std::string("readings of kind ") + kind.name + " without a direction";
   if (!is_touch && design.place == CampaignPlace::kPlane) return "points of a plane that are not touched";
-  if (!kind.is_place && design.place == CampaignPlace::kHoles) return "holes that are neither touched nor looked at";
+  const bool is_of_holes = kind.is_place || kind.names_hole;
+  if (!is_of_holes && design.place == CampaignPlace::kHoles) return "holes that are neither touched nor looked at";
+  if (kind.names_hole && !is_touch && design.place != CampaignPlace::kHoles)
+    return std::string("readings of kind ") + kind.name + " elsewhere than at holes of the sheet";
   if (!is_touch && design.postures_per_point != 1) return "several postures for a point that is not touched";
   if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
     return "unknown points, each touched only once, which tell nothing";
@@ -95,7 +97,8 @@ int pointsOf(const CampaignDesign& design, int readings) {
 std::string findDesignProblem(const CampaignDesign& design, int readings) {
   if (readings < 1 || readings > kMostReadings)
     return std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
-  if (!(design.sigma >= 0) || !std::isfinite(design.sigma)) return "a sigma that is negative or not finite";
+  for (const double sigma : {design.sigma, design.turn_sigma})
+    if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma that is negative or not finite";
   if (!(design.held_out >= 0 && design.held_out < 1)) return "a held-out share that is not from 0 to below 1";
   if (design.postures_per_point < 1 || design.setups < 1) return "no posture for a point, or no set-up";
   if (auto problem = findLoadProblem(design); !problem.empty()) return problem;

@@ -17,10 +17,12 @@ namespace tubeplan::calibration {
 enum class CampaignPlace {
   kAnywhere,  ///< wherever a random posture puts it
   kPlane,     ///< in one plane across gravity, at the height that half of the arm's postures exceed
-  kHoles,     ///< at holes of the sheet: in them for a touch, below them for a position
+  kHoles,     ///< at holes of the sheet: in them for a touch, below them for what looks at them
 };
 
 inline constexpr double kPositionSigma = 7.62e-5;  ///< m per coordinate, of a tracker (0.003 in)
+inline constexpr double kAngleSigma = 8.7e-5;      ///< rad, of an inclinometer or a six-degree probe (0.005 deg)
+inline constexpr double kVisitSigma = 7.62e-4;     ///< m per coordinate, of a tip brought under a hole (0.030 in)
 inline constexpr double kTouchSigma = 1.27e-4;     ///< m per coordinate, of a tip centred by hand (0.005 in)
 
 struct CampaignDesign {
@@ -35,6 +37,7 @@ struct CampaignDesign {
   std::optional<Eigen::Vector3d> direction_W;   ///< a unit vector, of kinds that measure along one
   std::optional<Eigen::AlignedBox3d> region_W;  ///< m, where the tip stays; else in front of the base's own plane
   double sigma = kPositionSigma;                ///< m, one standard deviation of a coordinate; 0: exact readings
+  double turn_sigma = 0;                        ///< rad, the same of an angle, of kinds that measure some
   double held_out = 0;                          ///< share of the points or postures that are kept from the fit
 };
 

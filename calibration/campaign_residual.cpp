@@ -85,8 +85,11 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
   for (int axis = 0; axis < 3; ++axis) variables_.push_back(deflection::Variable::gravityTurn(axis));
 }
 
+CampaignResidual::~CampaignResidual() = default;
+
 void CampaignResidual::moveTo(const VectorXd& x) {
-  placed_ = applied(start_, unknowns_, x);
+  apply(start_, unknowns_, x, placed_);
+  if (!numbers_.empty()) batch_.reset();
   for (std::size_t n = 0; n < numbers_.size(); ++n)
     slopes_[n] = slopeAt(unknowns_[static_cast<std::size_t>(numbers_[n])], x[numbers_[n]]);
   turns_.clear();
@@ -119,10 +122,10 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
 bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
   if (!placed_.arm.effects.empty() || readings_.empty()) return true;
   static const std::vector<deflection::Variable> kNone;
-  ReadingBatch batch(placed_.arm);
-  if (!batch.isFastFor(to.jacobian ? variables_ : kNone)) return true;
+  if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
+  if (!batch_->isFastFor(to.jacobian ? variables_ : kNone)) return true;
   is_done = true;
-  if (readings_.size() <= kBlock) return fillBlock(batch, 0, readings_.size(), to);
+  if (readings_.size() <= kBlock) return fillBlock(*batch_, 0, readings_.size(), to);
   std::atomic<bool> ok = true;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kBlock), [&](const auto& range) {
     ReadingBatch own(placed_.arm);
@@ -144,29 +147,33 @@ void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::si
   const Eigen::Isometry3d& X_WB = placed_.placings[static_cast<std::size_t>(placing_of_[reading])].X_WB;
   const MatrixXd& whitener = weights_.whitener[reading];
   const Index row = weights_.first_row[reading];
-  const MeasurementKindRow& kind = kindOf(measured);
-  Vector3d place = X_WB.linear() * batch.tip(k);
-  if (!kind.is_displacement) place += X_WB.translation();
-  const MeasuredValue error = kind.value(measured, place) - kind.measured(measured);
-  to.r->segment(row, kind.rows) = whitener.lazyProduct(error);
-  if (to.error) to.error->segment(row, kind.rows) = error;
+  const ToolPose tool = toolOf(batch, k, X_WB, measured);
+  const MeasuredValue error = predictedValue(measured, tool) - kindOf(measured).measured(measured);
+  to.r->segment(row, error.size()) = whitener.lazyProduct(error);
+  if (to.error) to.error->segment(row, error.size()) = error;
   if (!to.jacobian) return;
-  const WhitenedRows by_place = whitener.lazyProduct(kind.slope(measured, place));
-  fillNumbers(batch, k, by_place * X_WB.linear(), row, *to.jacobian);
-  if (!bases_[static_cast<std::size_t>(placing_of_[reading])].empty())
-    fillBase(batch, k, reading, by_place, *to.jacobian);
+  const MeasuredSlope slope = predictedSlope(measured, tool);
+  WhitenedSlope by{whitener.lazyProduct(slope.by_place), {}};
+  if (slope.by_turn.size()) by.turn = whitener.lazyProduct(slope.by_turn);
+  fillNumbers(batch, k, X_WB.linear(), by, row, *to.jacobian);
+  if (!bases_[static_cast<std::size_t>(placing_of_[reading])].empty()) fillBase(batch, k, reading, by, *to.jacobian);
 }
 
-void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, const WhitenedRows& by_tip, Index row,
-                                   MatrixXd& jacobian) const {
+void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, const Matrix3d& R_WB,
+                                   const WhitenedSlope& by, Index row, MatrixXd& jacobian) const {
+  const MeasuredRows by_tip = by.place * R_WB;
+  const MeasuredRows by_turn = by.turn.size() ? MeasuredRows(by.turn * R_WB) : MeasuredRows();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
-    const Vector3d by = slopes_[n] * batch.column(k, n);
-    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) = by_tip.row(i).dot(by);
+    const Vector3d moved = slopes_[n] * batch.column(k, n);
+    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) = by_tip.row(i).dot(moved);
+    if (by_turn.size() == 0) continue;
+    const Vector3d turned = slopes_[n] * batch.turnColumn(k, n);
+    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) += by_turn.row(i).dot(turned);
   }
 }
 
-void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading,
-                                const WhitenedRows& by_place, MatrixXd& jacobian) const {
+void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
+                                MatrixXd& jacobian) const {
   const auto placing = static_cast<std::size_t>(placing_of_[reading]);
   const Matrix3d R = placed_.placings[placing].X_WB.linear();
   Matrix3d by_gravity;
@@ -174,14 +181,25 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
     by_gravity.col(axis) = batch.column(k, numbers_.size() + static_cast<std::size_t>(axis));
   // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
   const Matrix3d by_turn = -deflection::crossMatrix<double>(R * batch.tip(k)) - R * by_gravity * R.transpose();
-  Eigen::Matrix<double, 3, 6> by_base;
-  by_base.leftCols<3>().setIdentity();
-  if (kindOf(readings_[reading]).is_displacement) by_base.leftCols<3>().setZero();
-  by_base.rightCols<3>() = by_turn * turns_[placing];
-  for (Index c = 0; c < 6; ++c)
-    if (const Index column = bases_[placing][static_cast<std::size_t>(c)]; column >= 0)
-      for (Index i = 0; i < by_place.rows(); ++i)
-        jacobian(weights_.first_row[reading] + i, column) = by_place.row(i).dot(by_base.col(c));
+  Eigen::Matrix<double, 3, 6> place;
+  place.leftCols<3>().setIdentity();
+  if (kindOf(readings_[reading]).is_displacement) place.leftCols<3>().setZero();
+  place.rightCols<3>() = by_turn * turns_[placing];
+  Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
+  if (by.turn.size()) {
+    for (Index axis = 0; axis < 3; ++axis)
+      by_gravity.col(axis) = batch.turnColumn(k, numbers_.size() + static_cast<std::size_t>(axis));
+    turn.rightCols<3>() = (Matrix3d::Identity() - R * by_gravity * R.transpose()) * turns_[placing];
+  }
+  for (Index c = 0; c < 6; ++c) {
+    const Index column = bases_[placing][static_cast<std::size_t>(c)];
+    if (column < 0) continue;
+    for (Index i = 0; i < by.place.rows(); ++i) {
+      double& entry = jacobian(weights_.first_row[reading] + i, column);
+      entry = by.place.row(i).dot(place.col(c));
+      if (by.turn.size()) entry += by.turn.row(i).dot(turn.col(c));
+    }
+  }
 }
 
 bool CampaignResidual::fillOneByOne(const Rows& to) const {

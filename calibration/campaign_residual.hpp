@@ -2,6 +2,9 @@
 // out once.
 #pragma once
 
+#include <memory>
+
+#include "calibration/measurements/measurement_kind.hpp"
 #include "calibration/whitened_residual.hpp"
 
 namespace tubeplan::calibration {
@@ -20,6 +23,7 @@ class CampaignResidual {
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
+  ~CampaignResidual();
 
   /// The residual at variables x, its Jacobian where it is not null; false where the model cannot be evaluated.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
@@ -36,15 +40,18 @@ class CampaignResidual {
     Eigen::MatrixXd* jacobian;
     Eigen::VectorXd* error;
   };
-  using WhitenedRows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;  ///< residuals by a place
+  /// Residuals by the tip's place and, where that matters, by the tool's turn.
+  struct WhitenedSlope {
+    MeasuredRows place, turn;
+  };
 
   void moveTo(const Eigen::VectorXd& x);
   bool fillSideBySide(const Rows& to, bool& is_done);
   bool fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, const Rows& to) const;
   void fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, const Rows& to) const;
-  void fillNumbers(const ReadingBatch& batch, std::size_t k, const WhitenedRows& by_tip, Eigen::Index row,
-                   Eigen::MatrixXd& jacobian) const;
-  void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedRows& by_place,
+  void fillNumbers(const ReadingBatch& batch, std::size_t k, const Eigen::Matrix3d& R_WB, const WhitenedSlope& by,
+                   Eigen::Index row, Eigen::MatrixXd& jacobian) const;
+  void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
                 Eigen::MatrixXd& jacobian) const;
   bool fillOneByOne(const Rows& to) const;
   void scatter(int placing, const struct Prediction& prediction, const Eigen::MatrixXd& whitener, Eigen::Index row,
@@ -60,6 +67,7 @@ class CampaignResidual {
   std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
   std::vector<Eigen::Index> numbers_;             ///< column of each number
   std::vector<std::vector<Eigen::Index>> bases_;  ///< of each placing: six columns, or none
+  std::unique_ptr<ReadingBatch> batch_;           ///< of the arm as it is; none where it has changed
   PlacedArm placed_;                              ///< at the variables asked for last, with ...
   std::vector<double> slopes_;                    ///< ... the slope of each number by its variable ...
   std::vector<Eigen::Matrix3d> turns_;            ///< ... and from the rotation vector's rate to the turn's

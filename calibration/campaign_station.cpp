@@ -11,31 +11,46 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-std::optional<Vector3d> tipInWorld(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
-  const auto tip = tipPlace(arm, postureOf(reading, site.gravity_B));
-  if (!tip) return std::nullopt;
-  return site.X_WB * *tip;
+std::optional<ToolPose> toolInWorld(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
+  constexpr deflection::FlexibleKinematicsOptions kExact{1e-13, 100};
+  const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, site.gravity_B), kExact);
+  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
+  return ToolPose{site.X_WB * shape.X_BD.p, site.X_WB.linear() * shape.X_BD.R};
 }
 
-/// What is read of the arm as it stands. A touch's noise is in where the tip rests.
-PostureRefusal measure(const deflection::Arm& arm, const CampaignDesign& design, const CampaignSite& site,
-                       const std::optional<Vector3d>& point_W, Vector3d tip_W, const Vector3d& noise,
-                       Measurement& reading) {
+/// What the reading states beside what it measures.
+void stateConditions(const deflection::Arm& arm, const CampaignDesign& design, const std::optional<Vector3d>& point_W,
+                     Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
-  if (kind.is_touch && design.points_known) reading.p_W = point_W;
+  if (kind.names_hole && (!kind.is_touch || design.points_known)) reading.p_W = point_W;
   if (kind.has_anchor) reading.p_W = design.anchor_W;
   if (kind.has_direction) reading.direction_W = design.direction_W;
+  if (kind.is_to_gravity) reading.direction_W = -arm.gravity_W;
+}
+
+/// Of each row [m]; a tip that is centred has its noise in where it is.
+MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
+  MeasuredValue noise = MeasuredValue::Zero(kind.rows);
+  if (kind.is_centring) return noise;
+  const int turns = kind.turn_rows;
+  noise.head(kind.rows - turns) = conditions.coordinate_noise.head(kind.rows - turns);
+  noise.tail(turns) = kTurnLever * conditions.turn_noise.head(turns);
+  return noise;
+}
+
+/// What is read of the arm as it stands.
+PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
+                       ToolPose tool, Measurement& reading) {
+  const MeasurementKindRow& kind = kindOf(reading);
   if (kind.is_displacement) {
     Measurement unloaded = reading;
     unloaded.load = 0;
-    const auto rest_W = tipInWorld(arm, site, unloaded);
-    if (!rest_W) return PostureRefusal::kUnsettled;
-    tip_W -= *rest_W;
+    const auto rest = toolInWorld(arm, site, unloaded);
+    if (!rest) return PostureRefusal::kUnsettled;
+    tool.p_W -= rest->p_W;
   }
-  const MeasuredValue value = deflection::measurementScale(arm) * kind.value(reading, tip_W) + noise.head(kind.rows);
-  if (kind.is_above_zero && !(value[0] > 0)) return PostureRefusal::kOutsideRegion;
-  kind.record(value, reading);
-  return PostureRefusal::kNone;
+  kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
+  return kind.is_above_zero && !(reading.own[0] > 0) ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
 }
 
 Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
@@ -44,7 +59,9 @@ Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site,
   reading.kind = design.kind;
   reading.setup = site.name;
   reading.load = design.loads[index % design.loads.size()];
-  if (design.sigma > 0) reading.sigma = design.sigma;
+  const MeasurementKindRow& kind = kindOf(reading);
+  if (design.sigma > 0 && kind.rows > kind.turn_rows && !kind.counts_steps) reading.sigma = design.sigma;
+  if (design.turn_sigma > 0 && kind.turn_rows > 0) reading.turn_sigma = design.turn_sigma;
   reading.temperature = conditions.temperature;
   reading.time = conditions.time;
   return reading;
@@ -99,15 +116,16 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   Measurement first;
   first.q = q;
   first.load = design_.loads.front();
-  taken.p_W = tipInWorld(arm_, site, first);
-  if (!taken.p_W) return PostureRefusal::kUnsettled;
+  const auto tool = toolInWorld(arm_, site, first);
+  if (!tool) return PostureRefusal::kUnsettled;
+  taken.p_W = tool->p_W;
   const Vector3d up = -arm_.gravity_W;
   if (design_.place == CampaignPlace::kPlane) *taken.p_W += (plane_height_ - up.dot(*taken.p_W)) * up;
   return PostureRefusal::kNone;
 }
 
 PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
-  const double below = kindOf(design_.kind).is_touch ? 0 : options_.standoff;
+  const double below = kindOf(design_.kind).is_centring ? 0 : options_.standoff;
   std::vector<CampaignPoint> again;
   if (taken.p_W) again.push_back({taken.name, *taken.p_W});
   const auto start =
@@ -127,7 +145,8 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   }
   const TipTrial trial = check(site, reading);
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
-  return measure(arm_, design_, site, taken.p_W, trial.tip_W, conditions.coordinate_noise, reading);
+  stateConditions(arm_, design_, taken.p_W, reading);
+  return measure(arm_, site, conditions, trial.tool, reading);
 }
 
 /// What the arm does may depend on the senses in which its joints arrive, and those on where they have to be.
@@ -148,22 +167,22 @@ PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const Reading
 
 std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, const Vector3d& noise) const {
   if (!taken.p_W) return std::nullopt;
-  if (kindOf(design_.kind).is_touch) return *taken.p_W + noise;
+  if (kindOf(design_.kind).is_centring) return *taken.p_W + noise;
   return *taken.p_W - options_.standoff * options_.hole_axis_W;
 }
 
 TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& reading) const {
   TipTrial trial;
-  const auto tip_W = tipInWorld(arm_, site, reading);
+  const auto tool = toolInWorld(arm_, site, reading);
   if (!source_.isWithinLimits(reading.q))
     trial.refusal = PostureRefusal::kPastLimit;
-  else if (!tip_W)
+  else if (!tool)
     trial.refusal = PostureRefusal::kUnsettled;
-  else if (!isInRegion(site, *tip_W))
+  else if (!isInRegion(site, tool->p_W))
     trial.refusal = PostureRefusal::kOutsideRegion;
   else if (options_.is_clear && !options_.is_clear(site.setup, reading.load, reading.q))
     trial.refusal = PostureRefusal::kNotClear;
-  if (tip_W) trial.tip_W = *tip_W;
+  if (tool) trial.tool = *tool;
   return trial;
 }
 

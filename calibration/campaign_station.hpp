@@ -8,6 +8,7 @@
 #include "calibration/campaign_design.hpp"
 #include "calibration/campaign_options.hpp"
 #include "calibration/campaign_postures.hpp"
+#include "calibration/measurements/measurement_kind.hpp"
 
 namespace tubeplan::calibration {
 
@@ -19,10 +20,10 @@ struct StationReadings {
   std::vector<Measurement> readings;
 };
 
-/// Where the deflected tip is in a posture, if that is of use.
+/// Where the tool is in a posture, if that is of use.
 struct TipTrial {
   PostureRefusal refusal = PostureRefusal::kNone;
-  Eigen::Vector3d tip_W = Eigen::Vector3d::Zero();
+  ToolPose tool;
 };
 
 /// The true arm at work. It remembers where it is, for the sense in which its joints arrive at the next posture. What

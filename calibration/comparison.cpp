@@ -60,13 +60,11 @@ ModelMisfit misfitOf(const Evaluation& model, int fitted_numbers, double level) 
   return misfit;
 }
 
-/// The error in the world: one that is measured along a line lies along it.
+/// The error in the world: one that is measured along a line lies along it, a mere turn has none.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
   const Index row = model.weights.first_row[k];
-  const MeasurementKindRow& kind = kindOf(reading);
-  return kind.slope(reading, model.scene.tips.col(static_cast<Index>(k))).transpose() *
-         model.residual.error.segment(row, kind.rows);
+  return placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(reading));
 }
 
 double sigmasOf(const Evaluation& model, std::size_t k) {

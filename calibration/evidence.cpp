@@ -16,9 +16,7 @@ constexpr int kLeastFreedom = 6;
 constexpr double kTooGood = 1e-6;    // lower tail of chi-square
 constexpr double kFarTooGood = 0.5;  // of the stated noise: a fit that is better than this is no rounding of sigma
 
-std::string plural(int count, const char* noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
+std::string plural(int count, const char* noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }
 
 }  // namespace
 
@@ -38,7 +36,8 @@ std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_f
   if (degrees_of_freedom <= 0 || !std::isfinite(chi2)) return std::nullopt;
   const double ratio = std::sqrt(std::max(0., chi2) / degrees_of_freedom);
   if (ratio > kFarTooGood) return std::nullopt;
-  if (boost::math::cdf(boost::math::chi_squared(degrees_of_freedom), std::max(0., chi2)) > kTooGood) return std::nullopt;
+  if (boost::math::cdf(boost::math::chi_squared(degrees_of_freedom), std::max(0., chi2)) > kTooGood)
+    return std::nullopt;
   char text[160];
   std::snprintf(text, sizeof text, "the readings agree with the model %.3g times better than their stated noise allows",
                 1 / std::max(ratio, 1e-9));

@@ -10,6 +10,7 @@
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
+#include "deflection/prepared_arm.hpp"
 
 namespace tubeplan::calibration {
 
@@ -53,9 +54,10 @@ double grossErrorLimit(std::size_t readings) {
 
 }  // namespace
 
-LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                               const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                               const VectorXd& x, const StopQuestion& stop) {
+namespace {
+
+LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
+                              const VectorXd& x) {
   const auto n = static_cast<Index>(unknowns.size());
   LeastSquaresProblem problem;
   problem.start = x;
@@ -68,12 +70,20 @@ LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown
     problem.upper[k] = unknown.upper;
     problem.scale[k] = unknown.typical;
   }
-  const auto residual =
-      std::make_shared<CampaignResidual>(start, unknowns, readings, weights, CampaignResidual::Priors::kAppended, stop);
   problem.evaluate = [residual](const VectorXd& at, VectorXd& r, MatrixXd* jacobian) {
     return residual->evaluate(at, r, jacobian);
   };
   return problem;
+}
+
+}  // namespace
+
+LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                               const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                               const VectorXd& x, const StopQuestion& stop) {
+  return problemOf(
+      std::make_shared<CampaignResidual>(start, unknowns, readings, weights, CampaignResidual::Priors::kAppended, stop),
+      unknowns, x);
 }
 
 LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem, const LeastSquaresOptions& solver) {
@@ -89,7 +99,13 @@ class Fitting {
  public:
   Fitting(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
           const VectorXd& x, const FitOptions& options)
-      : start_(start), unknowns_(unknowns), readings_(readings), options_(options) {
+      : start_(start),
+        unknowns_(unknowns),
+        readings_(readings),
+        options_(options),
+        alone_(start, unknowns, readings, fit_.weights, CampaignResidual::Priors::kNone, options.solver.stop),
+        with_priors_(std::make_shared<CampaignResidual>(start, unknowns, readings, fit_.weights,
+                                                        CampaignResidual::Priors::kAppended, options.solver.stop)) {
     fit_.solution.x = x;
     fit_.weights.model_error = options.model_error.value_or(0);
   }
@@ -129,18 +145,26 @@ class Fitting {
       return true;
     }
     const LeastSquaresResult before = fit_.solution;
-    const LeastSquaresProblem problem =
-        fitProblem(start_, unknowns_, readings_, fit_.weights, before.x, options_.solver.stop);
-    fit_.solution = minimizeOrUnwind(problem, options_.solver);
+    fit_.solution = minimizeOrUnwind(problemOf(with_priors_, unknowns_, before.x), options_.solver);
     fit_.solution.iterations += before.iterations;
     fit_.solution.evaluations += before.evaluations;
     fit_.solution.jacobian_evaluations += before.jacobian_evaluations;
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  [[nodiscard]] WhitenedResidual residual(const ReadingWeights& weights, bool with_jacobian) const {
-    return whitenedResidual(start_, unknowns_, readings_, weights, fit_.solution.x, with_jacobian,
-                            options_.solver.stop);
+  /// At the solution, by the weights as they are.
+  WhitenedResidual residual(bool with_jacobian) {
+    WhitenedResidual at;
+    at.ok = alone_.evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
+    return at;
+  }
+
+  /// Of the readings by their stated noise alone.
+  [[nodiscard]] double statedChi2() const {
+    if (fit_.weights.model_error == 0) return fit_.solution.chi2;
+    const ReadingWeights stated = reweighted(fit_.weights, readings_, 0, fit_.factors);
+    return whitenedResidual(start_, unknowns_, readings_, stated, fit_.solution.x, false, options_.solver.stop)
+        .r.squaredNorm();
   }
 
   /// Encoders' noise reaches a reading by the posture's slopes, and a robust weight by the residual: both follow the
@@ -152,11 +176,11 @@ class Fitting {
     for (int round = 0; round < rounds; ++round) {
       if (!weigh()) return false;
       if (round > 0 && !is_robust) {
-        const double now = residual(fit_.weights, false).r.squaredNorm();
+        const double now = residual(false).r.squaredNorm();
         if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) break;
       }
       if (!minimize()) return false;
-      const WhitenedResidual at = residual(fit_.weights, false);
+      const WhitenedResidual at = residual(false);
       if (!at.ok) return failed("the model cannot be evaluated at the readings");
       before = at.r.squaredNorm();
       if (!is_robust) continue;
@@ -171,15 +195,13 @@ class Fitting {
 
   /// Residual, covariance and chi-square at the solution.
   bool describe() {
-    fit_.residual = residual(fit_.weights, true);
+    fit_.residual = residual(true);
     if (!fit_.residual.ok || !fit_.residual.r.allFinite() || !fit_.residual.jacobian.allFinite())
       return failed("the model cannot be differentiated at the readings");
     fit_.solution.chi2 = fit_.residual.r.squaredNorm();
     fit_.covariance = posteriorCovariance(fit_.residual.jacobian, unknowns_);
     fit_.degrees_of_freedom = fit_.weights.degrees_of_freedom - numbersDetermined(fit_.covariance, unknowns_);
-    const bool is_stated = fit_.weights.model_error == 0;
-    fit_.chi2 = is_stated ? fit_.solution.chi2
-                          : residual(reweighted(fit_.weights, readings_, 0, fit_.factors), false).r.squaredNorm();
+    fit_.chi2 = statedChi2();
     fit_.p_value = chiSquareTail(fit_.chi2, fit_.degrees_of_freedom);
     return true;
   }
@@ -189,6 +211,8 @@ class Fitting {
   const std::vector<Measurement>& readings_;
   const FitOptions& options_;
   Fit fit_;
+  CampaignResidual alone_;  ///< by the weights of `fit_`, whatever they become
+  std::shared_ptr<CampaignResidual> with_priors_;
 };
 
 }  // namespace
@@ -271,14 +295,14 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) 
   for (std::size_t p = 0; p < placed.placings.size(); ++p) {
     Placing& placing = placed.placings[p];
     if (placing.is_known) continue;
+    deflection::PreparedArm arm(placed.arm);
     for (int repeat = 0; repeat < kMostAlignments; ++repeat) {
       std::vector<Vector3d> tips, places;
       for (const auto& reading : readings) {
         if (reading.is_held_out || !statesPlace(reading) || placingOf(placed, reading) != static_cast<int>(p)) continue;
-        const auto shape =
-            deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, placing.X_WB));
-        if (shape.status != deflection::KinematicsStatus::kConverged) continue;
-        tips.push_back(shape.X_BD.p);
+        if (arm.solve(postureOf(reading, placed.arm, placing.X_WB)) != deflection::KinematicsStatus::kConverged)
+          continue;
+        tips.push_back(arm.X_BD().p);
         places.push_back(*reading.p_W);
       }
       if (tips.size() < 3) break;

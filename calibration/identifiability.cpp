@@ -46,8 +46,7 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
       numbers[n].verdict = Identifiability::kYes;
       continue;
     }
-    const double alone =
-        1 / std::sqrt(jacobian.col(k).squaredNorm() + 1 / (unknown.prior_sigma * unknown.prior_sigma));
+    const double alone = 1 / std::sqrt(jacobian.col(k).squaredNorm() + 1 / (unknown.prior_sigma * unknown.prior_sigma));
     if (!isSharp(unknown, alone, at[k])) continue;
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;

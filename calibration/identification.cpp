@@ -63,8 +63,8 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& held
   FitOptions options = fitOptions(model.options);
   options.model_error = result.model_error;
   const auto bases = basesOf(model.unknowns);
-  result.heldout_before = crossValidate(model.start, bases, model.fitted,
-                                        VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
+  result.heldout_before =
+      crossValidate(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
   result.heldout = crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds, options,
                                  model.options.hooks);
 }

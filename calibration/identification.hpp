@@ -84,8 +84,8 @@ struct Identification {
   double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
                            ///< above 0 where chi-square refuses the stated noise
   std::vector<Outlier> outliers;
-  Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
-  std::vector<int> used;   ///< readings that were fitted
+  Eigen::VectorXd errors;           ///< length of each fitted reading's error [m], in the order of `used`
+  std::vector<int> used;            ///< readings that were fitted
   Eigen::VectorXd singular_values;  ///< of the readings' Jacobian, each column by its number's typical size
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
 constexpr double kBoundMargin = 1e-4;  // of a typical size, that counts as at the bound
-constexpr double kPoorNormal = 0.2;  // sigma of a compliance over itself from which the normal interval is poor
-constexpr double kLeaning = 0.3;     // correlation with a number near its bound that spoils the normal interval
+constexpr double kPoorNormal = 0.2;    // sigma of a compliance over itself from which the normal interval is poor
+constexpr double kLeaning = 0.3;       // correlation with a number near its bound that spoils the normal interval
 
 bool isAtBound(const Unknown& unknown, double x) {
   const double margin = kBoundMargin * unknown.typical;

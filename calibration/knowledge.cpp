@@ -32,8 +32,7 @@ MatrixXd informationOf(const Knowledge& knowledge, const std::vector<Measurement
   if (!weights) return MatrixXd::Zero(n, n);
   auto residual = whitenedResidual(knowledge.start, knowledge.unknowns, readings, *weights, knowledge.x, true);
   if (!residual.ok) return MatrixXd::Zero(n, n);
-  for (Index k = 0; k < n; ++k)
-    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical;
+  for (Index k = 0; k < n; ++k) residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical;
   return residual.jacobian.transpose() * residual.jacobian;
 }
 

@@ -11,11 +11,16 @@ namespace tubeplan::calibration {
 
 /// Rows of the table in measurements/measurement_kinds.hpp, which says what each measures.
 enum class MeasurementKind {
-  kPosition,    ///< p_W is the tip's measured place
-  kTouch,       ///< the tip rests centred at `point`; p_W is that place where it is known
-  kDeflection,  ///< p_W is the tip's measured displacement from its unloaded place at the same joint readings
-  kDistance,    ///< p_W is a fixed anchor, `distance` the measured length from it to the tip
-  kAxis,        ///< p_W is a fixed anchor, `distance` how far the tip is beyond it along `direction_W`
+  kPosition,     ///< p_W is the tip's measured place
+  kTouch,        ///< the tip rests centred at `point`; p_W is that place where it is known
+  kDeflection,   ///< p_W is the tip's measured displacement from its unloaded place at the same joint readings
+  kDistance,     ///< p_W is a fixed anchor, own[0] the measured length from it to the tip [m]
+  kAxis,         ///< p_W is a fixed anchor, own[0] how far the tip is beyond it along `direction_W` [m]
+  kOrientation,  ///< own is the tool frame's roll, pitch, yaw in the world [rad]
+  kPose,         ///< kPosition and kOrientation in one
+  kOffset,       ///< p_W is a hole or mark, own its centre from the tip along the tool frame's axes [m]
+  kTilt,         ///< own is how far the tool frame's axes rise above the horizontal [rad]
+  kSteps,        ///< p_W is a hole, own how many steps of the tool went in, and what that says of the centring error
 };
 
 struct Measurement {
@@ -26,9 +31,12 @@ struct Measurement {
   std::string setup;  ///< readings with the same set-up share a base pose; empty where there is one for all
   double load = 0;    ///< N, hung from the tip
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows, rad (m for a prismatic joint)
-  std::optional<Eigen::Vector3d> p_W;                          ///< m, in the world frame
-  std::optional<Eigen::Vector3d> direction_W;                  ///< a unit vector, of kind axis only
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< m, of kinds that measure from an anchor
+  std::optional<Eigen::Vector3d> p_W;          ///< m, in the world frame
+  std::optional<Eigen::Vector3d> direction_W;  ///< a unit vector, of kinds that measure along one
+  std::optional<Eigen::Vector3d> p_TQ;  ///< m, the measured point from the tip in the tool frame; none: the tip itself
+  /// Numbers of its kind's own columns, in their order; NaN = not stated.
+  Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< rad, one standard deviation of a measured angle
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, one standard deviation of each measured coordinate;
                                                             ///< NaN = not stated
   std::vector<int> senses;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated

@@ -244,8 +244,7 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step) {
   return result;
 }
 
-PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) {
-  PlacedArm placed = start;
+void apply(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x, PlacedArm& placed) {
   std::vector<BaseStep> steps(placed.placings.size(), BaseStep::Zero());
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const Unknown& unknown = unknowns[k];
@@ -256,6 +255,11 @@ PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, 
       deflection::locate(placed.arm, unknown.path) = valueAt(unknown, value);
   }
   for (std::size_t p = 0; p < steps.size(); ++p) placed.placings[p].X_WB = moved(start.placings[p].X_WB, steps[p]);
+}
+
+PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) {
+  PlacedArm placed = start;
+  apply(start, unknowns, x, placed);
   return placed;
 }
 

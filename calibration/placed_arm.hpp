@@ -96,6 +96,9 @@ struct Unknowns {
 /// The placed arm with these variables applied to its start.
 [[nodiscard]] PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x);
 
+/// The same into a copy of the start that had these unknowns applied before.
+void apply(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x, PlacedArm& placed);
+
 /// The same unknown with its variable 0 where the parameter has this value (a base component: where it stands now).
 [[nodiscard]] Unknown rebased(Unknown unknown, double value);
 

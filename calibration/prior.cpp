@@ -35,7 +35,8 @@ MatrixXd posteriorCovariance(const MatrixXd& jacobian, const std::vector<Unknown
   // Numbers of unit information: a compliance and a length differ by many powers of ten.
   const VectorXd scale =
       information.diagonal().unaryExpr([](double value) { return value > 0 ? 1 / std::sqrt(value) : 0; });
-  information = (scale.asDiagonal() * MatrixXd(information.selfadjointView<Eigen::Lower>()) * scale.asDiagonal()).eval();
+  information =
+      (scale.asDiagonal() * MatrixXd(information.selfadjointView<Eigen::Lower>()) * scale.asDiagonal()).eval();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(information);
   const double least = kSingular * eigen.eigenvalues()[n - 1];
   const VectorXd inverse = eigen.eigenvalues().unaryExpr([&](double value) { return value > least ? 1 / value : 0; });

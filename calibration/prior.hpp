@@ -1,8 +1,8 @@
-// What is known beforehand, in a fit and in its uncertainty: every free number has a normal prior (Unknown::prior_sigma),
-// which enters least squares as one more residual, (x - mean) / sigma. The optimum is then the most probable state, the
-// inverse of J^T J + Lambda its posterior covariance (Lambda = diag(1 / sigma^2)), and the readings determine
-// p = tr(C J^T J) of the n numbers: the effective number of parameters (Spiegelhalter et al. 2002, "Bayesian measures of
-// model complexity and fit").
+// What is known beforehand, in a fit and in its uncertainty: every free number has a normal prior
+// (Unknown::prior_sigma), which enters least squares as one more residual, (x - mean) / sigma. The optimum is then the
+// most probable state, the inverse of J^T J + Lambda its posterior covariance (Lambda = diag(1 / sigma^2)), and the
+// readings determine p = tr(C J^T J) of the n numbers: the effective number of parameters (Spiegelhalter et al. 2002,
+// "Bayesian measures of model complexity and fit").
 #pragma once
 
 #include <Eigen/Core>

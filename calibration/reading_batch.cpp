@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {
@@ -47,6 +46,14 @@ Vector3d ReadingBatch::column(std::size_t k, std::size_t variable) const {
   Vector3d by = tips_.jacobian.col(static_cast<Index>(k)).segment<3>(row);
   if (unloaded_[k] >= 0) by -= tips_.jacobian.col(unloaded_[k]).segment<3>(row);
   return by;
+}
+
+ToolPose toolOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB, const Measurement& reading) {
+  ToolPose tool;
+  tool.p_W = X_WB.linear() * batch.tip(k);
+  if (!kindOf(reading).is_displacement) tool.p_W += X_WB.translation();
+  if (seesTurn(reading)) tool.R_WT = X_WB.linear() * batch.turn(k);
+  return tool;
 }
 
 }  // namespace tubeplan::calibration

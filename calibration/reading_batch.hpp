@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "calibration/measurement.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/posture_batch.hpp"
 
@@ -30,6 +30,12 @@ class ReadingBatch {
   [[nodiscard]] Eigen::Vector3d tip(std::size_t k) const;
   [[nodiscard]] Eigen::Vector3d column(std::size_t k, std::size_t variable) const;
 
+  /// The tool frame as seen from the base, and how it turns [rad], base axes; not of a deflection.
+  [[nodiscard]] Eigen::Matrix3d turn(std::size_t k) const { return tips_.X_BD(static_cast<Eigen::Index>(k)).R; }
+  [[nodiscard]] Eigen::Vector3d turnColumn(std::size_t k, std::size_t variable) const {
+    return tips_.jacobian.col(static_cast<Eigen::Index>(k)).segment<3>(6 * static_cast<Eigen::Index>(variable) + 3);
+  }
+
  private:
   void place(const Measurement& reading, double load, const Eigen::Vector3d& gravity_B, Eigen::Index at);
 
@@ -39,5 +45,9 @@ class ReadingBatch {
   deflection::TipBatch tips_;
   std::vector<Eigen::Index> unloaded_;  ///< the posture to take off, -1 where there is none
 };
+
+/// The tool of a reading in the world; of a deflection the tip's displacement.
+[[nodiscard]] ToolPose toolOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB,
+                              const Measurement& reading);
 
 }  // namespace tubeplan::calibration

@@ -5,6 +5,7 @@
 
 #include "calibration/measurement_posture.hpp"
 #include "deflection/effects/effect.hpp"
+#include "deflection/rotation.hpp"
 #include "deflection/tip_differentiation.hpp"
 
 namespace tubeplan::calibration {
@@ -16,12 +17,6 @@ namespace {
 
 constexpr double kLeastSigma = 1e-6;  // m
 
-Matrix3d crossMatrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
 bool isMeasurementScale(const deflection::Arm& arm, const Variable& variable) {
   if (variable.type != Variable::Type::kParameter || variable.parameter.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(variable.parameter.effect));
@@ -29,38 +24,79 @@ bool isMeasurementScale(const deflection::Arm& arm, const Variable& variable) {
          deflection::EffectStage::kMeasurement;
 }
 
-/// True coordinates to measured ones, where the arm carries an error of the measuring scale. Touches of unknown points
-/// measure nothing in the world.
-void scaleCoordinates(const deflection::Arm& arm, const PredictionRequest& request, Prediction& prediction) {
+/// True lengths to measured ones, where the arm carries an error of the measuring scale: the first rows, all but turns.
+/// Touches of unknown points measure nothing in the world.
+void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
+                      Prediction& prediction) {
   const double scale = deflection::measurementScale(arm);
-  for (std::size_t k = 0; k < request.numbers.size(); ++k)
+  const Eigen::Index rows = prediction.value.size() - kindOf(reading).turn_rows;
+  if (!kindOf(reading).is_by_scale) return;
+  for (std::size_t k = 0; k < request.numbers.size(); ++k) {
+    auto column = prediction.by_numbers.col(static_cast<Eigen::Index>(k)).head(rows);
     if (isMeasurementScale(arm, request.numbers[k]))
-      prediction.by_numbers.col(static_cast<Eigen::Index>(k)) = prediction.value;
+      column = prediction.value.head(rows);
     else if (scale != 1)
-      prediction.by_numbers.col(static_cast<Eigen::Index>(k)) *= scale;
+      column *= scale;
+  }
   if (scale == 1) return;
-  prediction.value *= scale;
-  if (prediction.by_base.size()) prediction.by_base *= scale;
-  if (prediction.by_joints.size()) prediction.by_joints *= scale;
+  prediction.value.head(rows) *= scale;
+  if (prediction.by_base.size()) prediction.by_base.topRows(rows) *= scale;
+  if (prediction.by_joints.size()) prediction.by_joints.topRows(rows) *= scale;
 }
 
-void subtract(Prediction& a, const Prediction& b) {
+/// The tool's pose with its derivatives, 6 rows: the tip's place [m], then the turn [rad] about the world's axes.
+struct ToolPrediction {
+  bool ok = false;
+  ToolPose pose;
+  Eigen::MatrixXd by_numbers, by_base, by_joints;
+};
+
+ToolPrediction predictTool(deflection::TipDifferentiation& tip, const Eigen::Isometry3d& X_WB,
+                           const deflection::Posture& posture, const PredictionRequest& request) {
+  std::vector<Variable> variables = request.numbers;
+  const auto numbers = static_cast<Eigen::Index>(variables.size());
+  if (request.by_base)
+    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
+  if (request.by_joints)
+    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(Variable::joint(joint));
+  ToolPrediction tool;
+  const Matrix3d R = X_WB.linear();
+  tool.ok = tip.solve(posture, variables) == deflection::KinematicsStatus::kConverged;
+  const auto X_BD = tip.arm().X_BD();
+  const Vector3d r_W = R * X_BD.p;
+  tool.pose = {X_WB.translation() + r_W, R * X_BD.R};
+  if (variables.empty()) return tool;
+  MatrixXd by(6, tip.columns().cols());
+  by << R * tip.columns().topRows<3>(), R * tip.columns().bottomRows<3>();
+  tool.by_numbers = by.leftCols(numbers);
+  if (request.by_base) {
+    tool.by_base = MatrixXd::Identity(6, 6);
+    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
+    tool.by_base.rightCols<3>() -= by.middleCols<3>(numbers) * R.transpose();
+    tool.by_base.topRightCorner<3, 3>() -= deflection::crossMatrix<double>(r_W);
+  }
+  if (request.by_joints) tool.by_joints = by.rightCols(posture.q.size());
+  return tool;
+}
+
+/// From the tool to what is measured of it; of a displacement to how far the tip is from where it rests unloaded.
+Prediction measured(const Measurement& reading, const ToolPrediction& tool) {
+  const MeasuredSlope slope = predictedSlope(reading, tool.pose);
+  const auto seen = [&](const MatrixXd& by) -> MatrixXd {
+    if (by.size() == 0) return {};
+    MatrixXd rows = slope.by_place * by.topRows<3>();
+    if (slope.by_turn.size()) rows += slope.by_turn * by.bottomRows<3>();
+    return rows;
+  };
+  return {tool.ok, predictedValue(reading, tool.pose), seen(tool.by_numbers), seen(tool.by_base), seen(tool.by_joints)};
+}
+
+void subtract(ToolPrediction& a, const ToolPrediction& b) {
   a.ok = a.ok && b.ok;
-  a.value -= b.value;
+  a.pose.p_W -= b.pose.p_W;
   if (a.by_numbers.size()) a.by_numbers -= b.by_numbers;
   if (a.by_base.size()) a.by_base -= b.by_base;
   if (a.by_joints.size()) a.by_joints -= b.by_joints;
-}
-
-/// From the tip's place to what the reading's kind measures of it.
-void measure(const Measurement& reading, Prediction& tip) {
-  const MeasurementKindRow& kind = kindOf(reading);
-  const Vector3d p_W = tip.value;
-  tip.value = kind.value(reading, p_W);
-  const MeasuredSlope slope = kind.slope(reading, p_W);
-  if (tip.by_numbers.size()) tip.by_numbers = slope * tip.by_numbers;
-  if (tip.by_base.size()) tip.by_base = slope * tip.by_base;
-  if (tip.by_joints.size()) tip.by_joints = slope * tip.by_joints;
 }
 
 }  // namespace
@@ -76,28 +112,11 @@ ReadingPredictor::~ReadingPredictor() = default;
 
 Prediction ReadingPredictor::predictTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
                                         const PredictionRequest& request) {
-  std::vector<Variable> variables = request.numbers;
-  const auto numbers = static_cast<Eigen::Index>(variables.size());
-  if (request.by_base)
-    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
-  if (request.by_joints)
-    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(Variable::joint(joint));
-  Prediction tip;
-  const Matrix3d R = X_WB.linear();
-  tip.ok = tip_->solve(posture, variables) == deflection::KinematicsStatus::kConverged;
-  const Vector3d r_W = R * tip_->arm().X_BD().p;
-  tip.value = X_WB.translation() + r_W;
-  if (variables.empty()) return tip;
-  const auto by = tip_->columns().topRows<3>();
-  tip.by_numbers = R * by.leftCols(numbers);
-  if (request.by_base) {
-    tip.by_base.resize(3, 6);
-    tip.by_base.leftCols<3>().setIdentity();
-    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
-    tip.by_base.rightCols<3>() = -crossMatrix(r_W) - R * by.middleCols<3>(numbers) * R.transpose();
-  }
-  if (request.by_joints) tip.by_joints = R * by.rightCols(posture.q.size());
-  return tip;
+  const ToolPrediction tool = predictTool(*tip_, X_WB, posture, request);
+  const auto placeOf = [](const MatrixXd& by) -> MatrixXd {
+    return by.size() ? MatrixXd(by.topRows<3>()) : MatrixXd();
+  };
+  return {tool.ok, tool.pose.p_W, placeOf(tool.by_numbers), placeOf(tool.by_base), placeOf(tool.by_joints)};
 }
 
 Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
@@ -108,13 +127,13 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
   deflection::Posture posture = postureOf(reading, arm_, X_WB);
-  Prediction prediction = predictTip(X_WB, posture, request);
+  ToolPrediction tool = predictTool(*tip_, X_WB, posture, request);
   if (kindOf(reading).is_displacement) {
     posture.load = 0;
-    subtract(prediction, predictTip(X_WB, posture, request));
+    subtract(tool, predictTool(*tip_, X_WB, posture, request));
   }
-  measure(reading, prediction);
-  if (reading.p_W) scaleCoordinates(arm_, request, prediction);
+  Prediction prediction = measured(reading, tool);
+  if (reading.p_W) scaleCoordinates(arm_, reading, request, prediction);
   return prediction;
 }
 
@@ -123,6 +142,13 @@ Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   PredictionRequest request;
   request.by_base = request.by_joints = true;
   return ReadingPredictor(arm).predictTip(X_WB, {q, load, deflection::gravityInBase(arm, X_WB)}, request);
+}
+
+std::optional<ToolPose> toolAt(const PlacedArm& placed, const Measurement& reading) {
+  const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
+  const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
+  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
+  return ToolPose{X_WB * shape.X_BD.p, X_WB.linear() * shape.X_BD.R};
 }
 
 MatrixXd encoderCovariance(const deflection::Arm& arm, const MatrixXd& by_joints) {
@@ -143,9 +169,13 @@ Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
 }
 
 MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading, const MatrixXd& by_joints) {
-  const Eigen::Index rows = rowsOf(reading);
-  const double sigma = std::isfinite(reading.sigma) ? std::max(reading.sigma, kLeastSigma) : kLeastSigma;
-  return MatrixXd::Identity(rows, rows) * sigma * sigma + encoderCovariance(arm, by_joints);
+  MatrixXd covariance = encoderCovariance(arm, by_joints);
+  const MeasuredValue sigmas = rowSigmas(reading);
+  for (Eigen::Index row = 0; row < sigmas.size(); ++row) {
+    const double sigma = std::isfinite(sigmas[row]) ? std::max(sigmas[row], kLeastSigma) : kLeastSigma;
+    covariance(row, row) += sigma * sigma;
+  }
+  return covariance;
 }
 
 }  // namespace tubeplan::calibration

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -21,7 +22,7 @@ struct PredictionRequest {
   bool by_joints = false;
 };
 
-/// What the reading's kind measures of the tip (measurements/): 1 or 3 rows, m.
+/// What the reading's kind measures of the tool (measurements/): up to 6 rows, m.
 struct Prediction {
   bool ok = false;  ///< whether the deflected shape settled; the rest is not to be used otherwise
   Eigen::VectorXd value;
@@ -59,6 +60,9 @@ class ReadingPredictor {
 /// the base turns.
 [[nodiscard]] Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
                                     double load);
+
+/// The tool where the reading was taken; nothing where the shape does not settle.
+[[nodiscard]] std::optional<ToolPose> toolAt(const PlacedArm& placed, const Measurement& reading);
 
 /// Covariance [m^2] of what the joints' readings alone leave open, through `by_joints` (rows x joints).
 [[nodiscard]] Eigen::MatrixXd encoderCovariance(const deflection::Arm& arm, const Eigen::MatrixXd& by_joints);

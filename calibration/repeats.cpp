@@ -21,7 +21,7 @@ constexpr double kSameJoint = 2e-3;  // rad, m
 constexpr double kSameLoad = 1e-6;   // N
 
 bool areAlike(const Measurement& a, const Measurement& b) {
-  const bool same_anchor = !kindOf(a).has_anchor || (a.p_W == b.p_W && a.direction_W == b.direction_W);
+  const bool same_anchor = kindOf(a).is_place || (a.p_W == b.p_W && a.direction_W == b.direction_W);
   return a.kind == b.kind && a.setup == b.setup && a.point == b.point && a.senses == b.senses && same_anchor &&
          std::abs(a.load - b.load) <= kSameLoad && (a.q - b.q).cwiseAbs().maxCoeff() <= kSameJoint;
 }

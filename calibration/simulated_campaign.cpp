@@ -55,7 +55,7 @@ class CampaignMaker {
         options_(options),
         hooks_(hooks),
         sites_(sitesOf(truth)),
-        series_(truth.arm, options.pace, options.readings, design.sigma, options.seed),
+        series_(truth.arm, options.pace, options.readings, design.sigma, design.turn_sigma, options.seed),
         station_(truth.arm, design, options) {}
 
   SimulatedCampaign make() {
@@ -93,7 +93,7 @@ class CampaignMaker {
       if (wantsStop()) return false;
       const TipTrial trial = station_.tryAnywhere(sites_.front());
       ++counts[static_cast<std::size_t>(trial.refusal)];
-      if (trial.refusal == PostureRefusal::kNone) heights.push_back(-arm_.gravity_W.dot(trial.tip_W));
+      if (trial.refusal == PostureRefusal::kNone) heights.push_back(-arm_.gravity_W.dot(trial.tool.p_W));
     }
     if (heights.empty()) return failFor("the height of the plane", counts);
     station_.setPlaneHeight(median(std::move(heights)));

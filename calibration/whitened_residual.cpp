@@ -44,15 +44,20 @@ void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& w
 template <int Rows>
 MatrixXd whitenerOf(const MatrixXd& covariance) {
   using Square = Eigen::Matrix<double, Rows, Rows>;
-  return Eigen::LLT<Square>(Square(covariance)).matrixL().solve(Square::Identity());
+  return Eigen::LLT<Square>(Square(covariance)).matrixL().solve(Square::Identity(covariance.rows(), covariance.rows()));
 }
 
 /// How a reading changes with the joints, from the tip of a batch.
 MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB,
                        const Measurement& reading, std::size_t joints) {
-  MatrixXd slopes(3, static_cast<Index>(joints));
-  for (std::size_t j = 0; j < joints; ++j) slopes.col(static_cast<Index>(j)) = X_WB.linear() * batch.column(k, j);
-  return kindOf(reading).slope(reading, X_WB * batch.tip(k)) * slopes;
+  const Eigen::Matrix3d R = X_WB.linear();
+  const MeasuredSlope slope = predictedSlope(reading, toolOf(batch, k, X_WB, reading));
+  MatrixXd slopes(slope.by_place.rows(), static_cast<Index>(joints));
+  for (std::size_t j = 0; j < joints; ++j) {
+    slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.column(k, j));
+    if (slope.by_turn.size()) slopes.col(static_cast<Index>(j)) += slope.by_turn * (R * batch.turnColumn(k, j));
+  }
+  return slopes;
 }
 
 /// How each reading changes with the joints that it was read at.
@@ -99,7 +104,9 @@ ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measu
   other.whitener.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const MatrixXd covariance = other.covariance(k);
-    other.whitener[k] = covariance.rows() == 1 ? whitenerOf<1>(covariance) : whitenerOf<3>(covariance);
+    other.whitener[k] = covariance.rows() == 1   ? whitenerOf<1>(covariance)
+                        : covariance.rows() == 3 ? whitenerOf<3>(covariance)
+                                                 : whitenerOf<Eigen::Dynamic>(covariance);
     if (factors.size()) other.whitener[k] *= std::sqrt(factors[static_cast<Index>(k)]);
   }
   eliminatePoints(readings, other);

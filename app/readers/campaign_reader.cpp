@@ -80,6 +80,8 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   };
   check("anchor", &calibration::MeasurementKindRow::has_anchor, "an anchor");
   check("direction", &calibration::MeasurementKindRow::has_direction, "a direction");
+  if (const YamlNode* node = root.find("turn_sigma"); node && kind.turn_rows == 0)
+    node->fail("`turn_sigma` of a kind that measures no angle", "it with angles", "remove it");
 }
 
 // What the keys that are not there stand for.
@@ -89,11 +91,14 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   const bool is_touch = kindOf(design.kind).is_touch;
   if (const YamlNode* points = root.find("points")) design.points_known = readPointsKnown(*points);
   if (is_touch && design.points_known) design.place = has_sheet ? CampaignPlace::kHoles : CampaignPlace::kPlane;
+  if (!is_touch && kindOf(design.kind).names_hole) design.place = CampaignPlace::kHoles;
   if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
   design.loads = calibration::usualLoads();
-  if (!is_touch && design.place == CampaignPlace::kHoles) design.loads = {0};
+  if (!kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles) design.loads = {0};
   if (kindOf(design.kind).is_displacement) design.loads.erase(design.loads.begin());
   design.sigma = is_touch ? calibration::kTouchSigma : calibration::kPositionSigma;
+  if (kindOf(design.kind).counts_steps) design.sigma = calibration::kVisitSigma;
+  if (kindOf(design.kind).turn_rows > 0) design.turn_sigma = calibration::kAngleSigma;
   return design;
 }
 
@@ -114,6 +119,8 @@ void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
   if (const YamlNode* node = root.find("split")) readShare(*node, design.held_out);
   design.sigma = readQuantityOr(root, "sigma", units, dimension::kLength, design.sigma);
   if (design.sigma < 0) root.at("sigma").fail("zero or more");
+  design.turn_sigma = readQuantityOr(root, "turn_sigma", units, dimension::kAngle, design.turn_sigma);
+  if (design.turn_sigma < 0) root.at("turn_sigma").fail("zero or more");
 }
 
 }  // namespace
@@ -121,7 +128,7 @@ void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
 CampaignFile readCampaignFile(const std::string& path, const Units& units, bool has_sheet) {
   const YamlFile source = readYamlFile(path);
   source.root.expectKeys({"kind"}, {"name", "at", "points", "postures", "postures_per_point", "loads", "anchor",
-                                    "direction", "region", "setups", "split", "sigma"});
+                                    "direction", "region", "setups", "split", "sigma", "turn_sigma"});
   CampaignFile file{designOfKind(source.root, has_sheet), std::nullopt};
   file.design.name = std::filesystem::path(path).stem().string();
   if (const YamlNode* name = source.root.find("name")) file.design.name = name->text();

@@ -6,6 +6,7 @@
 
 #include "app/input_error.hpp"
 #include "app/suggestion.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
@@ -102,7 +103,25 @@ void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& 
                 fmt::format("one for each of the {} joints, or none", columns.joints.size()), "");
 }
 
+/// What the kinds measure beside places.
+void takeOwn(Header& header, MeasurementColumns& columns) {
+  for (const auto& kind : calibration::measurementKinds())
+    for (const auto& [name, quantity] : kind.columns) {
+      if (columns.own.contains(name)) continue;
+      std::optional<NumberColumn> found;
+      if (quantity != deflection::Quantity::kNone)
+        found = header.takeNumber(name, unitKindOf(quantity));
+      else if (const auto index = header.take(name))
+        found = NumberColumn{*index, nullptr, name};
+      if (found) columns.own[name] = *found;
+    }
+}
+
 }  // namespace
+
+UnitKind unitKindOf(deflection::Quantity quantity) {
+  return quantity == deflection::Quantity::kAngle ? UnitKind::kAngle : UnitKind::kLength;
+}
 
 MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file, const deflection::Arm& arm) {
   Header header(table, file);
@@ -117,11 +136,15 @@ MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::str
   columns.x = header.takeNumber("x", UnitKind::kLength);
   columns.y = header.takeNumber("y", UnitKind::kLength);
   columns.z = header.takeNumber("z", UnitKind::kLength);
-  columns.distance = header.takeNumber("distance", UnitKind::kLength);
+  columns.tool_x = header.takeNumber("tool_x", UnitKind::kLength);
+  columns.tool_y = header.takeNumber("tool_y", UnitKind::kLength);
+  columns.tool_z = header.takeNumber("tool_z", UnitKind::kLength);
+  takeOwn(header, columns);
   columns.dx = header.take("dx");
   columns.dy = header.take("dy");
   columns.dz = header.take("dz");
   columns.sigma = header.takeNumber("sigma", UnitKind::kLength);
+  columns.turn_sigma = header.takeNumber("turn_sigma", UnitKind::kAngle);
   columns.temperature = header.takeNumber("temperature", UnitKind::kTemperature);
   columns.time = header.takeNumber("time", UnitKind::kTime);
   header.refuseUnknown();

@@ -36,7 +36,8 @@ class RowReader {
   }
 
   [[nodiscard]] double number(const NumberColumn& column) const {
-    return (number(column.index) + column.unit->offset) * column.unit->factor;
+    const double value = number(column.index);
+    return column.unit ? (value + column.unit->offset) * column.unit->factor : value;
   }
 
   /// NaN where there is no such column or nothing in it.
@@ -101,6 +102,12 @@ std::optional<Eigen::Vector3d> readCoordinates(const RowReader& row, const Measu
                    "coordinates x, y, z");
 }
 
+std::optional<Eigen::Vector3d> readToolPoint(const RowReader& row, const MeasurementColumns& columns) {
+  return allOrNone(row,
+                   {row.numberOrNaN(columns.tool_x), row.numberOrNaN(columns.tool_y), row.numberOrNaN(columns.tool_z)},
+                   "measured point's tool_x, tool_y, tool_z");
+}
+
 std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
   const auto direction =
       allOrNone(row, {row.numberOrNaN(columns.dx), row.numberOrNaN(columns.dy), row.numberOrNaN(columns.dz)},
@@ -148,19 +155,52 @@ std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const Measuremen
   return Eigen::Vector3d(tube->x, tube->y, 0);
 }
 
+/// "distance_in (or _mm, _cm, _m, _ft)"
+std::string columnText(const calibration::MeasuredColumn& column) {
+  if (column.quantity == deflection::Quantity::kNone) return column.name;
+  const auto units = unitNames(unitKindOf(column.quantity));
+  std::vector<std::string> others(units.begin() + 1, units.end());
+  return fmt::format("{}_{} (or _{})", column.name, units.front(), fmt::join(others, ", _"));
+}
+
+Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind) {
+  Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < kind.columns.size(); ++k)
+    if (const auto column = columns.own.find(kind.columns[k].name); column != columns.own.end())
+      own[static_cast<Eigen::Index>(k)] = row.numberOrNaN(std::optional(column->second));
+  return own;
+}
+
+/// Kinds that measure some of their numbers need one, the others all.
+void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
+  const auto count = static_cast<Eigen::Index>(kind.columns.size());
+  const Eigen::Index stated = count - m.own.head(count).array().isNaN().count();
+  const bool is_enough = kind.is_partly_seen ? stated > 0 : stated == count;
+  const bool is_right = !kind.is_above_zero || m.own[0] > 0;
+  if (is_enough && is_right) return;
+  std::vector<std::string> names, columns;
+  for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
+  row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, fmt::join(names, ", ")),
+              fmt::format("{}number{} in the column{} {}", count > 1 ? "" : "a ",
+                          kind.is_above_zero ? " above zero"
+                          : count > 1        ? "s"
+                                             : "",
+                          count > 1 ? "s" : "", fmt::join(columns, ", ")));
+}
+
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (kind.is_touch && m.point.empty())
     row.failRow("a touch without a point", "the point's name in the column 'point'");
-  if (!kind.is_touch && !m.p_W)
+  if (!kind.is_touch && !kind.is_without_place && !m.p_W)
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
-  if (kind.rows == 1 && (std::isnan(m.distance) || (kind.is_above_zero && !(m.distance > 0))))
-    row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, kind.is_above_zero ? "length" : "value"),
-                fmt::format("a number{} in the column distance_in (or _mm, _cm, _m, _ft)",
-                            kind.is_above_zero ? " above zero" : ""));
+  checkOwn(row, kind, m);
   if (kind.has_direction && !m.direction_W)
     row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
                 "its direction in the columns dx, dy, dz (of any length)");
+  if (m.p_TQ && kind.is_displacement)
+    row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
   if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
+  if (m.turn_sigma <= 0) row.failRow("a turn_sigma that is not above zero", "one standard deviation of an angle");
   if (m.load < 0) row.failRow("a negative load", "zero or more");
 }
 
@@ -177,10 +217,12 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
   m.load = columns.load ? row.number(*columns.load) : 0;
   m.q = readJoints(row, columns, arm);
   m.p_W = readCoordinates(row, columns);
-  if (!m.p_W && kind.is_touch) m.p_W = holeCentre(row, columns, m.point, sheet);
-  m.distance = row.numberOrNaN(columns.distance);
-  m.direction_W = readDirection(row, columns);
+  if (!m.p_W && kind.names_hole) m.p_W = holeCentre(row, columns, m.point, sheet);
+  m.own = readOwn(row, columns, kind);
+  m.p_TQ = readToolPoint(row, columns);
+  m.direction_W = kind.is_to_gravity ? std::optional<Eigen::Vector3d>(-arm.gravity_W) : readDirection(row, columns);
   m.sigma = row.numberOrNaN(columns.sigma);
+  m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
   m.senses = readSenses(row, columns);
   m.temperature = row.numberOrNaN(columns.temperature);
   m.time = row.numberOrNaN(columns.time);
@@ -243,7 +285,9 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   const auto take = [](const std::optional<NumberColumn>& column, calibration::NamedUnit& unit) {
     if (column) unit = {std::string(column->unit->name), column->unit->factor};
   };
-  take(columns.distance, units.coordinates);
+  for (const auto& [name, column] : columns.own)
+    if (column.unit && column.unit->kind == UnitKind::kLength)
+      units.coordinates = {std::string(column.unit->name), column.unit->factor};
   take(columns.x, units.coordinates);
   take(columns.load, units.loads);
   units.sigma = units.coordinates;

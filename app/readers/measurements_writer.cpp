@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <set>
 
 #include "app/command_inputs.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -38,6 +40,8 @@ template <class Has>
 bool anyHas(const std::vector<Measurement>& readings, Has has) {
   return std::any_of(readings.begin(), readings.end(), has);
 }
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class Table {
  public:
@@ -93,17 +97,39 @@ class Table {
   }
 
   void addCoordinates() {
-    constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
     addLength("x", [](const auto& m) { return m.p_W ? m.p_W->x() : kNothing; });
     addLength("y", [](const auto& m) { return m.p_W ? m.p_W->y() : kNothing; });
     addLength("z", [](const auto& m) { return m.p_W ? m.p_W->z() : kNothing; });
-    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.distance); }))
-      addLength("distance", [](const auto& m) { return m.distance; });
-    if (anyHas(readings_, [](const auto& m) { return m.direction_W.has_value(); }))
+    addOwn();
+    if (anyHas(readings_, [](const auto& m) { return m.p_TQ.has_value(); }))
       for (Eigen::Index k = 0; k < 3; ++k)
-        add(std::string("d") + "xyz"[k],
-            [k](const auto& m) { return numberOrNothing(m.direction_W ? (*m.direction_W)[k] : kNothing); });
+        addLength(std::string("tool_") + "xyz"[k], [k](const auto& m) { return m.p_TQ ? (*m.p_TQ)[k] : kNothing; });
+    if (anyHas(readings_, [](const auto& m) { return calibration::kindOf(m).has_direction; }))
+      for (Eigen::Index k = 0; k < 3; ++k)
+        add(std::string("d") + "xyz"[k], [k](const auto& m) {
+          return numberOrNothing(calibration::kindOf(m).has_direction ? (*m.direction_W)[k] : kNothing);
+        });
     addLength("sigma", [](const auto& m) { return m.sigma; });
+    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.turn_sigma); }))
+      add("turn_sigma_" + std::string(units_.angle().name),
+          [this](const auto& m) { return numberOrNothing(units_.toFile(m.turn_sigma, dimension::kAngle)); });
+  }
+
+  /// The own columns of every kind that the readings have.
+  void addOwn() {
+    std::set<std::string> added;
+    for (const auto& kind : calibration::measurementKinds()) {
+      if (!anyHas(readings_, [&](const auto& m) { return m.kind == kind.kind; })) continue;
+      for (const auto& [name, quantity] : kind.columns) {
+        if (!added.insert(name).second) continue;
+        const Dimension dimension = dimensionOf(quantity);
+        const bool is_plain = quantity == deflection::Quantity::kNone;
+        add(is_plain ? std::string(name) : fmt::format("{}_{}", name, units_.nameOf(dimension)),
+            [this, name = name, dimension](const auto& m) {
+              return numberOrNothing(units_.toFile(calibration::ownNumber(m, name), dimension));
+            });
+      }
+    }
   }
 
   void addConditions() {

@@ -147,7 +147,6 @@ json readingsJson(const Model& model, const ReadingSet& set) {
     row["sigma"] = lengthOf(reading.sigma, cell.units);
     row["held_out"] = reading.is_held_out;
     row["position"] = reading.p_W ? vectorJson(*reading.p_W, cell.units, dimension::kLength) : json();
-    if (std::isfinite(reading.distance)) row["distance"] = lengthOf(reading.distance, cell.units);
     const auto shape =
         deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));
     row["tip"] = shape.status == deflection::KinematicsStatus::kConverged

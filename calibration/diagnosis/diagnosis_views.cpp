@@ -30,21 +30,13 @@ WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
 }
 
-/// The tip at a reading of any kind.
-Vector3d tipAt(const PlacedArm& placed, Measurement reading) {
-  const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
-  reading.kind = MeasurementKind::kPosition;
-  const Prediction prediction = predictReading(placed.arm, X_WB, reading);
-  return prediction.ok ? Vector3d(prediction.value) : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-}
-
 /// Measured less predicted as a vector.
-Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const Vector3d& p_WT, const WhitenedResidual& residual) {
-  if (!residual.ok) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
+                const WhitenedResidual& residual) {
+  if (!residual.ok || !tool) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Measurement& reading = basis.readings[k];
   const Index row = basis.weights.first_row[k];
-  const MeasurementKindRow& kind = kindOf(reading);
-  return -kind.slope(reading, p_WT).transpose() * residual.error.segment(row, kind.rows);
+  return -predictedSlope(reading, *tool).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
 }
 
 std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::vector<Explanation>& shown,
@@ -55,9 +47,10 @@ std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::ve
   for (std::size_t k = 0; k < basis.readings.size(); ++k) {
     ReadingView view;
     view.reading = given[k];
-    view.p_WT = tipAt(basis.fitted, basis.readings[k]);
-    view.before = missAt(basis, k, view.p_WT, basis.residual);
-    for (const auto& residual : after) view.after.push_back(missAt(basis, k, view.p_WT, residual));
+    const auto tool = toolAt(basis.fitted, basis.readings[k]);
+    view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    view.before = missAt(basis, k, tool, basis.residual);
+    for (const auto& residual : after) view.after.push_back(missAt(basis, k, tool, residual));
     views.push_back(std::move(view));
   }
   return views;

@@ -10,6 +10,7 @@
 
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
 
@@ -241,10 +242,6 @@ class TermMaker {
   std::vector<DiscrepancyTerm> terms_;
 };
 
-Eigen::Matrix3d crossed(const Eigen::Vector3d& v) {
-  return (Eigen::Matrix3d() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
-}
-
 /// How a reading's rows move [m] with each channel: a joint's reading [rad, m], a shift along the tool's axes, of the
 /// base, a turn of the base [rad]. Empty where the shape does not settle.
 MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
@@ -257,12 +254,13 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 9);
   displacements.leftCols(joints) = prediction.by_joints;
   if (kindOf(reading).is_displacement) return displacements;
-  const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
-  if (shape.status != deflection::KinematicsStatus::kConverged) return {};
-  const MeasuredSlope seen = kindOf(reading).slope(reading, X_WB * shape.X_BD.p);
-  displacements.middleCols(joints, 3) = seen * X_WB.linear() * shape.X_BD.R;
-  displacements.middleCols(joints + 3, 3) = seen;
-  displacements.rightCols(3) = -seen * crossed(X_WB.linear() * shape.X_BD.p);
+  const auto tool = toolAt(placed, reading);
+  if (!tool) return {};
+  const MeasuredSlope slope = predictedSlope(reading, *tool);
+  displacements.middleCols(joints, 3) = slope.by_place * tool->R_WT;
+  displacements.middleCols(joints + 3, 3) = slope.by_place;
+  displacements.rightCols(3) = -slope.by_place * deflection::crossMatrix<double>(tool->p_W - X_WB.translation());
+  if (slope.by_turn.size()) displacements.rightCols(3) += slope.by_turn;
   return displacements;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::calibration::mistakes::coordinates_unit {
 
@@ -23,7 +24,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.apply = [checked = &checked, factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       if (areWritten(*checked, reading)) *reading.p_W *= factor;
-      reading.distance *= factor;
+      const auto columns = kindOf(reading).columns;
+      for (std::size_t k = 0; k < columns.size(); ++k)
+        if (columns[k].quantity == deflection::Quantity::kLength) reading.own[static_cast<Eigen::Index>(k)] *= factor;
     }
   };
   return mend;

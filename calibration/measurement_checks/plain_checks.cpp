@@ -41,6 +41,7 @@ std::string assumeWithout(const std::vector<std::string>& ids) {
 /// All numbers that two rows of one reading have alike.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
+  const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
   return std::tuple{static_cast<int>(m.kind),
                     m.point,
                     m.setup,
@@ -49,8 +50,10 @@ auto contentOf(const Measurement& m) {
                     p.x(),
                     p.y(),
                     p.z(),
-                    std::isfinite(m.distance) ? m.distance : 0,
-                    std::isfinite(m.time) ? m.time : 0};
+                    number(m.own[0]),
+                    number(m.own[1]),
+                    number(m.own[2]),
+                    number(m.time)};
 }
 
 std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {

@@ -17,8 +17,9 @@ inline void takeMeasured(const Measurement& from, Measurement& to) {
   to.kind = from.kind;
   to.point = from.point;
   to.p_W = from.p_W;
-  to.distance = from.distance;
+  to.own = from.own;
   to.sigma = from.sigma;
+  to.turn_sigma = from.turn_sigma;
 }
 
 /// Every reading gets what stands `by` rows further down.

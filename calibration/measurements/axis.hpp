@@ -6,23 +6,27 @@
 
 namespace tubeplan::calibration::axis {
 
-inline MeasuredValue value(const Measurement& reading, const Eigen::Vector3d& p_W) {
-  return MeasuredValue::Constant(1, reading.direction_W->dot(p_W - *reading.p_W));
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return MeasuredValue::Constant(1, reading.direction_W->dot(tool.p_W - *reading.p_W));
 }
-inline MeasuredSlope slope(const Measurement& reading, const Eigen::Vector3d&) {
-  return reading.direction_W->transpose();
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose&) {
+  return {reading.direction_W->transpose(), {}};
+}
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
+  reading.own[0] = scale * value(reading, tool)[0] + noise[0];
 }
 
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kAxis,
           .name = "axis",
           .rows = 1,
+          .columns = distance::kColumns,
           .has_anchor = true,
           .has_direction = true,
           .value = value,
           .slope = slope,
           .measured = distance::measured,
-          .record = distance::record};
+          .record = record};
 }
 
 }  // namespace tubeplan::calibration::axis

@@ -5,12 +5,14 @@
 
 namespace tubeplan::calibration::coordinates {
 
-inline MeasuredValue value(const Measurement&, const Eigen::Vector3d& p_W) { return p_W; }
-inline MeasuredSlope slope(const Measurement&, const Eigen::Vector3d&) { return Eigen::Matrix3d::Identity(); }
+inline MeasuredValue value(const Measurement&, const ToolPose& tool) { return tool.p_W; }
+inline MeasuredSlope slope(const Measurement&, const ToolPose&) { return {Eigen::Matrix3d::Identity(), {}}; }
 inline MeasuredValue measured(const Measurement& reading) {
   return reading.p_W ? *reading.p_W : Eigen::Vector3d::Zero();
 }
-inline void record(const MeasuredValue& value, Measurement& reading) { reading.p_W = Eigen::Vector3d(value); }
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
+  reading.p_W = scale * tool.p_W + noise.head<3>();
+}
 
 inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
   return {.kind = kind, .name = name, .value = value, .slope = slope, .measured = measured, .record = record};

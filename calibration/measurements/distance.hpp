@@ -1,23 +1,30 @@
 // The length of a wire or a laser's line from a fixed anchor x, y, z to the tip.
 #pragma once
 
+#include <array>
+
 #include "calibration/measurements/measurement_kind.hpp"
 
 namespace tubeplan::calibration::distance {
 
-inline MeasuredValue value(const Measurement& reading, const Eigen::Vector3d& p_W) {
-  return MeasuredValue::Constant(1, (p_W - *reading.p_W).norm());
+inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"distance", deflection::Quantity::kLength}}};
+
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return MeasuredValue::Constant(1, (tool.p_W - *reading.p_W).norm());
 }
-inline MeasuredSlope slope(const Measurement& reading, const Eigen::Vector3d& p_W) {
-  return (p_W - *reading.p_W).normalized().transpose();
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  return {(tool.p_W - *reading.p_W).normalized().transpose(), {}};
 }
-inline MeasuredValue measured(const Measurement& reading) { return MeasuredValue::Constant(1, reading.distance); }
-inline void record(const MeasuredValue& value, Measurement& reading) { reading.distance = value[0]; }
+inline MeasuredValue measured(const Measurement& reading) { return MeasuredValue::Constant(1, reading.own[0]); }
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
+  reading.own[0] = scale * value(reading, tool)[0] + noise[0];
+}
 
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kDistance,
           .name = "distance",
           .rows = 1,
+          .columns = kColumns,
           .has_anchor = true,
           .is_above_zero = true,
           .value = value,

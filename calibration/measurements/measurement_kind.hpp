@@ -1,35 +1,67 @@
-// What a kind of reading is: what it measures of the tip's place, what its row must state, how it is simulated.
+// What a kind of reading is: what it measures of the tip's pose, what its row must state, how it is simulated.
 #pragma once
 
-#include <Eigen/Core>
+#include <span>
 
 #include "calibration/measurement.hpp"
+#include "deflection/parameters.hpp"
 
 namespace tubeplan::calibration {
 
-/// A measured value, 1 or 3 rows [m], and how it changes with the tip's place in the world.
-using MeasuredValue = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-using MeasuredSlope = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
+/// Where the tool is, in the world. Of a displacement, `p_W` is that; its turn is not measured.
+struct ToolPose {
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();       ///< m
+  Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  ///< the tool frame; only for kinds that see the tool's turn
+};
+
+/// Measured values, up to 6 rows [m]: turns are counted as what they move at kTurnLever.
+using MeasuredValue = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+using MeasuredRows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 6, 3>;
+
+/// How measured values change with the tool's pose in the world.
+struct MeasuredSlope {
+  MeasuredRows by_place;
+  MeasuredRows by_turn;  ///< per rad, about the world's axes; empty where a turn changes nothing
+};
+
+/// Readings of angles are weighed and reported by what they move at this distance, so that all rows are lengths.
+inline constexpr double kTurnLever = 0.1;  // m
+
+/// A number that stands in a column of a kind's own: NAME_UNIT, or NAME where it has no unit.
+struct MeasuredColumn {
+  const char* name;
+  deflection::Quantity quantity;
+};
 
 struct MeasurementKindRow {
   MeasurementKind kind;
   const char* name;  ///< in the column `kind`
   int rows = 3;
+  int turn_rows = 0;                                     ///< the last of them, which are turns
+  int (*rows_of)(const Measurement& reading) = nullptr;  ///< where they differ from reading to reading
+  std::span<const MeasuredColumn> columns = {};          ///< of Measurement::own, up to three
 
-  bool is_touch = false;         ///< the tip rests centred at `point`, whose place may be unknown
-  bool is_place = false;         ///< p_W is where the tip is
-  bool is_displacement = false;  ///< of the loaded tip from its unloaded place at the same joint readings
-  bool has_anchor = false;       ///< p_W is a fixed place that it is measured from
-  bool has_direction = false;    ///< and direction_W that along which
-  bool is_above_zero = false;    ///< a length, which has no sign
+  bool is_touch = false;          ///< the tip rests centred at `point`, whose place may be unknown
+  bool is_place = false;          ///< p_W is where the tip is
+  bool is_displacement = false;   ///< of the loaded tip from its unloaded place at the same joint readings
+  bool is_without_place = false;  ///< states no p_W
+  bool is_partly_seen = false;    ///< of its own numbers those that are stated count, one at least
+  bool names_hole = false;        ///< `point` may name a hole, whose centre is p_W
+  bool is_centring = false;       ///< the tool is brought under the point p_W, as well as the arm can
+  bool has_anchor = false;        ///< p_W is a fixed place that it is measured from
+  bool has_direction = false;     ///< and direction_W that along which
+  bool is_above_zero = false;     ///< a length, which has no sign
+  bool is_to_gravity = false;     ///< direction_W points up, against gravity
+  bool counts_steps = false;      ///< own is (steps that went in, beyond, within): see steps.hpp
+  bool is_by_scale = true;        ///< its lengths are of the measuring system's scale, which may be off
+  bool sees_turn = false;         ///< the tool's turn matters
 
-  /// Of a tip's place [m] (of a displacement: of the displacement).
-  MeasuredValue (*value)(const Measurement& reading, const Eigen::Vector3d& p_W);
-  MeasuredSlope (*slope)(const Measurement& reading, const Eigen::Vector3d& p_W);
+  MeasuredValue (*value)(const Measurement& reading, const ToolPose& tool);
+  MeasuredSlope (*slope)(const Measurement& reading, const ToolPose& tool);
   /// What was measured; of a touch of an unknown point nothing, whose elimination takes it off.
   MeasuredValue (*measured)(const Measurement& reading);
-  /// Writes a simulated value into a reading.
-  void (*record)(const MeasuredValue& value, Measurement& reading);
+  /// Writes what is read of a tool that stands there, lengths by a scale that is off by `scale`, with that noise [m].
+  void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading);
 };
 
 }  // namespace tubeplan::calibration

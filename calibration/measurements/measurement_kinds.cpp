@@ -6,14 +6,21 @@
 #include "calibration/measurements/axis.hpp"
 #include "calibration/measurements/deflection.hpp"
 #include "calibration/measurements/distance.hpp"
+#include "calibration/measurements/offset.hpp"
+#include "calibration/measurements/orientation.hpp"
+#include "calibration/measurements/pose.hpp"
 #include "calibration/measurements/position.hpp"
+#include "calibration/measurements/steps.hpp"
+#include "calibration/measurements/tilt.hpp"
 #include "calibration/measurements/touch.hpp"
 
 namespace tubeplan::calibration {
 
 std::span<const MeasurementKindRow> measurementKinds() {
-  static const std::array kKinds{position::kind(), touch::kind(), deflection_reading::kind(), distance::kind(),
-                                 axis::kind()};
+  static const std::array kKinds{position::kind(), touch::kind(),  deflection_reading::kind(),
+                                 distance::kind(), axis::kind(),   orientation::kind(),
+                                 pose::kind(),     offset::kind(), tilt::kind(),
+                                 steps::kind()};
   return kKinds;
 }
 
@@ -23,6 +30,43 @@ const MeasurementKindRow* findMeasurementKind(std::string_view name) {
   const auto kinds = measurementKinds();
   const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& row) { return row.name == name; });
   return found == kinds.end() ? nullptr : &*found;
+}
+
+namespace {
+
+/// The tool, named by the measured point in place of its tip.
+ToolPose atMeasuredPoint(const Measurement& reading, ToolPose tool) {
+  if (reading.p_TQ) tool.p_W += tool.R_WT * *reading.p_TQ;
+  return tool;
+}
+
+}  // namespace
+
+MeasuredValue predictedValue(const Measurement& reading, const ToolPose& tool) {
+  return kindOf(reading).value(reading, atMeasuredPoint(reading, tool));
+}
+
+MeasuredSlope predictedSlope(const Measurement& reading, const ToolPose& tool) {
+  MeasuredSlope slope = kindOf(reading).slope(reading, atMeasuredPoint(reading, tool));
+  if (!reading.p_TQ) return slope;
+  // A turn about the tip moves the point by w x r.
+  const MeasuredRows by_lever = -slope.by_place * deflection::crossMatrix<double>(tool.R_WT * *reading.p_TQ);
+  slope.by_turn = slope.by_turn.size() ? MeasuredRows(slope.by_turn + by_lever) : by_lever;
+  return slope;
+}
+
+double ownNumber(const Measurement& reading, std::string_view name) {
+  const auto columns = kindOf(reading).columns;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (columns[k].name == name) return reading.own[static_cast<Eigen::Index>(k)];
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+MeasuredValue rowSigmas(const Measurement& reading) {
+  const int rows = rowsOf(reading), turns = std::min(rows, kindOf(reading).turn_rows);
+  MeasuredValue sigmas = MeasuredValue::Constant(rows, reading.sigma);
+  sigmas.tail(turns).setConstant(kTurnLever * reading.turn_sigma);
+  return sigmas;
 }
 
 std::vector<std::string> measurementKindNames() {

@@ -22,7 +22,24 @@ namespace tubeplan::calibration {
 /// For messages: what would have been understood.
 [[nodiscard]] std::vector<std::string> measurementKindNames();
 
-[[nodiscard]] inline int rowsOf(const Measurement& reading) { return kindOf(reading).rows; }
+[[nodiscard]] inline int rowsOf(const Measurement& reading) {
+  const MeasurementKindRow& kind = kindOf(reading);
+  return kind.rows_of ? kind.rows_of(reading) : kind.rows;
+}
+
+/// Whether the tool's turn reaches the reading: by its kind, or because another point of the tool than the tip is seen.
+[[nodiscard]] inline bool seesTurn(const Measurement& reading) { return kindOf(reading).sees_turn || reading.p_TQ; }
+
+/// What would be measured of a tool that stands there [m], and how it changes with the tool's pose: at the point of the
+/// tool that the reading is of.
+[[nodiscard]] MeasuredValue predictedValue(const Measurement& reading, const ToolPose& tool);
+[[nodiscard]] MeasuredSlope predictedSlope(const Measurement& reading, const ToolPose& tool);
+
+/// The number of that name among its kind's own; not a number where the kind has none.
+[[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
+
+/// Of each row [m]: what the reading states; not numbers where it states nothing.
+[[nodiscard]] MeasuredValue rowSigmas(const Measurement& reading);
 
 [[nodiscard]] inline bool isTouch(const Measurement& reading) { return kindOf(reading).is_touch; }
 

@@ -6,11 +6,11 @@
 namespace tubeplan::calibration::touch {
 
 /// Where it rests is its point's place, known or not.
-inline void recordNothing(const MeasuredValue&, Measurement&) {}
+inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
 inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kTouch, "touch");
-  row.is_touch = row.is_place = true;
+  row.is_touch = row.is_place = row.names_hole = row.is_centring = true;
   row.record = recordNothing;
   return row;
 }

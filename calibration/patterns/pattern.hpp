@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "calibration/measurement.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/placed_arm.hpp"
 
 namespace tubeplan::calibration {
@@ -24,6 +25,11 @@ struct ReadingScene {
   std::vector<Eigen::Matrix3d> radials;     ///< away from the base's axis of gravity, around it, up; in the world
   std::vector<Eigen::Matrix3Xd> moments_L;  ///< of each reading: one column for each row, N m, in the row's own axes
 };
+
+/// How a reading's rows change with the tip's place in the world: by all three coordinates, or along the measured line.
+[[nodiscard]] inline MeasuredRows placeSlope(const ReadingScene& scene, std::size_t k) {
+  return predictedSlope(scene.readings[k], {scene.tips.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
+}
 
 [[nodiscard]] ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings);
 

@@ -26,11 +26,6 @@ const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std
   return frame == PatternFrame::kTool ? scene.tools[k] : kWorldAxes;
 }
 
-/// Rows of a reading for an error along the world's axes: itself, or its part along the measured line.
-MatrixXd seenOf(const ReadingScene& scene, std::size_t k) {
-  return kindOf(scene.readings[k]).slope(scene.readings[k], scene.tips.col(static_cast<Index>(k)));
-}
-
 /// Orthonormal columns that span what is left of `columns`, each having been of the given length.
 MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   if (columns.cols() == 0) return columns;
@@ -67,7 +62,7 @@ struct Search {
     goOn(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
     for (std::size_t k = 0; k < scene.readings.size(); ++k) {
-      const MatrixXd along = weights.whitener[k] * seenOf(scene, k) * axesOf(scene, frame, k);
+      const MatrixXd along = weights.whitener[k] * placeSlope(scene, k) * axesOf(scene, frame, k);
       for (Index j = 0; j < basis.cols(); ++j)
         columns.block(weights.first_row[k], 3 * j, along.rows(), 3) = along * basis(static_cast<Index>(k), j);
     }
@@ -109,7 +104,7 @@ Eigen::Matrix3Xd followedErrors(const Search& search, PatternFrame frame, const 
   const auto& scene = search.scene;
   Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
   for (std::size_t k = 0; k < scene.readings.size(); ++k) {
-    const MatrixXd seen = seenOf(scene, k);
+    const MatrixXd seen = placeSlope(scene, k);
     const VectorXd error = search.weights.whitener[k].triangularView<Eigen::Lower>().solve(
         followed.segment(search.weights.first_row[k], seen.rows()));
     errors.col(static_cast<Index>(k)) = axesOf(scene, frame, k).transpose() * seen.transpose() * error;
@@ -188,7 +183,7 @@ Followed followGroups(const Search& search, const Variable& variable, const Matr
     Index at = 0;
     for (const int k : group) {
       const auto n = static_cast<std::size_t>(k);
-      const MatrixXd along = search.weights.whitener[n] * seenOf(search.scene, n);
+      const MatrixXd along = search.weights.whitener[n] * placeSlope(search.scene, n);
       columns.middleRows(at, along.rows()) = along;
       fitted.middleRows(at, along.rows()) = beside.middleRows(search.rowOf(k), along.rows());
       own.segment(at, along.rows()) = r.segment(search.rowOf(k), along.rows());

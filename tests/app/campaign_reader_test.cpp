@@ -62,7 +62,7 @@ TEST_F(CampaignReader, TakesWhatSuitsTheKindForWhatIsLeftOut) {
 
 TEST_F(CampaignReader, RefusesWhatItDoesNotKnow) {
   expectRefused("at: holes\n", {"no key 'kind'"});
-  expectRefused("kind: positon\n", {"design.yaml:1:7", "'positon'", "position, touch, deflection, distance or axis",
+  expectRefused("kind: positon\n", {"design.yaml:1:7", "'positon'", "position, touch, deflection, distance, axis, ",
                                     "did you mean 'position'?"});
   expectRefused("kind: position\nload: [1]\n", {"'load'", "did you mean 'loads'?"});
   expectRefused("kind: touch\npoints: maybe\n", {"'maybe'", "known or unknown"});
@@ -87,6 +87,8 @@ TEST_F(CampaignReader, RefusesKeysThatTheKindDoesNotHave) {
   expectRefused("kind: axis\nanchor: [1, 2, 3]\n", {"without a direction", "add direction"});
   expectRefused("kind: position\ndirection: [0, 0, 1]\n", {"direction", "kind: axis"});
   expectRefused("kind: axis\nanchor: [1, 2, 3]\ndirection: [0, 0, 0]\n", {"not all zero"});
+  expectRefused("kind: steps\nturn_sigma: 0.1\n", {"turn_sigma", "no angle"});
+  expectRefused("kind: tilt\nturn_sigma: -0.1\n", {"turn_sigma", "zero or more"});
 }
 
 }  // namespace

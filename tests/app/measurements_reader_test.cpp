@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "app/readers/cell_reader.hpp"
+#include "app/reading_input.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -62,7 +64,7 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
   EXPECT_TRUE(m.is_held_out);
   EXPECT_EQ(m.time, 60);
   EXPECT_EQ(m.temperature, 293.15);
-  EXPECT_DOUBLE_EQ(m.distance, 0.1);
+  EXPECT_DOUBLE_EQ(m.own[0], 0.1);
   EXPECT_EQ(m.q[0], 0.5);
   EXPECT_EQ(m.p_W->z(), 3);
   EXPECT_EQ(m.senses, (std::vector<int>{-1, 0, 1, 1}));
@@ -93,7 +95,7 @@ TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
   expectSays(with("touch", "tuoch"), "did you mean 'touch'?");
   expectSays(with("P1", ""), "without a point");
   expectSays(with("1,2,3", "1,,3"), "some of the coordinates");
-  expectSays(with("touch", "distance"), "without its length");
+  expectSays(with("touch", "distance"), "without its distance");
   expectSays(with("0.003", "0"), "sigma");
   expectSays(with("0.003", "0.003,7"), "13 fields");
   expectSays(with("P1", "\"P1"), "quote");
@@ -109,13 +111,58 @@ TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
   const auto readings = read(header + good);
   ASSERT_EQ(readings.size(), 1U);
   EXPECT_EQ(readings.front().kind, MeasurementKind::kAxis);
-  EXPECT_NEAR(readings.front().distance, -4 * kInch, 1e-15);
+  EXPECT_NEAR(readings.front().own[0], -4 * kInch, 1e-15);
   EXPECT_TRUE(readings.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "without a direction");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "points somewhere");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,x,-4,")), "column dy");
-  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "without its value");
+  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "without its distance");
+}
+
+TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,roll_deg,pitch_deg,yaw_deg,tilt_x_deg,tilt_z_deg,"
+      "turn_sigma_deg\n";
+  const std::string turned = "a,orientation,10,90,-20,5,30,-40,50,,,0.01\n", tilted = "b,tilt,10,90,-20,5,,,,2,,0.01\n";
+  const auto readings = read(header + turned + tilted);
+  ASSERT_EQ(readings.size(), 2U);
+  EXPECT_TRUE(readings[0].own.isApprox(Eigen::Vector3d(30, -40, 50) * kDegree));
+  EXPECT_NEAR(readings[0].turn_sigma, 0.01 * kDegree, 1e-15);
+  EXPECT_NEAR(readings[1].own[0], 2 * kDegree, 1e-15);
+  EXPECT_TRUE(std::isnan(readings[1].own[1]) && std::isnan(readings[1].own[2]));
+  EXPECT_TRUE(readings[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
+  expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "without its roll, pitch, yaw");
+  expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "without its tilt_x, tilt_y, tilt_z");
+  expectSays(refusal(header + changed(tilted, "0.01", "-0.01")), "turn_sigma that is not above zero");
+  expectSays(refusal(changed(header, "tilt_x_deg", "tilt_x_in") + tilted), "unknown unit 'in'");
+}
+
+TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,tool_x_in,tool_y_in,tool_z_in,sigma_in\n";
+  const std::string good = "a,position,10,90,-20,5,1,2,3,0.5,0,-1,0.003\n";
+  EXPECT_TRUE(read(header + good).front().p_TQ->isApprox(Eigen::Vector3d(0.5, 0, -1) * kInch));
+  expectSays(refusal(header + changed(good, "0.5,0,-1", "0.5,,-1")), "tool_x, tool_y, tool_z");
+  expectSays(refusal(header + changed(good, "position", "deflection")), "of the tip itself");
+}
+
+TEST_F(MeasurementsReader, stepsSayBetweenWhichTolerancesTheToolStood) {
+  const std::string header = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,steps\n";
+  const auto settled = [&](const std::string& steps) {
+    auto readings =
+        parseMeasurements(header + "a,steps,R10C20,10,90,-20,5," + steps + "\n", "m.csv", cell.arm, &*cell.sheet);
+    stateSigma(readings, cell, "m.csv", 0);
+    return readings.front();
+  };
+  const auto all = settled("3"), two = settled("2");
+  EXPECT_EQ(rowsOf(all), 2);
+  EXPECT_NEAR(all.sigma, 0.010 * kInch / 2, 1e-12);
+  EXPECT_EQ(rowsOf(two), 1);
+  EXPECT_NEAR(two.own[1], 0.010 * kInch, 1e-12);
+  EXPECT_NEAR(two.own[2], 0.058 * kInch, 1e-12);
+  EXPECT_NEAR(two.sigma, 0.048 * kInch / std::sqrt(12), 1e-12);
+  for (const char* wrong : {"0", "4", "1.5", "-1"}) EXPECT_THROW(settled(wrong), InputError) << wrong;
 }
 
 }  // namespace

@@ -33,7 +33,13 @@ class MeasurementsWriter : public ::testing::Test {
     m.q.resize(4);
     m.q << random.uniform(-3, 3), random.uniform(0, 3), random.uniform(-2, 2), random.uniform(-2, 2);
     if (m.kind != MeasurementKind::kTouch || random.index(2) == 0) m.p_W = random.vector(1);
-    if (kindOf(m).has_anchor) m.distance = random.uniform(0.1, 2);
+    const auto columns = static_cast<Eigen::Index>(kindOf(m).columns.size());
+    for (Eigen::Index k = 0; k < columns; ++k)
+      if (k == 0 || !kindOf(m).is_partly_seen || random.index(2) == 0) m.own[k] = random.uniform(0.1, 2);
+    if (kindOf(m).is_to_gravity) m.direction_W = -cell.arm.gravity_W;
+    if (kindOf(m).is_without_place) m.p_W.reset();
+    if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
+    if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
     m.sigma = random.uniform(1e-5, 1e-3);
     return m;
@@ -66,7 +72,12 @@ class MeasurementsWriter : public ::testing::Test {
         EXPECT_NEAR(x, y, tolerance);
       }
     };
-    expectNear(a.distance, b.distance, 1e-10);
+    for (int k = 0; k < 3; ++k) expectNear(a.own[k], b.own[k], 1e-10);
+    expectNear(a.turn_sigma, b.turn_sigma, 1e-14);
+    ASSERT_EQ(a.p_TQ.has_value(), b.p_TQ.has_value());
+    if (a.p_TQ) {
+      EXPECT_LE((*a.p_TQ - *b.p_TQ).norm(), 1e-10);
+    }
     ASSERT_EQ(a.direction_W.has_value(), b.direction_W.has_value());
     if (a.direction_W) {
       EXPECT_LE((*a.direction_W - *b.direction_W).norm(), 1e-10);
@@ -97,12 +108,15 @@ TEST_F(MeasurementsWriter, WhatItWritesReadsAsItWasInAnyUnits) {
 
 TEST_F(MeasurementsWriter, WritesTheColumnsThatReadingsHaveInTheirOrder) {
   Measurement reading = randomReading(0);
+  reading.p_TQ.reset();
   EXPECT_TRUE(measurementsCsv({reading}, cell.arm, cell.units)
                   .starts_with("id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,"
                                "sigma_in\nreading 0,"));
   addConditions(reading);
   reading.is_held_out = true;
-  reading.distance = 1;
+  reading.kind = MeasurementKind::kDistance;
+  reading.own[0] = 1;
+  reading.p_TQ.reset();
   expectSays(
       measurementsCsv({reading}, cell.arm, cell.units),
       "id,kind,point,setup,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_in,"

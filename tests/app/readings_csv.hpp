@@ -22,7 +22,7 @@ inline std::string readingsCsv(const std::vector<calibration::Measurement>& read
         fmt::format("{},{},{},{},{:.9g}", m.id, kKinds[static_cast<int>(m.kind)], m.point, m.setup, m.load / kPound);
     for (const double q : m.q) text += fmt::format(",{:.9g}", q / kDegree);
     for (int k = 0; k < 3; ++k) text += number(m.p_W.has_value(), m.p_W ? (*m.p_W)[k] / kInch : 0);
-    text += number(m.distance > 0, m.distance / kInch);
+    text += number(calibration::ownNumber(m, "distance") > 0, m.own[0] / kInch);
     text += with_sigma ? fmt::format(",{:.9g}\n", m.sigma / kInch) : "\n";
   }
   return text;

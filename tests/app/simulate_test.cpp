@@ -75,7 +75,7 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
   for (const auto& m : simulate("bench.yaml", "--design touch --readings 31"))
     EXPECT_TRUE(m.kind == MeasurementKind::kTouch && !m.p_W && !m.point.empty());
   for (const auto& m : simulate("bench.yaml", "--design distance.yaml --readings 30"))
-    EXPECT_TRUE(m.kind == MeasurementKind::kDistance && m.distance > 0);
+    EXPECT_TRUE(m.kind == MeasurementKind::kDistance && m.own[0] > 0);
   const auto deflections = simulate("bowl.yaml", "--design deflection.yaml");
   EXPECT_EQ(deflections.size(), 20u);
   for (const auto& m : deflections) EXPECT_TRUE(m.kind == MeasurementKind::kDeflection && !m.setup.empty());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "deflection/rotation.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -21,7 +22,9 @@ Measurement reading(MeasurementKind kind) {
   m.load = 30 * kPound;
   m.p_W = Eigen::Vector3d(1.5, -2, 0.4);
   m.direction_W = Eigen::Vector3d(0.6, 0, -0.8);
+  m.own = {0.1, 0.2, 0.3};
   m.sigma = 0.003 * kInch;
+  m.turn_sigma = 0.01 * kDegree;
   return m;
 }
 
@@ -46,6 +49,21 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   ASSERT_EQ(value(MeasurementKind::kAxis).size(), 1);
   EXPECT_NEAR(value(MeasurementKind::kAxis)[0], m.direction_W->dot(loaded - *m.p_W), 1e-9);
   EXPECT_GT((loaded - bare).norm(), 0.01);
+  const Eigen::Matrix3d R = toolAt(placed, m)->R_WT;
+  const Eigen::Vector3d up = -placed.arm.gravity_W;
+  const Eigen::VectorXd pose = value(MeasurementKind::kPose), turn = value(MeasurementKind::kOrientation) / kTurnLever;
+  EXPECT_LE((deflection::rotationFromVector<double>(Eigen::Vector3d(turn)) *
+                 deflection::rotationFromFixedAngles<double>(m.own) -
+             R)
+                .norm(),
+            1e-9);
+  EXPECT_LE((pose.head(3) - loaded).norm() + (pose.tail(3) / kTurnLever - turn).norm(), 1e-9);
+  EXPECT_LE((value(MeasurementKind::kOffset) - R.transpose() * (*m.p_W - loaded)).norm(), 1e-9);
+  Measurement upright = reading(MeasurementKind::kTilt);
+  upright.direction_W = up;
+  const Eigen::VectorXd tilts = predictReading(placed.arm, placed.placings[0].X_WB, upright).value / kTurnLever;
+  EXPECT_LE((tilts.array().sin().matrix() - R.transpose() * up).norm(), 1e-9);
+  EXPECT_NEAR(value(MeasurementKind::kSteps)[0], (loaded - *m.p_W).head<2>().norm(), 1e-9);
 }
 
 TEST(ReadingPrediction, DerivativesByTheJointsMatchDifferences) {
@@ -88,12 +106,12 @@ TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
       Measurement noisy = m;
       for (int k = 0; k < 4; ++k) noisy.q[k] += maker.noise(0.006 * kDegree);
       Eigen::VectorXd error = predictReading(placed.arm, X_WB, noisy).value - prediction.value;
-      for (auto& e : error) e += maker.noise(m.sigma);
+      for (Eigen::Index i = 0; i < error.size(); ++i) error[i] += maker.noise(rowSigmas(m)[i]);
       drawn += error * error.transpose() / kDraws;
     }
     // Of an entry of a sample covariance sqrt(2 / n) of the variances is one sigma: 0.018.
     EXPECT_LE((drawn - stated).norm(), 0.08 * stated.norm()) << static_cast<int>(kind);
-    const double share = 1 - m.sigma * m.sigma * static_cast<double>(stated.rows()) / stated.trace();
+    const double share = 1 - rowSigmas(m).squaredNorm() / stated.trace();
     if (kind == MeasurementKind::kDeflection)
       EXPECT_LT(share, 0.05);
     else

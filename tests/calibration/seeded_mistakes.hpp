@@ -91,7 +91,7 @@ using Made = std::optional<std::string>;
 inline void scalePlaces(SeededSet& set, double factor) {
   for (auto& m : set.table.readings) {
     if (m.p_W) *m.p_W *= factor;
-    m.distance *= factor;
+    m.own[0] *= factor;
   }
 }
 
@@ -189,7 +189,7 @@ inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   for (int k = 0; k < count; ++k) {
     const auto& from = told[static_cast<std::size_t>((k - by + count) % count)];
     auto& to = readings[static_cast<std::size_t>(k)];
-    to.point = from.point, to.p_W = from.p_W, to.distance = from.distance;
+    to.point = from.point, to.p_W = from.p_W, to.own[0] = from.own[0];
   }
   return "shift=" + std::to_string(by);
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "calibration/base_calibration.hpp"
+#include "deflection/flexible_kinematics.hpp"
 #include "tests/calibration/bench_campaign.hpp"
 
 namespace tubeplan::calibration {
@@ -37,7 +38,7 @@ TEST(SimulatedCampaign, ExactPositionsDeflectionsAndDistancesAreThoseOfTheTrueAr
       EXPECT_TRUE(std::isnan(reading.sigma)) << "exact readings state no noise";
       double off = (tip - *reading.p_W).norm();
       if (kind == MeasurementKind::kDeflection) off = (tip - tipOf(truth, reading, 0) - *reading.p_W).norm();
-      if (kind == MeasurementKind::kDistance) off = std::abs((tip - *design.anchor_W).norm() - reading.distance);
+      if (kind == MeasurementKind::kDistance) off = std::abs((tip - *design.anchor_W).norm() - reading.own[0]);
       EXPECT_LE(off, 1e-9);
     }
   }
@@ -128,7 +129,7 @@ TEST(SimulatedCampaign, CoordinateNoiseHasTheStatedDeviation) {
       Vector3d off = tip - *reading.p_W;
       if (kind == MeasurementKind::kDeflection) off -= tipOf(truth, reading, 0);
       if (kind == MeasurementKind::kDistance)
-        errors.push_back((tip - *design.anchor_W).norm() - reading.distance);
+        errors.push_back((tip - *design.anchor_W).norm() - reading.own[0]);
       else
         errors.insert(errors.end(), {off.x(), off.y(), off.z()});
     }

@@ -5,6 +5,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "calibration/measurements/steps.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "deflection/inverse_kinematics.hpp"
 #include "tests/deflection/cobra.hpp"
@@ -54,9 +55,18 @@ class ReadingMaker {
       if (row.has_anchor) m.p_W = Eigen::Vector3d(uniform(-3, 3), uniform(-3, 3), uniform(-2, -1));
       if (row.has_direction)
         m.direction_W = Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
-      MeasuredValue value = predictReading(truth_.arm, baseOf(m), m).value;
-      for (double& coordinate : value) coordinate += noise(m.sigma);
-      row.record(value, m);
+      if (row.is_to_gravity) m.direction_W = -truth_.arm.gravity_W;
+      if (row.turn_rows > 0) m.turn_sigma = 0.01 * kDegree;
+      const ToolPose tool = toolOf(m);
+      if (row.names_hole) m.p_W = tool.p_W + besideTheTip(row);
+      MeasuredValue noise_of_rows(row.rows);
+      for (int i = 0; i < row.rows; ++i)
+        noise_of_rows[i] = i < row.rows - row.turn_rows ? noise(m.sigma) : kTurnLever * noise(m.turn_sigma);
+      row.record(tool, 1, noise_of_rows, m);
+      if (row.counts_steps && !settleSteps(m)) {
+        --k;
+        continue;
+      }
       m.q += encoderNoise();
       readings.push_back(m);
     }
@@ -98,6 +108,34 @@ class ReadingMaker {
     m.setup = setup;
     m.sigma = kind == MeasurementKind::kTouch ? touch_sigma_ : 0.003 * kInch;
     return m;
+  }
+
+  /// The tool in the world; of a deflection the tip's displacement.
+  [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
+    ToolPose tool = *toolAt(truth_, m);
+    Measurement unloaded = m;
+    unloaded.load = 0;
+    if (kindOf(m).is_displacement) tool.p_W -= toolAt(truth_, unloaded)->p_W;
+    return tool;
+  }
+
+  /// Of a hole from a tip that looks for it, or looks at it.
+  [[nodiscard]] Eigen::Vector3d besideTheTip(const MeasurementKindRow& row) {
+    const double far = row.is_centring ? 0.03 * kInch : 0.02, across = row.is_centring ? 0 : 0.05;
+    return {far * noiseOf(), far * noiseOf(), across};
+  }
+  [[nodiscard]] double noiseOf() { return boost::random::normal_distribution<double>(0, 1)(random_); }
+
+  /// By a tool of three steps; false where none went in.
+  static bool settleSteps(Measurement& m) {
+    static constexpr double kTolerances[] = {0.09 * kInch, 0.06 * kInch, 0.03 * kInch};
+    const double off = m.own[1];
+    int inserted = 0;
+    while (inserted < 3 && off <= kTolerances[inserted]) ++inserted;
+    if (inserted == 0) return false;
+    m.own = {static_cast<double>(inserted), inserted < 3 ? kTolerances[inserted] : 0, kTolerances[inserted - 1]};
+    m.sigma = steps::sigmaBetween(m.own[1], m.own[2]);
+    return true;
   }
 
   const Eigen::Isometry3d& baseOf(const Measurement& m) const {
@@ -145,7 +183,16 @@ class ReadingMaker {
   double touch_sigma_;
 };
 
-/// A few readings of every kind, touches of known and unknown points among them, at a set-up.
+/// A few readings of every kind but touches, every other one of another point of the tool than its tip.
+inline void addUntouched(ReadingMaker& maker, int count, const std::string& setup = "") {
+  const std::size_t first = maker.readings.size();
+  for (const MeasurementKindRow& row : measurementKinds())
+    if (!row.is_touch) maker.add(row.kind, count, setup);
+  for (std::size_t k = first; k < maker.readings.size(); k += 2)
+    if (!kindOf(maker.readings[k]).is_displacement) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
+}
+
+/// A few readings of positions, displacements, lengths and touches, known and unknown points, at a set-up.
 inline void addEveryKind(ReadingMaker& maker, int count, const std::string& setup = "") {
   maker.add(MeasurementKind::kPosition, count, setup);
   maker.add(MeasurementKind::kDeflection, count, setup);

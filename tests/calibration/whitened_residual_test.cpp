@@ -35,6 +35,7 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   ReadingMaker maker(cobraTwice(), 3);
   addEveryKind(maker, 2, "A");
   addEveryKind(maker, 2, "B");
+  addUntouched(maker, 2, "B");
   PlacedArm start = cobraTwice();
   const auto unknowns = chooseUnknowns(start, everyScale());
   ASSERT_TRUE(unknowns.problems.empty());
@@ -63,6 +64,7 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 3, "A");
   addEveryKind(maker, 3, "B");
+  addUntouched(maker, 2, "A");
   PlacedArm fast = cobraTwice();
   fast.placings[1].is_known = true;
   const FreeChoice choice{
@@ -90,6 +92,7 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
 TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
   ReadingMaker maker(cobra(), 7, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 2);
+  addUntouched(maker, 2);
   const auto few = maker.readings;
   while (maker.readings.size() < 1300) maker.readings.insert(maker.readings.end(), few.begin(), few.end());
   const auto own = weighReadings(cobra(), few), all = weighReadings(cobra(), maker.readings);

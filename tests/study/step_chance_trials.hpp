@@ -67,10 +67,11 @@ class StepChanceTrials {
       draw.choose(plans, static_cast<std::size_t>(touches_ + holes_));
     const auto drawn = trialHoles(plans, field);
     StepChanceTrial trial;
-    auto touches = app::touchHoles(truth, drawn, touches_, app::touchSigmaOf(model_.tool), draw.seed());
+    const auto touches = app::touchHoles(truth, drawn, touches_, app::touchSigmaOf(model_.tool), draw.seed());
     if (touches.empty()) return trial;
-    app::addNeighbours(model_.sheet, touches);
-    const auto base = calibration::calibrateBase(model_.arm, touches, model_.X_WB);
+    calibration::BaseCalibrationOptions options;
+    options.neighbours = app::neighboursOn(model_.sheet);
+    const auto base = calibration::calibrateBase(model_.arm, touches, model_.X_WB, options);
     if (base.status != calibration::CalibrationStatus::kDone) return trial;
     const planner::Workcell placed = app::withBase(model_, base);
     trial.is_calibrated = true;

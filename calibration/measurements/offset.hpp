@@ -1,0 +1,52 @@
+// What a camera on the tool sees of a hole, or of a mark at x, y, z: its centre from the tip along the tool frame's
+// axes, as many of the three as it can see.
+#pragma once
+
+#include <array>
+
+#include "calibration/measurements/partly_seen.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::calibration::offset {
+
+inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"offset_x", deflection::Quantity::kLength},
+                                                         {"offset_y", deflection::Quantity::kLength},
+                                                         {"offset_z", deflection::Quantity::kLength}}};
+
+inline Eigen::Vector3d seen(const Measurement& reading, const ToolPose& tool) {
+  return tool.R_WT.transpose() * (*reading.p_W - tool.p_W);
+}
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return partly_seen::stated<MeasuredValue>(reading, seen(reading, tool));
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  const Eigen::Matrix3d R_TW = tool.R_WT.transpose();
+  const Eigen::Vector3d away = *reading.p_W - tool.p_W;
+  return {partly_seen::stated<MeasuredRows>(reading, -R_TW),
+          partly_seen::stated<MeasuredRows>(reading, R_TW * deflection::crossMatrix(away))};
+}
+inline MeasuredValue measured(const Measurement& reading) {
+  return partly_seen::stated<MeasuredValue>(reading, reading.own);
+}
+/// The camera looks along the world's z, the holes' axis.
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+  const Eigen::Index unseen = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
+  reading.own = partly_seen::without(seen(reading, tool) + noise.head<3>(), unseen);
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kOffset,
+          .name = "offset",
+          .rows_of = partly_seen::statedRows,
+          .columns = kColumns,
+          .is_partly_seen = true,
+          .names_hole = true,
+          .is_by_scale = false,
+          .sees_turn = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
+}
+
+}  // namespace tubeplan::calibration::offset

@@ -1,0 +1,49 @@
+// How the tool frame is turned in the world: fixed angles roll, pitch, yaw, as a base's rpy (a probe or a camera on the
+// tool, whose own mounting is taken off). The error is the rotation vector from the measured to the predicted frame.
+#pragma once
+
+#include <array>
+
+#include "calibration/measurements/measurement_kind.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::calibration::orientation {
+
+inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"roll", deflection::Quantity::kAngle},
+                                                         {"pitch", deflection::Quantity::kAngle},
+                                                         {"yaw", deflection::Quantity::kAngle}}};
+
+/// From the measured frame to the tool's, about the world's axes [rad].
+inline Eigen::Vector3d turnFromMeasured(const Measurement& reading, const ToolPose& tool) {
+  const Eigen::Matrix3d R_WM = deflection::rotationFromFixedAngles<double>(reading.own);
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(tool.R_WT * R_WM.transpose()));
+  return turn.angle() * turn.axis();
+}
+
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return kTurnLever * turnFromMeasured(reading, tool);
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  return {Eigen::Matrix3d::Zero(), kTurnLever * deflection::leftJacobian(turnFromMeasured(reading, tool)).inverse()};
+}
+inline MeasuredValue measured(const Measurement&) { return Eigen::Vector3d::Zero(); }
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+  const Eigen::Vector3d turn = noise.tail<3>() / kTurnLever;
+  reading.own = deflection::fixedAnglesOf(deflection::rotationFromVector<double>(turn) * tool.R_WT);
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kOrientation,
+          .name = "orientation",
+          .turn_rows = 3,
+          .columns = kColumns,
+          .is_without_place = true,
+          .is_by_scale = false,
+          .sees_turn = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
+}
+
+}  // namespace tubeplan::calibration::orientation

@@ -1,0 +1,35 @@
+// Kinds that measure some of three components: those that are stated.
+#pragma once
+
+#include <cmath>
+
+#include "calibration/measurements/measurement_kind.hpp"
+
+namespace tubeplan::calibration::partly_seen {
+
+inline int statedRows(const Measurement& reading) { return 3 - static_cast<int>(reading.own.array().isNaN().count()); }
+
+/// The rows that were measured.
+template <class Rows>
+Rows stated(const Measurement& reading, const Rows& all) {
+  Rows some(statedRows(reading), all.cols());
+  Eigen::Index row = 0;
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (!std::isnan(reading.own[k])) some.row(row++) = all.row(k);
+  return some;
+}
+
+/// With what is not seen left out.
+inline Eigen::Vector3d without(Eigen::Vector3d values, Eigen::Index unseen) {
+  values[unseen] = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
+/// The axis of the tool frame that lies most along a direction of the world.
+inline Eigen::Index axisAlong(const Eigen::Vector3d& direction_W, const ToolPose& tool) {
+  Eigen::Index axis = 0;
+  (tool.R_WT.transpose() * direction_W).cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+}  // namespace tubeplan::calibration::partly_seen

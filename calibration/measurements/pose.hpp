@@ -1,0 +1,43 @@
+// The tool frame whole: the tip's place x, y, z and its turn roll, pitch, yaw (a tracker's six-degree probe).
+#pragma once
+
+#include "calibration/measurements/coordinates.hpp"
+#include "calibration/measurements/orientation.hpp"
+
+namespace tubeplan::calibration::pose {
+
+inline MeasuredValue joined(const Eigen::Vector3d& place, const Eigen::Vector3d& turn) {
+  Eigen::Matrix<double, 6, 1> rows;
+  rows << place, turn;
+  return rows;
+}
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return joined(tool.p_W, orientation::value(reading, tool));
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  Eigen::Matrix<double, 6, 3> by_place, by_turn;
+  by_place << Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
+  by_turn << Eigen::Matrix3d::Zero(), orientation::slope(reading, tool).by_turn;
+  return {by_place, by_turn};
+}
+inline MeasuredValue measured(const Measurement& reading) { return joined(*reading.p_W, Eigen::Vector3d::Zero()); }
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
+  coordinates::record(tool, scale, noise, reading);
+  orientation::record(tool, scale, noise, reading);
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kPose,
+          .name = "pose",
+          .rows = 6,
+          .turn_rows = 3,
+          .columns = orientation::kColumns,
+          .is_place = true,
+          .sees_turn = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
+}
+
+}  // namespace tubeplan::calibration::pose

@@ -1,0 +1,63 @@
+// How many steps of the calibration tool went into the hole: the centring error lies between two tolerances, `own[1]`
+// and `own[2]` [m]. Where all went in, the tip is anywhere in a disc; else its distance from the axis is anywhere
+// between the two. (A uniform disc of radius r has a standard deviation of r / 2 per coordinate, a length anywhere
+// between a and b one of (b - a) / sqrt(12).)
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "calibration/measurements/measurement_kind.hpp"
+
+namespace tubeplan::calibration::steps {
+
+inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"steps", deflection::Quantity::kNone}}};
+
+inline bool isDisc(const Measurement& reading) { return !(reading.own[1] > 0); }
+inline int rowsOf(const Measurement& reading) { return isDisc(reading) ? 2 : 1; }
+
+/// From the hole's axis, which is the world's z.
+inline Eigen::Vector2d aside(const Measurement& reading, const ToolPose& tool) {
+  return (tool.p_W - *reading.p_W).head<2>();
+}
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  if (isDisc(reading)) return aside(reading, tool);
+  return MeasuredValue::Constant(1, aside(reading, tool).norm());
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  if (isDisc(reading)) return {Eigen::Matrix<double, 2, 3>::Identity(), {}};
+  const Eigen::Vector2d off = aside(reading, tool);
+  const Eigen::Vector2d along = off.norm() > 0 ? Eigen::Vector2d(off.normalized()) : Eigen::Vector2d::UnitX();
+  return {Eigen::RowVector3d(along.x(), along.y(), 0), {}};
+}
+inline MeasuredValue measured(const Measurement& reading) {
+  if (isDisc(reading)) return Eigen::Vector2d::Zero();
+  return MeasuredValue::Constant(1, (reading.own[1] + reading.own[2]) / 2);
+}
+/// The centring error itself, of which its reader makes steps.
+inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& reading) {
+  reading.own[1] = reading.own[2] = aside(reading, tool).norm();
+}
+
+/// Standard deviation of each row [m].
+inline double sigmaBetween(double beyond, double within) {
+  return beyond > 0 ? (within - beyond) / std::sqrt(12.) : within / 2;
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kSteps,
+          .name = "steps",
+          .rows = 2,
+          .rows_of = rowsOf,
+          .columns = kColumns,
+          .names_hole = true,
+          .is_centring = true,
+          .counts_steps = true,
+          .is_by_scale = false,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
+}
+
+}  // namespace tubeplan::calibration::steps

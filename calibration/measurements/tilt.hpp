@@ -1,0 +1,58 @@
+// An inclinometer on the tool: how far the tool frame's axes rise above the horizontal, as many of the three as it
+// reads. Where an axis stands upright its angle is lost.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "calibration/measurements/partly_seen.hpp"
+
+namespace tubeplan::calibration::tilt {
+
+inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"tilt_x", deflection::Quantity::kAngle},
+                                                         {"tilt_y", deflection::Quantity::kAngle},
+                                                         {"tilt_z", deflection::Quantity::kAngle}}};
+inline constexpr double kUpright = 1 - 1e-9;  // sine of an angle from which its slope is no number
+
+/// Sines of the angles above the horizontal; `direction_W` points up.
+inline Eigen::Vector3d sines(const Measurement& reading, const ToolPose& tool) {
+  return (tool.R_WT.transpose() * *reading.direction_W).cwiseMax(-kUpright).cwiseMin(kUpright);
+}
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return partly_seen::stated<MeasuredValue>(reading, kTurnLever * sines(reading, tool).array().asin().matrix());
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  const Eigen::Vector3d cosines = (1 - sines(reading, tool).array().square()).sqrt();
+  Eigen::Matrix3d by_turn;
+  for (Eigen::Index k = 0; k < 3; ++k)
+    by_turn.row(k) = kTurnLever / cosines[k] * tool.R_WT.col(k).cross(*reading.direction_W).transpose();
+  const int rows = partly_seen::statedRows(reading);
+  return {MeasuredRows::Zero(rows, 3), partly_seen::stated<MeasuredRows>(reading, by_turn)};
+}
+inline MeasuredValue measured(const Measurement& reading) {
+  return partly_seen::stated<MeasuredValue>(reading, kTurnLever * reading.own);
+}
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+  const Eigen::Vector3d angles = sines(reading, tool).array().asin();
+  const Eigen::Index unseen = partly_seen::axisAlong(*reading.direction_W, tool);
+  reading.own = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kTilt,
+          .name = "tilt",
+          .turn_rows = 3,
+          .rows_of = partly_seen::statedRows,
+          .columns = kColumns,
+          .is_without_place = true,
+          .is_partly_seen = true,
+          .is_to_gravity = true,
+          .is_by_scale = false,
+          .sees_turn = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
+}
+
+}  // namespace tubeplan::calibration::tilt
