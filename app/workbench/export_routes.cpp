@@ -65,8 +65,8 @@ std::string armText(const Situation& s) {
   return cell.arm_source.text;
 }
 std::string readingsText(const Situation& s) {
-  const CellReadings input = inputOf(s);
-  return measurementsCsv(input.readings, input.cell.arm, input.cell.units);
+  const CellReadings input = inputOf(s);  // refuses where there are none
+  return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
 std::string touchesText(const Situation& s) {
   std::vector<calibration::Measurement> touches;

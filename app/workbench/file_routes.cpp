@@ -1,8 +1,11 @@
 // Files of the opened folder: cells and readings in, everything that was made out.
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "app/input_error.hpp"
 #include "app/reading_input.hpp"
+#include "app/workbench/leverage_json.hpp"
 #include "app/workbench/moments_json.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -30,6 +33,21 @@ Answer readings(Workbench& workbench, const Request&) {
 Answer moments(Workbench& workbench, const Request&) {
   const Situation situation = workbench.situation();
   return situation.readings ? answerOf(momentsJson(currentModel(situation).cell, *situation.readings)) : noReadings();
+}
+
+/// "theta3,forearm.z" in the address.
+std::vector<std::string> namesAt(const Request& request) {
+  const auto at = request.query.find("at");
+  std::vector<std::string> names;
+  std::stringstream text(at == request.query.end() ? "" : at->second);
+  for (std::string name; std::getline(text, name, ',');) names.push_back(name);
+  return names;
+}
+
+Answer leverage(Workbench& workbench, const Request& request) {
+  const Situation situation = workbench.situation();
+  if (!situation.readings) return noReadings();
+  return answerOf(leverageJson(currentModel(situation).cell, *situation.readings, namesAt(request)));
 }
 
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
@@ -61,6 +79,46 @@ Answer openReadingsFile(Workbench& workbench, const Request& request) {
   return answerOf(stateJson(workbench));
 }
 
+std::set<std::string> idsOf(const ReadingSet& set) {
+  std::set<std::string> ids;
+  for (const auto& reading : set.readings) ids.insert(reading.id);
+  return ids;
+}
+
+/// The set with those ids set aside, or taken back. Throws InputError for ids that it does not have, and where nothing
+/// would be left.
+std::shared_ptr<const ReadingSet> withSetAside(const ReadingSet& set, const std::vector<std::string>& ids, bool aside) {
+  const auto known = idsOf(set);
+  auto changed = std::make_shared<ReadingSet>(set);
+  ++changed->change;
+  for (const auto& id : ids) {
+    if (!known.contains(id)) throw InputError("ids", inQuotes(id), "ids of the readings");
+    if (aside)
+      changed->set_aside.insert(id);
+    else
+      changed->set_aside.erase(id);
+  }
+  if (changed->set_aside.size() >= set.readings.size())
+    throw InputError("ids", "all readings to be set aside", "some left");
+  return changed;
+}
+
+Answer setAside(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const auto ids = textsOf(body, "ids");
+  const bool aside = booleanOf(body, "aside", true);
+  if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
+  bool has_readings = false;
+  workbench.change([&](Situation& situation) {
+    has_readings = situation.readings != nullptr;
+    if (!has_readings) return false;
+    situation.readings = withSetAside(*situation.readings, ids, aside);
+    forgetResultsOfReadings(situation);
+    return true;
+  });
+  return has_readings ? answerOf(stateJson(workbench)) : noReadings();
+}
+
 Answer openCellFile(Workbench& workbench, const Request& request) {
   const auto path = workbench.folder().fileToRead(textOf(objectOf(request), "file"));
   if (workbench.jobs().isBusy()) return refusal(409, InputError("cell", "a job that is not done yet", "none"));
@@ -77,8 +135,10 @@ constexpr Route kRoutes[] = {
     {"GET", "files", files},
     {"GET", "measurements", readings},
     {"GET", "moments", moments},
+    {"GET", "leverage", leverage},
     {"POST", "measurements", uploadReadings},
     {"POST", "measurements/open", openReadingsFile},
+    {"POST", "measurements/set-aside", setAside},
     {"POST", "cell/open", openCellFile},
 };
 

@@ -41,7 +41,7 @@ CellReadings inputOf(const Situation& situation) {
   const Cell& cell = currentModel(situation).cell;
   if (!situation.readings)
     throw InputError("measurements", "none loaded", "readings of this arm", "load a CSV file, or simulate some");
-  CellReadings input{cell, situation.readings->name, situation.readings->readings, situation.readings->checks};
+  CellReadings input{cell, situation.readings->name, readingsInUse(*situation.readings), situation.readings->checks};
   requireDefinedFormulas(input.readings, input.cell, input.file);
   return input;
 }

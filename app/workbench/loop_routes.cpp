@@ -66,7 +66,7 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Situation& 
                           const WorkHooks& hooks) {
   std::vector<LadderModel> models;
   for (const auto& [label, cell] : stack) {
-    models.push_back({label, {cell, began.readings->name, began.readings->readings}});
+    models.push_back({label, {cell, began.readings->name, readingsInUse(*began.readings)}});
     requireDefinedFormulas(models.back().input.readings, cell, models.back().input.file);
   }
   LadderStepOptions options;

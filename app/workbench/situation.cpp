@@ -4,6 +4,12 @@
 
 namespace tubeplan::app {
 
+std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set) {
+  auto readings = set.readings;
+  std::erase_if(readings, [&](const auto& reading) { return set.set_aside.contains(reading.id); });
+  return readings;
+}
+
 ResultPointer findResult(const Situation& situation, const std::string& name) {
   const auto named = situation.results.find(name);
   if (named == situation.results.end() || named->second.empty()) return nullptr;
@@ -13,6 +19,13 @@ ResultPointer findResult(const Situation& situation, const std::string& name) {
   for (const auto& [model, result] : named->second)
     if (!newest || result->revision > newest->revision) newest = result;
   return newest;
+}
+
+ResultPointer findResult(const Situation& situation, const std::string& name, int model) {
+  const auto named = situation.results.find(name);
+  if (named == situation.results.end()) return nullptr;
+  const auto own = named->second.find(model);
+  return own == named->second.end() ? nullptr : own->second;
 }
 
 int pushModel(Situation& situation, std::string label, std::string origin, Cell cell) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,12 @@ struct ReadingSet {
   std::string name;
   std::vector<calibration::Measurement> readings;  ///< each with its sigma
   calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
+  std::set<std::string> set_aside = {};            ///< ids of those that no fit sees
+  int change = 0;                                  ///< how often that has changed
 };
+
+/// Those that are not set aside.
+[[nodiscard]] std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set);
 
 /// A hole touched, by the arm itself or by a simulated one.
 struct TouchMade {
@@ -59,6 +65,9 @@ struct Situation {
 
 /// The result of the current model, else the newest of another; null where there is none.
 [[nodiscard]] ResultPointer findResult(const Situation& situation, const std::string& name);
+
+/// Of that model alone; null where there is none.
+[[nodiscard]] ResultPointer findResult(const Situation& situation, const std::string& name, int model);
 
 /// Puts a model on top of the current one; what was there to be done again is gone, with its results. Returns its id.
 int pushModel(Situation& situation, std::string label, std::string origin, Cell cell);

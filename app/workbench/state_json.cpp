@@ -106,6 +106,8 @@ json measurementsJson(const Situation& situation) {
                    {"readings", situation.readings->readings.size()},
                    {"kinds", kinds},
                    {"setups", setups.size()},
+                   {"set_aside", situation.readings->set_aside.size()},
+                   {"change", situation.readings->change},
                    {"sigma", lengthOf(sigma, currentModel(situation).cell.units)}};
   addChecks(situation.readings->checks, currentModel(situation).cell.units, document);
   return document;
@@ -116,6 +118,8 @@ json resultsJson(const Situation& situation) {
   for (const char* name : kResults) {
     const auto result = findResult(situation, name);
     results[name] = result ? json{{"model", result->model}, {"revision", result->revision}} : json();
+    if (result)
+      for (const auto& [model, own] : situation.results.at(name)) results[name]["models"].push_back(model);
   }
   return results;
 }
@@ -146,6 +150,7 @@ json readingsJson(const Model& model, const ReadingSet& set) {
     row["line"] = reading.line;
     row["sigma"] = lengthOf(reading.sigma, cell.units);
     row["held_out"] = reading.is_held_out;
+    row["set_aside"] = set.set_aside.contains(reading.id);
     row["position"] = reading.p_W ? vectorJson(*reading.p_W, cell.units, dimension::kLength) : json();
     const auto shape =
         deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));

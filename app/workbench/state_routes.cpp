@@ -10,8 +10,17 @@ namespace {
 
 Answer state(Workbench& workbench, const Request&) { return answerOf(stateJson(workbench)); }
 
+/// Of the model that "?model=" names, else as findResult chooses.
+ResultPointer resultAsked(const Situation& situation, const Request& request) {
+  const auto asked = request.query.find("model");
+  if (asked == request.query.end()) return findResult(situation, request.words[1]);
+  const auto model = tubesheets::parseNumber(asked->second);
+  const bool is_id = model && *model >= 0 && *model < 1e9;
+  return is_id ? findResult(situation, request.words[1], static_cast<int>(*model)) : nullptr;
+}
+
 Answer result(Workbench& workbench, const Request& request) {
-  const auto found = findResult(workbench.situation(), request.words[1]);
+  const auto found = resultAsked(workbench.situation(), request);
   if (!found)
     return refusal(404, InputError(inQuotes(request.words[1]), "no such result yet", "one that was asked for"));
   nlohmann::json document = found->document;

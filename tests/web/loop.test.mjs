@@ -62,7 +62,7 @@ describe("the loop", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 3);
     const times = await timesFloor(tab);
     assert.ok(times < 1.15, `after, the held-out error is ${times} times the floor`);
-    assert.match(await tab.innerText(".verdict p"), /fell from 0\.0\d+ to 0\.00\d+ in/);
+    assert.match(await tab.innerText(".verdict ul"), /fell from 0\.0\d+ to 0\.00\d+ in/);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
   });

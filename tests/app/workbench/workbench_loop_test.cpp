@@ -54,6 +54,70 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   EXPECT_EQ(state["can_redo"], false);
 }
 
+TEST_F(WorkbenchLoop, readingsSetAsideAreSeenByNoFitUntilTheyAreTakenBack) {
+  serve("bench.yaml");
+  EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"1"}}}).status, 404);
+  simulate();
+  done("/api/compare");
+  const json all = get("/api/results/compare").body;
+  json state = post("/api/measurements/set-aside", {{"ids", {"1", "3"}}}).body;
+  EXPECT_EQ(state["measurements"]["readings"], 30);
+  EXPECT_EQ(state["measurements"]["set_aside"], 2);
+  EXPECT_TRUE(state["results"]["compare"].is_null());
+  done("/api/compare");
+  const json fewer = get("/api/results/compare").body;
+  ASSERT_EQ(fewer["readings"].size(), 28u);
+  EXPECT_EQ(fewer["readings"][0]["id"], "2");
+  const json rows = get("/api/measurements").body["rows"];
+  EXPECT_EQ(rows[0]["set_aside"], true);
+  EXPECT_EQ(rows[1]["set_aside"], false);
+  state = post("/api/measurements/set-aside", {{"ids", {"1", "3"}}, {"aside", false}}).body;
+  EXPECT_EQ(state["measurements"]["set_aside"], 0);
+  done("/api/compare");
+  EXPECT_EQ(get("/api/results/compare").body["rms"], all["rms"]);
+
+  EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"no-such-reading"}}}).status, 422);
+  std::vector<std::string> ids;
+  for (const auto& row : rows) ids.push_back(row["id"]);
+  EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", ids}}).status, 422);
+}
+
+TEST_F(WorkbenchLoop, anEarlierModelsComparisonIsStillThere) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/compare");
+  done("/api/add", {{"causes", {"joint-offset@theta3"}}});
+  done("/api/compare");
+  EXPECT_EQ(get("/api/state").body["results"]["compare"]["models"], json({0, 1}));
+  const json before = get("/api/results/compare?model=0").body, after = get("/api/results/compare?model=1").body;
+  EXPECT_EQ(before["model"], 0);
+  EXPECT_EQ(after["model"], 1);
+  EXPECT_GT(before["rms"]["after"], after["rms"]["after"]);
+  EXPECT_EQ(get("/api/results/compare?model=7").status, 404);
+  EXPECT_EQ(get("/api/results/compare?model=one").status, 404);
+}
+
+TEST_F(WorkbenchLoop, leverageIsTheTipsMotionByAJoint) {
+  serve("bench.yaml");
+  simulate(3);
+  const json document = get("/api/leverage?at=theta3,forearm.z").body;
+  const json rows = get("/api/measurements").body["rows"];
+  for (const auto& row : rows) {
+    json joints = row["joints"];
+    const auto tip = [&] {
+      return post("/api/pose", {{"joints", joints}, {"load", row["load"]}}).body["tip"]["flexible"];
+    };
+    const json at = tip();
+    joints[2] = joints[2].get<double>() + 0.01;
+    const json moved = tip();
+    const json lever = document["readings"][row["id"].get<std::string>()];
+    ASSERT_EQ(lever.size(), 6u);
+    for (std::size_t k = 0; k < 3; ++k)  // the load's own bending moves along: a hundredth
+      EXPECT_NEAR((moved[k].get<double>() - at[k].get<double>()) / 0.01, lever[k].get<double>(), 0.02) << row["id"];
+  }
+  EXPECT_EQ(get("/api/leverage?at=theta9").status, 422);
+}
+
 TEST_F(WorkbenchLoop, effectsThatCannotBeAreRefusedAtOnce) {
   serve("bench.yaml");
   simulate(12);

@@ -4,12 +4,14 @@ import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Vector3} from "three";
 import {palette} from "../drawing/colours";
-import {fixed} from "../drawing/numbers";
+import {MarkIcon} from "../drawing/marks";
+import {fixed, short, whole} from "../drawing/numbers";
 import {sceneDocument, units} from "../server/workbench";
-import {sheet} from "../shell/page_state";
+import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
-import {ArmStage} from "./arm_stage";
-import {poseRequest} from "./pose_link";
+import {ArmStage, reachOf} from "./arm_stage";
+import {factorOf} from "./error_arrow";
+import {poseRequest, type ShownReading} from "./pose_link";
 
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
@@ -64,6 +66,8 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
   useEffect(() => {
     if (poseRequest.answer.value) stage.current?.setPose(poseRequest.answer.value, magnified.value);
   }, [poseRequest.answer.value, magnified.value, scene]);
+  const reading = poseRequest.reading.value;
+  useEffect(() => stage.current?.setReading(reading, palette.value), [reading, scene, palette.value]);
   return (
     <div class="arm-picture">
       <div class="fill">
@@ -85,13 +89,33 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
           value={undefined}
           onChoose={(from) => stage.current?.look(from)}
         />
-        {isSmall ? null : (
+        {reading ? <ShownErrors reading={reading} factor={factorOf(reading, reachOf(sheet.value))} /> : null}
+        {isSmall || reading ? null : (
           <span class="arm-legend">
             <i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected
           </span>
         )}
       </div>
     </div>
+  );
+}
+
+/** What the arrows at the tip are, and the way back. */
+function ShownErrors({reading, factor}: {reading: ShownReading; factor: number}) {
+  return (
+    <span class="shown-errors" role="status">
+      <b>reading {reading.id}</b>
+      {reading.errors.map(({mark, error}, k) => (
+        <span title={reading.words[k]}>
+          <MarkIcon mark={mark} size={12} isHollow={k === 0} /> {k === 0 ? "before" : "after"}{" "}
+          {error ? short(Math.hypot(...error)) : "–"} {units.value.length}
+        </span>
+      ))}
+      <span class="muted">errors drawn ×{whole(factor)}</span>
+      <button class="button small" onClick={() => (view.value = "error")}>
+        Back to the errors
+      </button>
+    </span>
   );
 }
 

@@ -22,6 +22,8 @@ import type {Palette} from "../drawing/colours";
 import type {PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
 import {magnifiedFrame, makeArm, placeArm, type ArmBodies} from "./arm_bodies";
+import {errorArrows} from "./error_arrow";
+import type {ShownReading} from "./pose_link";
 import {floorOf, plateOf} from "./sheet_plate";
 import {bowlOf, disposeAll, obstacleOf, openingOf, vector} from "./solids";
 
@@ -34,6 +36,11 @@ const IS_SOFTWARE = (() => {
   return /swiftshader|llvmpipe|software|basic render/i.test(words);
 })();
 
+/** How far the picture goes from its middle. */
+export function reachOf(sheet: SheetModel | null): number {
+  return sheet ? sheet.radius : 90;
+}
+
 export class ArmStage {
   readonly camera = new PerspectiveCamera(34, 1, 0.5, 4000);
   private readonly scene = new Scene();
@@ -41,10 +48,11 @@ export class ArmStage {
   private readonly controls: OrbitControls;
   private readonly statics = new Group();
   private readonly marks = new Group();
+  private readonly errors = new Group();
   private ghost: ArmBodies | null = null;
   private solid: ArmBodies | null = null;
   private isAsked = false;
-  private reach = 90;
+  private reach = reachOf(null);
   private focus = new Vector3();
   private pose: PoseDocument | null = null;
   private magnified = 1;
@@ -64,7 +72,7 @@ export class ArmStage {
     sun.position.set(0.5, -0.9, 0.9);
     const fill = new DirectionalLight(0xffffff, 0.8);
     fill.position.set(-0.8, 0.6, -0.6);
-    this.scene.add(sun, fill, this.statics, this.marks);
+    this.scene.add(sun, fill, this.statics, this.marks, this.errors);
   }
 
   dispose(): void {
@@ -132,7 +140,7 @@ export class ArmStage {
     else this.statics.add(floorOf(palette));
     if (sheet?.manway) this.statics.add(openingOf(sheet.manway.center, sheet.manway.diameter, colours));
     this.replaceArms(document, palette);
-    this.reach = sheet ? sheet.radius : 90;
+    this.reach = reachOf(sheet);
     this.focus.set(0, sheet?.isOneLeg ? 0.42 * this.reach : 0, sheet ? -0.38 * this.reach : 25);
     if (this.pose) this.setPose(this.pose, this.magnified);
     this.ask();
@@ -210,6 +218,14 @@ export class ArmStage {
       dot.renderOrder = 5;
       this.marks.add(dot);
     }
+  }
+
+  /** The errors of the reading that the arm is brought to; null for none. */
+  setReading(reading: ShownReading | null, palette: Palette): void {
+    disposeAll(this.errors);
+    this.errors.clear();
+    if (reading) this.errors.add(errorArrows(reading, this.reach, palette));
+    this.ask();
   }
 
   /** A tour through the tips in the order of visiting. */

@@ -13,7 +13,7 @@ import {ToolInset} from "./tool_inset";
 /** Begins under a hole in the middle of the sheet rather than with the arm stretched out through a wall. */
 function beginUnderHole(): void {
   const model = sheet.value;
-  if (!model || poseRequest.hole.peek() >= 0) return;
+  if (!model || poseRequest.hole.peek() >= 0 || poseRequest.reading.peek()) return;
   const middle = model.nearest(
     0.35 * model.radius,
     model.isOneLeg ? 0.5 * (model.extent.bottom + model.extent.top) : 0.35 * model.radius,

@@ -1,7 +1,8 @@
 // The arm's posture in this browser, and the program's answer to it: at most one question is under way, the last one
 // always gets asked, so a slider never waits for a queue.
 import {batch, computed, effect, signal} from "@preact/signals";
-import type {InverseDocument, PoseDocument} from "../server/documents";
+import type {Mark} from "../drawing/marks";
+import type {InverseDocument, PoseDocument, Vector3} from "../server/documents";
 import {post} from "../server/requests";
 import {cell, report, state} from "../server/workbench";
 
@@ -11,8 +12,17 @@ const hole = signal(-1);
 const answer = signal<PoseDocument | null>(null);
 const inverse = signal<InverseDocument | null>(null);
 const latency = signal(0);
+const reading = signal<ShownReading | null>(null);
 
-export const poseRequest = {joints, load, hole, answer, inverse, latency};
+/** A reading that the arm is brought to: where its tip is predicted, and the errors there, before and after. */
+export interface ShownReading {
+  id: string;
+  place: Vector3 | null;
+  errors: {mark: Mark; error: Vector3 | null}[];
+  words: string[];
+}
+
+export const poseRequest = {joints, load, hole, answer, inverse, latency, reading};
 
 // A cell's home is where its arm begins.
 const cellKey = computed(() => `${state.value?.folder ?? ""} ${cell.value?.file ?? ""} ${cell.value?.name ?? ""}`);
@@ -26,6 +36,7 @@ effect(() => {
     hole.value = -1;
     answer.value = null;
     inverse.value = null;
+    reading.value = null;
   });
 });
 
@@ -67,6 +78,7 @@ effect(() => {
 export function setJoint(index: number, value: number): void {
   const next = [...joints.peek()];
   next[index] = value;
+  reading.value = null;
   joints.value = next;
 }
 
@@ -79,6 +91,7 @@ export function whyNot(found: InverseDocument): string {
 /** Brings the arm under a hole; the first of its branches unless one is given. */
 export async function showHole(index: number, branch?: number): Promise<void> {
   inverse.value = null;
+  reading.value = null;
   hole.value = index;
   try {
     const found = await post<InverseDocument>("/api/inverse", {hole: index, ...(branch === undefined ? {} : {branch})});

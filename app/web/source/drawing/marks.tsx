@@ -93,9 +93,9 @@ const OUTLINES: Record<Shape, string> = {
 const STROKED: ReadonlySet<Shape> = new Set<Shape>(["ring", "cross", "target", "half"]);
 
 /** A mark as a small picture beside text. */
-export function MarkIcon({mark, size = 14}: {mark: Mark; size?: number}) {
+export function MarkIcon({mark, size = 14, isHollow = false}: {mark: Mark; size?: number; isHollow?: boolean}) {
   const colour = `var(--${mark.colour})`;
-  const isStroked = STROKED.has(mark.shape);
+  const isStroked = isHollow || STROKED.has(mark.shape);
   return (
     <svg class="mark" width={size} height={size} viewBox="0 0 16 16" aria-hidden="true">
       <path

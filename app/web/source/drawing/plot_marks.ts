@@ -2,15 +2,22 @@
 import uPlot from "uplot";
 import type {Mark} from "./marks";
 
-export function markPaths(mark: Mark, colour: string, radius = 2.6): uPlot.Series {
+export interface MarkLook {
+  isHollow?: boolean;
+  /** Thousands: smaller and without an outline of their own where they are full. */
+  isMany?: boolean;
+}
+
+export function markPaths(mark: Mark, colour: string, look: MarkLook = {}): uPlot.Series {
+  const isFull = !look.isHollow && mark.shape === "disc";
   return {
     stroke: colour,
-    fill: mark.shape === "disc" ? colour : undefined,
-    width: 1.2,
+    fill: isFull ? colour : undefined,
+    width: look.isMany ? 0.8 : 1.2,
     points: {show: false},
     paths: (plot, series, from, to) => {
       const path = new Path2D();
-      const r = radius * uPlot.pxRatio;
+      const r = (look.isMany ? 1.6 : isFull ? 2.6 : 3.2) * uPlot.pxRatio;
       const xs = plot.data[0],
         ys = plot.data[series];
       for (let i = from; i <= to; ++i) {
@@ -18,7 +25,7 @@ export function markPaths(mark: Mark, colour: string, radius = 2.6): uPlot.Serie
         if (value === null || value === undefined) continue;
         addMark(path, mark, plot.valToPos(xs[i], "x", true), plot.valToPos(value, "y", true), r);
       }
-      return {stroke: path, fill: mark.shape === "disc" ? path : undefined};
+      return {stroke: path, fill: isFull ? path : undefined};
     },
   };
 }

@@ -1,14 +1,15 @@
 // What could be missing: the answer with its Add, then every effect that was tried, most probable first.
-import {probability, short, withSigma} from "../drawing/numbers";
+import {isNumber, probability, short, withSigma} from "../drawing/numbers";
 import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
+import {chosenExplanation} from "./residuals";
 import {effectTitle, effectWords, explanationTitle, isEnough, keptText, sizeText} from "./words";
 
 const MOST_RANKED = 14;
 
 export function EffectRanking({document}: {document: DiagnoseDocument}) {
-  const explanations = document.explanations ?? [];
+  const explanations = explanationsOf(document);
   const ranking = document.ranking.slice(0, MOST_RANKED);
   return (
     <div class="ranking">
@@ -16,6 +17,7 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
         <ExplanationCard
           key={explanationTitle(explanation)}
           explanation={explanation}
+          index={index}
           document={document}
           letter={explanations.length > 1 ? String.fromCharCode(65 + index) : ""}
         />
@@ -57,17 +59,35 @@ function hasEffect(effect: EffectAt): boolean {
   return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
 }
 
+/** Every alternative: those that were drawn with their figures first, then the others by name and size. */
+function explanationsOf(document: DiagnoseDocument): Explanation[] {
+  const drawn = document.explanations ?? [];
+  const titles = new Set(drawn.map(explanationTitle));
+  const others = (document.alternatives ?? []).map((effects) => ({
+    effects,
+    chi2: NaN,
+    p_value: NaN,
+    rms: NaN,
+    heldout_rms: null,
+  }));
+  return [...drawn, ...others.filter((other) => !titles.has(explanationTitle(other)))];
+}
+
 function ExplanationCard({
   explanation,
+  index,
   document,
   letter,
 }: {
   explanation: Explanation;
+  index: number;
   document: DiagnoseDocument;
   letter: string;
 }) {
   const unit = document.units.length;
   const isAdded = explanation.effects.every(hasEffect);
+  const isDrawn = index < document.explanations.length && document.explanations.length > 1;
+  const leaves = explanation.heldout_rms ?? explanation.rms;
   return (
     <div class={`explanation ${isAdded ? "added" : isEnough(explanation) ? "" : "not-enough"}`}>
       {letter ? <b class="letter">{letter}</b> : null}
@@ -86,19 +106,33 @@ function ExplanationCard({
             </span>
           ))}
         <span>
-          {explanation.effects.map(sizeText).filter((text) => text !== "").join("; ")} · leaves {short(explanation.heldout_rms ?? explanation.rms)}{" "}
-          {unit} held out
+          {explanation.effects
+            .map(sizeText)
+            .filter((text) => text !== "")
+            .join("; ")}
+          {isNumber(leaves) ? ` · leaves ${short(leaves)} ${unit} held out` : ""}
         </span>
       </div>
+      {isDrawn ? (
+        <button
+          class="button small"
+          aria-pressed={chosenExplanation.value === index}
+          aria-label={`Draw ${explanationTitle(explanation)}`}
+          onClick={() => (chosenExplanation.value = index)}
+        >
+          {chosenExplanation.value === index ? "Drawn" : "Draw"}
+        </button>
+      ) : null}
       {isAdded ? (
         <span class="done">✓ added</span>
       ) : (
         <button
-          class="button first"
+          class={isEnough(explanation) ? "button first" : "button"}
           disabled={runningJob("add") !== null}
+          aria-label={`Add ${explanationTitle(explanation)}`}
           onClick={() => addEffects(explanation.effects)}
         >
-          Add
+          {isEnough(explanation) ? "Add" : "Add anyway"}
         </button>
       )}
     </div>

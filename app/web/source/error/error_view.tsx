@@ -3,16 +3,18 @@ import {rove} from "../drawing/segments";
 import {computed, signal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
 import {plural, short} from "../drawing/numbers";
+import type {DiagnoseDocument} from "../server/documents";
 import {currentModel, runningJob, state, units} from "../server/workbench";
 import {dialog} from "../shell/page_state";
 import {Nothing, ProblemWords, Waiting} from "../shell/states";
 import {EffectRanking} from "./effect_ranking";
-import {FormulaBox} from "./formula_box";
+import {EvidencePanel} from "./evidence_panel";
+import {suggestedFormula} from "./focus";
+import {FormulaBox, formulaText} from "./formula_box";
 import {ladderOf} from "./ladder";
 import {LadderBars} from "./ladder_bars";
 import {
   addEffects,
-  compare,
   currentComparison,
   currentDiagnosis,
   diagnose,
@@ -23,9 +25,9 @@ import {
 } from "./loop";
 import {ParameterTable} from "./parameter_table";
 import {ReadingChecks} from "./reading_checks";
-import {ResidualArrows} from "./residual_arrows";
 import {ResidualPlot} from "./residual_plot";
 import {Splitting} from "./splitting";
+import {comparisonItems, sentencesOf, verdictItems} from "./verdict_words";
 import {explanationTitle, verdictOf, type Verdict} from "./words";
 
 type Tab = "effects" | "split" | "formula" | "numbers";
@@ -33,21 +35,22 @@ const tab = signal<Tab>("effects");
 
 interface Answer {
   verdict: Verdict;
-  sentence: string;
+  items: string[];
 }
 
 /** What the top of the view says: of the newest document about the model as it is now. */
 const answer = computed<Answer | null>(() => {
   const diagnosed = currentDiagnosis.value,
     compared = currentComparison.value;
-  if (diagnosed) return {verdict: verdictOf(diagnosed.verdict), sentence: diagnosed.sentence};
+  if (diagnosed) return {verdict: verdictOf(diagnosed.verdict), items: verdictItems(diagnosed)};
   const fallen = fallOfError();
+  const isShort = compared !== null && compared.verdict !== "adequate";
   if (fallen)
     return {
-      verdict: compared && compared.verdict !== "adequate" ? verdictOf(compared.verdict) : fallen.verdict,
-      sentence: fallen.sentence,
+      verdict: isShort ? verdictOf(compared.verdict) : fallen.verdict,
+      items: [...fallen.items, ...(isShort ? comparisonItems(compared).slice(1) : [])],
     };
-  return compared ? {verdict: verdictOf(compared.verdict), sentence: compared.sentence} : null;
+  return compared ? {verdict: verdictOf(compared.verdict), items: comparisonItems(compared)} : null;
 });
 
 /** How the last change of the model has changed the error, where the ladder knows. */
@@ -63,9 +66,10 @@ function fallOfError(): Answer | null {
   const verb = now.heldout < before.heldout ? "fell" : "rose";
   return {
     verdict: isAtFloor ? {...verdictOf("adequate"), words: "At the noise floor"} : verdictOf("falls-short"),
-    sentence:
+    items: sentencesOf(
       `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${verb} from ${short(before.heldout)} to ` +
-      `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
+        `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
+    ),
   };
 }
 
@@ -99,8 +103,8 @@ export function ErrorView() {
         </div>
       </section>
       <EffectsPanel />
-      <ResidualArrows />
-      <ResidualPlot suggested={compare.value.document?.patterns[0]?.variable} />
+      <EvidencePanel />
+      <ResidualPlot />
     </div>
   );
 }
@@ -114,9 +118,15 @@ function VerdictBand() {
       {now ? <MarkIcon mark={now.verdict.mark} size={34} /> : <span class="verdict-space" />}
       <div class="verdict-words">
         <h1>{now?.verdict.words ?? (job ? "Working" : "Not compared yet")}</h1>
-        <p title={now?.sentence}>
-          {now?.sentence ?? (job ? `${job.label || job.kind} …` : "Compare the readings with the model as it is now.")}
-        </p>
+        {now ? (
+          <ul>
+            {now.items.map((item) => (
+              <li key={item}>{item}</li>
+            ))}
+          </ul>
+        ) : (
+          <p>{job ? `${job.label || job.kind} …` : "Compare the readings with the model as it is now."}</p>
+        )}
       </div>
       <dl class="verdict-figures">
         <dt>readings</dt>
@@ -134,18 +144,40 @@ function VerdictBand() {
   );
 }
 
+/** Verdicts after which the first explanation is added. */
+const ADDED = new Set(["explained", "partly-explained", "ambiguous"]);
+
+/** Whether further readings, or other means, would settle what these leave open. */
+function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): boolean {
+  const others = (splitting?.other_means?.length ?? 0) + (splitting?.columns_to_add?.length ?? 0);
+  return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
+}
+
+/** No known effect: a law of one's own, begun with what the error follows. */
+function tryFormula(): void {
+  if (formulaText.peek().trim() === "") formulaText.value = suggestedFormula.peek();
+  tab.value = "formula";
+}
+
 /** One button: what an engineer would do next. */
 function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const first = diagnosis?.explanations[0];
-  if (diagnosis && diagnosis.explanations.length > 1 && diagnosis.next_readings.length > 0) {
+  if (diagnosis?.verdict === "unexplained") {
     return (
-      <button class="button first large next" onClick={() => (tab.value = "split")}>
-        What would tell them apart
+      <button class="button first large next" onClick={tryFormula}>
+        Try a formula
       </button>
     );
   }
-  if (diagnosis && first && diagnosis.verdict !== "adequate") {
+  if (diagnosis && isOpen(diagnosis)) {
+    return (
+      <button class="button first large next" onClick={() => (tab.value = "split")}>
+        {diagnosis.explanations.length > 1 ? "What would tell them apart" : "What to read next"}
+      </button>
+    );
+  }
+  if (diagnosis && first && ADDED.has(diagnosis.verdict)) {
     return (
       <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}>
         <span>Add {explanationTitle(first)}</span>

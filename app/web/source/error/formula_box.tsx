@@ -1,13 +1,16 @@
 // An effect of one's own as a formula: tried means added, fitted and set beside the others; undo takes it back.
-import {useSignal} from "@preact/signals";
+import {signal, useSignal} from "@preact/signals";
 import type {CatalogueDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {cell, report, runningJob} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
 import {effectWords} from "./words";
 
+/** Kept over changes of view. */
+export const formulaText = signal("");
+
 export function FormulaBox() {
-  const text = useSignal("");
+  const text = formulaText;
   const joints = cell.value?.joints.map((joint) => joint.name) ?? [];
   const [a = "theta1", c = "theta3"] = [joints[0], joints[2] ?? joints[0]];
   const examples = [`${c} += c*sin(${a})`, `${c} += c*${c}_dir`, `tip.z += c*load`, `${c} += c*sin(k*${a}); k=3`];

@@ -1,6 +1,6 @@
 // The errors as arrows at the readings' places: over the sheet where the cell has one, else in plan or from a side.
 import {Segments} from "../drawing/segments";
-import {signal} from "@preact/signals";
+import {effect as follow, signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
 import {short, roundDown125} from "../drawing/numbers";
@@ -8,8 +8,10 @@ import type {Vector3} from "../server/documents";
 import {units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import type {SheetModel} from "../sheet/sheet_model";
-import {readingErrors, type ReadingErrors} from "./series";
+import {readingErrors, type ReadingErrors} from "./residuals";
+import {pointed} from "./linked";
 import {SeriesLegend} from "./residual_plot";
+import {showReading} from "./show_reading";
 
 type Plane = "xy" | "xz" | "yz";
 const PLANES: [Plane, string][] = [
@@ -22,48 +24,91 @@ const plane = signal<Plane>("xy");
 /** The length on screen of a typical error, in pixels. */
 const TYPICAL = 22;
 
+export function PlaneChoice() {
+  return (
+    <Segments
+      label="Seen"
+      value={plane.value}
+      onChoose={(next) => (plane.value = next)}
+      choices={PLANES.map(([value, words]) => ({
+        value,
+        words: value === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words,
+      }))}
+    />
+  );
+}
+
+/** Within so many pixels a place is pointed at. */
+const NEAR = 12;
+
 export function ResidualArrows() {
-  const canvas = useRef<HTMLCanvasElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null),
+    ring = useRef<HTMLElement>(null);
+  const places = useRef<([number, number] | null)[]>([]);
   const errors = readingErrors.value;
   useEffect(() => {
     const element = canvas.current!;
-    const draw = () => drawArrows(element, errors, plane.value, palette.value);
+    const draw = () => {
+      places.current = drawArrows(element, errors, plane.value, palette.value);
+    };
     const observer = new ResizeObserver(draw);
     observer.observe(element.parentElement!);
     draw();
     return () => observer.disconnect();
   }, [errors, plane.value, palette.value, sheet.value, units.value]);
-  return (
-    <section class="panel">
-      <header>
-        <h2>Errors at their places</h2>
-        <div class="end">
-          <Segments
-            label="Seen"
-            value={plane.value}
-            onChoose={(next) => (plane.value = next)}
-            choices={PLANES.map(([value, words]) => ({
-              value,
-              words: value === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words,
-            }))}
-          />
-        </div>
-      </header>
-      <div class="panel-body flush with-legend">
-        <div class="fill">
-          <canvas ref={canvas} role="img" aria-label="Errors of the readings as arrows" />
-        </div>
-        <SeriesLegend errors={errors} />
-      </div>
-    </section>
+  useEffect(
+    () =>
+      follow(() => {
+        const index = pointed.value === "" ? -1 : (errors?.readings.findIndex(({id}) => id === pointed.value) ?? -1);
+        const at = places.current[index];
+        ring.current!.hidden = !at;
+        if (at) ring.current!.style.transform = `translate(${at[0]}px, ${at[1]}px)`;
+      }),
+    [errors],
   );
+  const pointAt = (event: PointerEvent) => {
+    const index = nearestPlace(places.current, event.offsetX, event.offsetY);
+    pointed.value = index < 0 ? "" : (errors?.readings[index]?.id ?? "");
+  };
+  return (
+    <div class="panel-body flush with-legend">
+      <div class="fill">
+        <canvas
+          ref={canvas}
+          role="img"
+          aria-label={`Errors of ${errors?.readings.length ?? 0} readings as arrows at their places`}
+          onPointerMove={pointAt}
+          onPointerLeave={() => (pointed.value = "")}
+          onClick={() => pointed.value !== "" && showReading(pointed.value)}
+        />
+        <i class="point-ring" ref={ring} hidden />
+      </div>
+      <SeriesLegend errors={errors} />
+    </div>
+  );
+}
+
+function nearestPlace(places: ([number, number] | null)[], x: number, y: number): number {
+  let best = -1,
+    least = NEAR * NEAR;
+  places.forEach((place, i) => {
+    const square = place ? (place[0] - x) ** 2 + (place[1] - y) ** 2 : Infinity;
+    if (square < least) [best, least] = [i, square];
+  });
+  return best;
 }
 
 function axesOf(which: Plane): [number, number] {
   return which === "xy" ? [0, 1] : which === "xz" ? [0, 2] : [1, 2];
 }
 
-function drawArrows(canvas: HTMLCanvasElement, errors: ReadingErrors | null, which: Plane, colours: Palette): void {
+/** Draws them; where each reading's place is, in pixels. */
+function drawArrows(
+  canvas: HTMLCanvasElement,
+  errors: ReadingErrors | null,
+  which: Plane,
+  colours: Palette,
+): ([number, number] | null)[] {
   const box = canvas.parentElement!,
     ratio = Math.min(2, devicePixelRatio || 1);
   const width = box.clientWidth,
@@ -73,9 +118,9 @@ function drawArrows(canvas: HTMLCanvasElement, errors: ReadingErrors | null, whi
   const context = canvas.getContext("2d")!;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
-  if (!errors || width < 40 || height < 40) return;
+  if (!errors || width < 40 || height < 40) return [];
   const places = errors.places.filter((place): place is Vector3 => place !== null);
-  if (places.length === 0) return;
+  if (places.length === 0) return [];
   const onSheet = which === "xy" ? sheet.peek() : null;
   const frame = makeFrame(which, places, onSheet, width, height);
   const typical = typicalSize(errors.series[0].errors);
@@ -92,6 +137,7 @@ function drawArrows(canvas: HTMLCanvasElement, errors: ReadingErrors | null, whi
     });
   }
   drawScale(context, colours, typical, grow, width, height);
+  return errors.places.map((place) => (place ? frame.at(place) : null));
 }
 
 interface Frame {

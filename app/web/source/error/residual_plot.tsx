@@ -1,141 +1,67 @@
-// The errors against anything that a reading says of itself.
-import {Segments} from "../drawing/segments";
-import {signal} from "@preact/signals";
-import {useMemo} from "preact/hooks";
+// The errors against anything that a reading says of itself: before hollow and after full on one scale, the law of the
+// cause drawn through, means of bins with their bars.
+import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {MarkIcon} from "../drawing/marks";
-import {palette} from "../drawing/colours";
+import {palette, type Palette} from "../drawing/colours";
 import {exact, isNumber, roundTicks, short} from "../drawing/numbers";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
-import type {ErrorReading, MomentsDocument, Vector3} from "../server/documents";
-import {units} from "../server/workbench";
-import {moments} from "./moments";
-import {readingErrors, type ReadingErrors} from "./series";
+import {binnedMeans, lawAlong, type Bin} from "./binned";
+import {chosenPart, chosenVariable, doneBy, parts, shownView, variables} from "./focus";
+import {pickedOut} from "./linked";
+import type {View} from "./own_variable";
+import {paintLaw, paintMeans} from "./plot_painting";
+import {PointedReading, usePointing} from "./pointing";
+import {readingErrors, type ReadingErrors} from "./residuals";
+import {SelectionBar} from "./selection_bar";
 
-interface Variable {
-  key: string;
-  name: string;
-  unit: string;
-  isSense?: boolean;
-  of: (reading: ErrorReading, index: number) => number | undefined;
-}
-
-const PARTS = ["size", "x", "y", "z"] as const;
-type Part = (typeof PARTS)[number];
-
-const part = signal<Part>("size");
-const chosen = signal("");
-
-function partOf(error: Vector3 | null, which: Part): number | null {
-  if (!error) return null;
-  return which === "size" ? Math.hypot(...error) : error["xyz".indexOf(which)];
-}
-
-/** A moment that differs by less, as a share of the largest, is what rounding leaves of none. */
-const LEAST_MOMENT = 1e-6;
-
-/** Of the moments those that differ between the readings. */
-function momentVariables(errors: ReadingErrors, found: MomentsDocument | null): Variable[] {
-  if (!found) return [];
-  const {names, readings, unit} = found;
-  const ofReading = (reading: ErrorReading, k: number) => readings[reading.id]?.[k];
-  const spans = names.map((_, k) => {
-    const values = errors.readings.map((reading) => ofReading(reading, k)).filter(isNumber);
-    return values.length > 0 ? Math.max(...values) - Math.min(...values) : 0;
-  });
-  const least = LEAST_MOMENT * Math.max(0, ...spans);
-  return names.flatMap((name, k) =>
-    spans[k] > least ? [{key: name, name, unit, of: (reading: ErrorReading) => ofReading(reading, k)}] : [],
-  );
-}
-
-/** Only what differs between the readings. */
-export function variablesOf(
-  errors: ReadingErrors,
-  unit: Record<string, string | undefined>,
-  found: MomentsDocument | null = null,
-): Variable[] {
-  const all: Variable[] = [
-    ...errors.joints.map((name, i) => ({
-      key: name,
-      name,
-      unit: unit.angle ?? "",
-      of: (reading: ErrorReading) => reading.joints[i],
-    })),
-    ...errors.joints.map((name, i) => ({
-      key: `${name}_dir`,
-      name: `sense of ${name}`,
-      unit: "",
-      isSense: true,
-      of: (reading: ErrorReading) => reading.senses?.[i],
-    })),
-    {key: "load", name: "load", unit: unit.force ?? "", of: (reading) => reading.load},
-    ...momentVariables(errors, found),
-    {key: "temperature", name: "temperature", unit: unit.temperature ?? "", of: (reading) => reading.temperature},
-    {key: "time", name: "time", unit: unit.time ?? "", of: (reading) => reading.time},
-    {key: "order", name: "order", unit: "", of: (_, index) => index + 1},
-  ];
-  return all.filter(({of}) => new Set(errors.readings.map(of).filter(isNumber)).size > 1);
-}
-
-/** Points of one sense are spread a little, so that all of them are seen. */
-function spread(variable: Variable, value: number, index: number): number {
-  return variable.isSense ? value + 0.5 * (((index * 0.618034) % 1) - 0.5) : value;
-}
-
-/** A pattern says "moment forearm.z" of what a formula calls moment_forearm_z. */
-export function suggestVariable(patternVariable: string | undefined, variables: Variable[]): string {
-  const wanted = patternVariable?.startsWith("moment ") ? patternVariable.replace(/\W/g, "_") : patternVariable;
-  return variables.find((variable) => variable.name === wanted)?.key ?? variables[0]?.key ?? "";
-}
-
-export function ResidualPlot({suggested}: {suggested?: string}) {
-  const errors = readingErrors.value;
-  const unit = units.value as unknown as Record<string, string | undefined>;
-  const variables = useMemo(
-    () => (errors ? variablesOf(errors, unit, moments.value) : []),
-    [errors, units.value, moments.value],
-  );
-  const variable =
-    variables.find((entry) => entry.key === (chosen.value || suggestVariable(suggested, variables))) ?? variables[0];
-  const wanted: Part = part.value === "size" && variable?.isSense && chosen.value === "" ? "y" : part.value;
+export function ResidualPlot() {
+  const errors = readingErrors.value,
+    view = shownView.value;
   const plot = useMemo(
-    () => (errors && variable ? makePlot(errors, variable, wanted, units.value.length) : null),
-    [errors, variable, wanted, palette.value],
+    () => (errors && view ? makePlot(errors, view, palette.peek()) : null),
+    [errors, view, palette.value],
   );
+  const box = useRef<HTMLDivElement>(null);
+  const pointing = usePointing(box, plot?.rows ?? null);
   return (
-    <section class="panel">
+    <section class="panel residual-plot">
       <header>
         <h2>Error against</h2>
         <select
           aria-label="Variable"
-          value={variable?.key ?? ""}
-          onChange={(event) => (chosen.value = event.currentTarget.value)}
+          value={view?.variable.key ?? ""}
+          onChange={(event) => (chosenVariable.value = event.currentTarget.value)}
         >
-          {variables.map((entry) => (
+          {variables.value.map((entry) => (
             <option value={entry.key}>{entry.name}</option>
           ))}
         </select>
         <div class="end">
-          <Segments
-            label="Part of the error"
-            choices={PARTS.map((name) => ({value: name, words: name}))}
-            value={wanted}
-            onChoose={(name) => {
-              part.value = name;
-              if (chosen.value === "") chosen.value = variable?.key ?? "";
-            }}
-          />
+          <select
+            aria-label="Part of the error"
+            value={view?.part.key ?? ""}
+            onChange={(event) => (chosenPart.value = event.currentTarget.value)}
+          >
+            {parts.value.map((entry) => (
+              <option value={entry.key}>{entry.name}</option>
+            ))}
+          </select>
         </div>
       </header>
-      <div class="panel-body flush with-legend">
+      <div class="panel-body flush with-legend" ref={box}>
         {plot ? (
-          <Plot {...plot} label="Errors of the readings" />
+          <Plot options={plot.options} data={plot.data} label={plot.words} onReady={pointing.onReady} />
         ) : (
           <p class="muted pad">Readings are drawn here once they are compared.</p>
         )}
-        <SeriesLegend errors={errors} />
+        <PointedReading place={pointing.place} errors={errors} />
+        {pickedOut.value.size > 0 ? (
+          <SelectionBar />
+        ) : (
+          <PlotLegend errors={errors} hasLaw={(plot?.law.length ?? 0) > 0} />
+        )}
       </div>
     </section>
   );
@@ -146,53 +72,129 @@ export function SeriesLegend({errors}: {errors: ReadingErrors | null}) {
     <p class="series-legend">
       {(errors?.series ?? []).map((series) => (
         <span>
-          <MarkIcon mark={series.mark} size={12} /> {series.name}
+          <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} /> {series.name}
         </span>
       ))}
     </p>
   );
 }
 
-function makePlot(
-  errors: ReadingErrors,
-  variable: Variable,
-  which: Part,
-  unit: string,
-): {options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData} {
-  const rows = errors.readings
-    .map((reading, index) => ({x: variable.of(reading, index), index}))
-    .filter((row): row is {x: number; index: number} => isNumber(row.x))
-    .map((row) => ({...row, x: spread(variable, row.x, row.index)}))
+function PlotLegend({errors, hasLaw}: {errors: ReadingErrors | null; hasLaw: boolean}) {
+  return (
+    <p class="series-legend">
+      {(errors?.series ?? []).map((series) => (
+        <span>
+          <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} /> {series.name}
+        </span>
+      ))}
+      <span>
+        <i class="means-sign" /> means before ± 2 s.e.
+      </span>
+      {hasLaw ? (
+        <span title="What the chosen cause takes away from the error, as a mean along the variable; the band is its spread">
+          <i class="law-sign" /> law
+        </span>
+      ) : null}
+    </p>
+  );
+}
+
+// ---- the plot
+
+export interface PlotRow {
+  x: number;
+  index: number;
+  id: string;
+}
+
+interface MadePlot {
+  options: Omit<uPlot.Options, "width" | "height">;
+  data: uPlot.AlignedData;
+  rows: PlotRow[];
+  law: Bin[];
+  words: string;
+}
+
+/** Points of one level are spread a little, so that all of them are seen. */
+function spread(isLevel: boolean, value: number, index: number): number {
+  return isLevel ? value + 0.5 * (((index * 0.618034) % 1) - 0.5) : value;
+}
+
+function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot {
+  const {variable, part} = view;
+  const isLevel = variable.kind === "sense" || variable.levels !== undefined;
+  const xs = errors.readings.map((reading, index) => variable.of(reading, index));
+  const rows = xs
+    .flatMap((x, index) => (isNumber(x) ? [{x: spread(isLevel, x, index), index, id: errors.readings[index].id}] : []))
     .sort((a, b) => a.x - b.x);
-  const data: uPlot.AlignedData = [
-    rows.map((row) => row.x),
-    ...errors.series.map((series) => rows.map((row) => partOf(series.errors[row.index], which))),
-  ];
+  const values = errors.series.map((series) => series.errors.map((error, i) => (error ? part.of(error, i) : null)));
+  const means = part.isSigned ? binnedMeans(xs, values[0]) : [];
+  const hasLaw = part.isSigned && errors.causes.length > 0;
+  const law = hasLaw
+    ? lawAlong(
+        xs,
+        doneBy(errors).map((error, i) => (error ? part.of(error, i) : null)),
+      )
+    : [];
   const name = `${variable.name}${variable.unit ? `, ${variable.unit}` : ""}`;
-  const colours = palette.peek();
+  const title = `${part.title}, ${part.unit}`;
   return {
-    data,
+    rows,
+    law,
+    words: `${title} against ${name}, of ${rows.length} readings: ${errors.series.map((series) => series.name).join("; ")}`,
+    data: [rows.map((row) => row.x), ...values.map((column) => rows.map((row) => column[row.index]))],
     options: {
       legend: {show: false},
-      cursor: {y: false, points: {show: false}},
+      cursor: {
+        show: true,
+        x: false,
+        y: false,
+        points: {show: false},
+        drag: {x: true, y: true, setScale: false, dist: 5},
+      },
       scales: {
-        x: {time: false, range: (_, low, high) => [low - 0.04 * (high - low || 1), high + 0.04 * (high - low || 1)]},
-        y: {range: (_, low, high) => (which === "size" ? [0, 1.08 * high || 1] : symmetric(low, high))},
+        x: {
+          time: false,
+          range: (_, low, high) => (isLevel ? levelRange(variable.levels, low, high) : widened(low, high)),
+        },
+        y: {range: (_, low, high) => (part.isSigned ? symmetric(low, high) : [0, 1.08 * high || 1])},
       },
       axes: [
         axis(colours, name, {
-          values: (_plot: uPlot, splits: number[]) => splits.map((value) => exact(value)),
-          ...(variable.isSense ? {splits: () => [-1, 0, 1]} : {}),
+          splits: isLevel ? () => levelTicks(variable.levels) : undefined,
+          values: (_plot: uPlot, splits: number[]) => splits.map((value) => variable.levels?.[value] ?? exact(value)),
         }),
-        axis(colours, `${which === "size" ? "error" : `error along ${which}`}, ${unit}`, {
+        axis(colours, title, {
           side: 3,
           splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
           values: (_plot: uPlot, splits: number[]) => splits.map((value) => short(value)),
         }),
       ],
-      series: [{}, ...errors.series.map((series) => markPaths(series.mark, colours[series.mark.colour]))],
+      hooks: {
+        drawAxes: [(plot) => paintLaw(plot, law, isLevel, colours)],
+        draw: [(plot) => paintMeans(plot, means, colours)],
+      },
+      series: [
+        {},
+        ...errors.series.map((series, k) =>
+          markPaths(series.mark, colours[series.mark.colour], {isHollow: k === 0, isMany: rows.length > 1500}),
+        ),
+      ],
     },
   };
+}
+
+function levelTicks(levels: string[] | undefined): number[] {
+  return levels ? levels.map((_, k) => k) : [-1, 0, 1];
+}
+
+function levelRange(levels: string[] | undefined, low: number, high: number): [number, number] {
+  return levels ? [-0.5, levels.length - 0.5] : [Math.min(low, -1) - 0.3, Math.max(high, 1) + 0.3];
+}
+
+function widened(low: number, high: number): [number, number] {
+  const more = 0.04 * (high - low || 1);
+  return [low - more, high + more];
 }
 
 function symmetric(low: number, high: number): [number, number] {

@@ -11,7 +11,10 @@ export interface Verdict {
 export const VERDICTS: Record<string, Verdict> = {
   adequate: {words: "Adequate: nothing is missing", mark: {shape: "disc", colour: "case3"}},
   explained: {words: "Explained", mark: {shape: "square", colour: "accent"}},
-  "partly-explained": {words: "Partly explained: sure causes, and a remainder", mark: {shape: "square", colour: "violet"}},
+  "partly-explained": {
+    words: "Partly explained: sure causes, and a remainder",
+    mark: {shape: "square", colour: "violet"},
+  },
   ambiguous: {words: "One of several: A or B", mark: {shape: "half", colour: "violet"}},
   unexplained: {words: "Unexplained: none of the known effects", mark: {shape: "cross", colour: "case0"}},
   inconclusive: {words: "Inconclusive: more readings are needed", mark: {shape: "ring", colour: "muted"}},

@@ -21,9 +21,29 @@ export interface ComparedReading extends ErrorReading {
   error_after: Vector3;
   size_before: number;
   size_after: number;
+  sigmas_before?: number;
   sigmas_after?: number;
+  /** The error as those of all joints together. */
+  joint_corrections?: number[];
   measured?: Vector3;
   position_after?: Vector3;
+}
+
+/** A test of whether the error follows a variable, in one frame. */
+export interface PatternTest {
+  kind: string;
+  variable: string;
+  frame: string;
+  component?: string;
+  F: number | null;
+  p_value: number | null;
+  chi2_fall: number | null;
+}
+
+export interface PatternFound extends PatternTest {
+  sentence: string;
+  share_of_misfit: number;
+  size: number;
 }
 
 export interface CompareDocument {
@@ -33,7 +53,8 @@ export interface CompareDocument {
   p_value: number;
   grounds: string[];
   joint_columns: string[];
-  patterns: {sentence: string; variable: string; share_of_misfit: number; size: number}[];
+  patterns: PatternFound[];
+  tested: PatternTest[];
   readings: ComparedReading[];
   rms: Record<string, number>;
   worst: {id: string; size: number; sigmas: number}[];
@@ -104,6 +125,9 @@ export interface DiagnoseDocument {
   };
   warnings: (string | {sentence: string})[];
   set_aside: string[];
+  /** What is left that no known effect explains. */
+  remainder?: {size: number | null; follows: {variable: string; share: number}[]};
+  alternatives: EffectAt[][];
   rms: Record<string, number>;
   joints: {name: string; unit: string}[];
   units: Units;
@@ -152,9 +176,32 @@ export interface CatalogueDocument {
   }[];
 }
 
+/** How far joints and axes take the tip at each reading, three numbers for each name; where base and tool stand. */
+export interface LeverageDocument {
+  units: string[];
+  names: string[];
+  base: Vector3;
+  up: Vector3;
+  tool: Record<string, number[]>;
+  readings: Record<string, number[]>;
+}
+
 /** Moments about the rows of the undeflected arm, by the id of the reading. */
 export interface MomentsDocument {
   unit: string;
   names: string[];
   readings: Record<string, number[]>;
+}
+
+/** A reading as it was read, with the tip that the model predicts there. */
+export interface MeasurementRow extends ErrorReading {
+  position: Vector3 | null;
+  tip: Vector3 | null;
+  set_aside: boolean;
+}
+
+export interface MeasurementsDocument {
+  name: string;
+  joints: {name: string; unit: string}[];
+  rows: MeasurementRow[];
 }

@@ -54,6 +54,9 @@ export interface ReadingsInfo {
   kinds: Record<string, number>;
   setups: number;
   sigma: number | null;
+  /** How many are set aside, and how often that was changed. */
+  set_aside: number;
+  change: number;
   checks: ReadingCheck[];
   missing_columns: MissingColumn[];
 }
@@ -91,6 +94,8 @@ export interface Job {
 export interface ResultMark {
   model: number;
   revision: number;
+  /** All that have one. */
+  models: number[];
 }
 
 export interface WorkbenchState {

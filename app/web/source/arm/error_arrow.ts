@@ -1,0 +1,47 @@
+// A reading's errors in the 3-D picture: arrows from the tip, drawn larger by a round factor, so that they are seen.
+import {ArrowHelper, Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type LineBasicMaterial} from "three";
+import type {Palette} from "../drawing/colours";
+import {roundDown125} from "../drawing/numbers";
+import type {ShownReading} from "./pose_link";
+
+/** Of the picture's reach: how long the larger error is drawn at most. */
+const LONGEST = 0.24;
+
+/** By how much the errors are drawn larger. */
+export function factorOf(reading: ShownReading, reach: number): number {
+  const most = Math.max(...reading.errors.map(({error}) => (error ? Math.hypot(...error) : 0)));
+  return most > 0 ? Math.max(1, roundDown125((LONGEST * reach) / most)) : 1;
+}
+
+export function errorArrows(reading: ShownReading, reach: number, palette: Palette): Group {
+  const group = new Group();
+  if (!reading.place) return group;
+  const from = new Vector3(...reading.place),
+    factor = factorOf(reading, reach);
+  for (const {mark, error} of reading.errors) {
+    const long = error ? factor * Math.hypot(...error) : 0;
+    if (!error || !(long > 0)) continue;
+    const head = Math.min(0.4 * long, 0.03 * reach);
+    const arrow = new ArrowHelper(
+      new Vector3(...error).normalize(),
+      from,
+      long,
+      palette[mark.colour],
+      head,
+      0.6 * head,
+    );
+    for (const part of [arrow.line, arrow.cone]) {
+      (part.material as LineBasicMaterial | MeshBasicMaterial).depthTest = false;
+      part.renderOrder = 6;
+    }
+    group.add(arrow);
+  }
+  const dot = new Mesh(
+    new SphereGeometry(0.006 * reach, 12, 8),
+    new MeshBasicMaterial({color: palette.ink, depthTest: false}),
+  );
+  dot.position.copy(from);
+  dot.renderOrder = 7;
+  group.add(dot);
+  return group;
+}

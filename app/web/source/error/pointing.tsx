@@ -1,0 +1,192 @@
+// Pointing at readings in the plot: the nearest point under the pointer names its reading, a click brings the arm there,
+// a rectangle picks readings out. Nothing of the plot is drawn anew for it.
+import {useEffect, useRef} from "preact/hooks";
+import {effect as follow, signal, type Signal} from "@preact/signals";
+import type {RefObject} from "preact";
+import type uPlot from "uplot";
+import {exact, fixed, isNumber, short} from "../drawing/numbers";
+import {cell, units} from "../server/workbench";
+import {pickedOut, pointed} from "./linked";
+import type {PlotRow} from "./residual_plot";
+import type {ReadingErrors} from "./residuals";
+import {showReading} from "./show_reading";
+
+/** In the panel, in pixels; null where no point is pointed at. */
+export type Place = {x: number; y: number; width: number} | null;
+
+const NEAR = 14;
+
+interface Points {
+  xs: Float32Array;
+  ys: Float32Array;
+  rows: Uint32Array;
+}
+
+/** All points of all series, where they stand in the plot. */
+function pointsOf(plot: uPlot): Points {
+  const xs: number[] = [],
+    ys: number[] = [],
+    rows: number[] = [];
+  for (let series = 1; series < plot.data.length; ++series) {
+    plot.data[series].forEach((value, row) => {
+      if (!isNumber(value)) return;
+      xs.push(plot.valToPos(plot.data[0][row], "x"));
+      ys.push(plot.valToPos(value, "y"));
+      rows.push(row);
+    });
+  }
+  return {xs: Float32Array.from(xs), ys: Float32Array.from(ys), rows: Uint32Array.from(rows)};
+}
+
+function nearest(points: Points, x: number, y: number): number {
+  let best = -1,
+    least = NEAR * NEAR;
+  for (let i = 0; i < points.xs.length; ++i) {
+    const square = (points.xs[i] - x) ** 2 + (points.ys[i] - y) ** 2;
+    if (square < least) {
+      least = square;
+      best = i;
+    }
+  }
+  return best;
+}
+
+export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | null) {
+  const place = useRef(signal<Place>(null)).current;
+  const now = useRef({rows, plot: null as uPlot | null, points: null as Points | null});
+  now.current.rows = rows;
+  const onReady = useRef((plot: uPlot) => {
+    const own = now.current;
+    own.plot = plot;
+    own.points = null;
+    place.value = null;
+    plot.hooks.draw = [...(plot.hooks.draw ?? []), () => (own.points = null)];
+    plot.hooks.setSelect = [() => pickWithin(plot, own.rows)];
+    const over = plot.over;
+    over.addEventListener("pointermove", (event) => {
+      own.points ??= pointsOf(plot);
+      const found = nearest(own.points, event.offsetX, event.offsetY);
+      pointed.value = found < 0 ? "" : (own.rows?.[own.points.rows[found]]?.id ?? "");
+    });
+    over.addEventListener("pointerleave", () => (pointed.value = ""));
+    let down = [0, 0];
+    over.addEventListener("pointerdown", (event) => (down = [event.offsetX, event.offsetY]));
+    over.addEventListener("click", (event) => {
+      const moved = Math.hypot(event.offsetX - down[0], event.offsetY - down[1]);
+      if (moved < 5 && pointed.peek() !== "") showReading(pointed.peek());
+    });
+  }).current;
+  // Whoever points at the reading: here or in another picture.
+  useEffect(
+    () =>
+      follow(() => {
+        const id = pointed.value,
+          {plot, rows: listed} = now.current;
+        const row = id === "" ? -1 : (listed?.findIndex((entry) => entry.id === id) ?? -1);
+        place.value = plot && row >= 0 && box.current ? placeOf(plot, row, box.current) : null;
+      }),
+    [],
+  );
+  return {place, onReady};
+}
+
+/** Where the first series has the reading's point. */
+function placeOf(plot: uPlot, row: number, box: HTMLElement): Place {
+  const value = plot.data[1][row] ?? plot.data[2]?.[row];
+  if (!isNumber(value)) return null;
+  const over = plot.over.getBoundingClientRect(),
+    frame = box.getBoundingClientRect();
+  return {
+    x: over.left - frame.left + plot.valToPos(plot.data[0][row], "x"),
+    y: over.top - frame.top + plot.valToPos(value, "y"),
+    width: frame.width,
+  };
+}
+
+function pickWithin(plot: uPlot, rows: PlotRow[] | null): void {
+  const {left, top, width, height} = plot.select;
+  if (!rows || width < 2 || height < 2) return;
+  const picked = new Set<string>();
+  const {xs, ys, rows: of} = pointsOf(plot);
+  for (let i = 0; i < xs.length; ++i)
+    if (xs[i] >= left && xs[i] <= left + width && ys[i] >= top && ys[i] <= top + height) picked.add(rows[of[i]].id);
+  pickedOut.value = picked;
+  plot.setSelect({left: 0, top: 0, width: 0, height: 0}, false);
+}
+
+/** A ring about the point and what its reading says of itself. */
+export function PointedReading({place, errors}: {place: Signal<Place>; errors: ReadingErrors | null}) {
+  const at = place.value,
+    index = at ? (errors?.readings.findIndex((reading) => reading.id === pointed.value) ?? -1) : -1;
+  if (!at || !errors || index < 0) return null;
+  const isRight = at.x > at.width / 2;
+  return (
+    <>
+      <i class="point-ring" style={{transform: `translate(${at.x}px, ${at.y}px)`}} />
+      <div
+        class="tip reading-tip"
+        style={{
+          top: `${Math.max(4, at.y - 40)}px`,
+          ...(isRight ? {right: `${at.width - at.x + 14}px`} : {left: `${at.x + 14}px`}),
+        }}
+      >
+        <ReadingWords errors={errors} index={index} />
+      </div>
+    </>
+  );
+}
+
+const MANY = 5;
+const DIRECTIONS = ["↓", "", "↑"];
+
+export function ReadingWords({errors, index}: {errors: ReadingErrors; index: number}) {
+  const reading = errors.readings[index];
+  const joints = cell.value?.joints ?? [];
+  return (
+    <>
+      <b>
+        reading {reading.id}
+        {reading.point ? ` at ${reading.point}` : ""}
+      </b>
+      <dl>
+        {errors.joints.map((name, k) => (
+          <>
+            <dt>{name}</dt>
+            <dd>
+              {fixed(reading.joints[k], 2)} {joints[k]?.unit} {DIRECTIONS[(reading.senses?.[k] ?? 0) + 1]}
+            </dd>
+          </>
+        ))}
+        {isNumber(reading.load) ? (
+          <>
+            <dt>load</dt>
+            <dd>
+              {exact(reading.load)} {units.value.force}
+            </dd>
+          </>
+        ) : null}
+        {errors.series.map((series, k) => (
+          <>
+            <dt>{k === 0 ? "before" : "after"}</dt>
+            <dd>
+              <ErrorWords error={series.errors[index]} sigmas={errors.sigmas[k]?.[index]} />
+            </dd>
+          </>
+        ))}
+      </dl>
+      <span>click: the arm there</span>
+    </>
+  );
+}
+
+/** An error with its sigmas; more than five are marked, with a sign beside the colour. */
+export function ErrorWords({error, sigmas}: {error: number[] | null; sigmas: number | undefined}) {
+  if (!error) return <>–</>;
+  const isBad = isNumber(sigmas) && sigmas > MANY;
+  return (
+    <>
+      {short(Math.hypot(...error))} {units.value.length}
+      {isNumber(sigmas) ? <span class={isBad ? "bad" : ""}>{` ${isBad ? "▲ " : ""}${fixed(sigmas, 1)} σ`}</span> : null}
+    </>
+  );
+}

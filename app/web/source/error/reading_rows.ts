@@ -1,0 +1,103 @@
+// The readings as rows of a table: everything that is said of one, what is searched, and in which order.
+import {isNumber} from "../drawing/numbers";
+import type {MeasurementRow, Vector3} from "../server/documents";
+import type {ReadingErrors} from "./residuals";
+
+export interface ReadingRow {
+  id: string;
+  name: string;
+  load: number | null;
+  joints: number[];
+  senses: number[];
+  before: number | null;
+  after: number | null;
+  sigmas: number | null;
+  isAside: boolean;
+}
+
+export interface Column {
+  key: string;
+  words: string;
+  of: (row: ReadingRow) => number | string | null;
+}
+
+function sizeOf(error: Vector3 | null | undefined): number | null {
+  return error ? Math.hypot(...error) : null;
+}
+
+/** All that were read; those set aside have the error of the model as it stands. */
+export function rowsOf(measured: readonly MeasurementRow[], errors: ReadingErrors | null): ReadingRow[] {
+  const at = new Map(errors?.readings.map((reading, index) => [reading.id, index]));
+  return measured.map((row) => {
+    const index = row.set_aside ? undefined : at.get(row.id);
+    const last = (errors?.series.length ?? 1) - 1;
+    const own = index === undefined || !errors ? null : errors;
+    const stands = row.position && row.tip ? (row.position.map((value, k) => value - row.tip![k]) as Vector3) : null;
+    return {
+      id: row.id,
+      name: [row.point, row.setup].filter((text) => text).join(" "),
+      load: row.load ?? null,
+      joints: row.joints,
+      senses: row.senses ?? [],
+      before: own ? sizeOf(own.series[0].errors[index!]) : sizeOf(stands),
+      after: own && last > 0 ? sizeOf(own.series[last].errors[index!]) : null,
+      sigmas: own ? (own.sigmas[last]?.[index!] ?? own.sigmas[0]?.[index!] ?? null) : null,
+      isAside: row.set_aside,
+    };
+  });
+}
+
+export function columnsOf(joints: readonly string[]): Column[] {
+  return [
+    {key: "id", words: "id", of: (row) => (isNumber(Number(row.id)) ? Number(row.id) : row.id)},
+    {key: "sigma", words: "σ", of: (row) => row.sigmas},
+    {key: "before", words: "before", of: (row) => row.before},
+    {key: "after", words: "after", of: (row) => row.after},
+    {key: "name", words: "point", of: (row) => row.name},
+    {key: "load", words: "load", of: (row) => row.load},
+    ...joints.map((name, k) => ({key: name, words: name, of: (row: ReadingRow) => row.joints[k]})),
+  ];
+}
+
+/** What is missing comes last, whichever way it is sorted. */
+export function sorted(rows: readonly ReadingRow[], column: Column, isDown: boolean): ReadingRow[] {
+  const missing = (value: number | string | null) => value === null || value === undefined;
+  return [...rows].sort((a, b) => {
+    const [x, y] = [column.of(a), column.of(b)];
+    if (missing(x) || missing(y)) return Number(missing(x)) - Number(missing(y));
+    const order =
+      typeof x === "number" && typeof y === "number"
+        ? x - y
+        : String(x).localeCompare(String(y), "en", {numeric: true});
+    return isDown ? -order : order;
+  });
+}
+
+/** Words are looked for in id and point; "sigma>3", "theta3<=40" and "aside" ask for more; all must hold. */
+export function filtered(rows: readonly ReadingRow[], text: string, columns: readonly Column[]): ReadingRow[] {
+  const tests = text
+    .trim()
+    .split(/\s+/)
+    .filter((word) => word !== "")
+    .map((word) => testOf(word, columns));
+  return rows.filter((row) => tests.every((test) => test(row)));
+}
+
+function testOf(word: string, columns: readonly Column[]): (row: ReadingRow) => boolean {
+  if (word === "aside") return (row) => row.isAside;
+  const found = /^([A-Za-zσ]\w*)(<=|>=|<|>|=)(-?[\d.]+)$/.exec(word);
+  const column = found && columns.find(({key, words}) => key === found[1] || words === found[1]);
+  if (!found || !column) return (row) => `${row.id} ${row.name}`.toLowerCase().includes(word.toLowerCase());
+  const limit = Number(found[3]);
+  const holds: Record<string, (value: number) => boolean> = {
+    "<": (value) => value < limit,
+    "<=": (value) => value <= limit,
+    ">": (value) => value > limit,
+    ">=": (value) => value >= limit,
+    "=": (value) => value === limit,
+  };
+  return (row) => {
+    const value = column.of(row);
+    return typeof value === "number" && holds[found[2]](value);
+  };
+}

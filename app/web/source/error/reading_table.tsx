@@ -1,0 +1,196 @@
+// Every reading with its error: sorted by any column, filtered, set aside and taken back. Only the rows in sight are in
+// the page, so that thousands cost nothing.
+import {computed, effect as follow, signal} from "@preact/signals";
+import {useEffect, useMemo, useRef} from "preact/hooks";
+import {exact, fixed, isNumber, plural, short} from "../drawing/numbers";
+import type {MeasurementsDocument} from "../server/documents";
+import {get} from "../server/requests";
+import {report, runningJobs, state, units} from "../server/workbench";
+import {pickedOut, pointed} from "./linked";
+import {setAside} from "./loop";
+import {columnsOf, filtered, rowsOf, sorted, type ReadingRow} from "./reading_rows";
+import {readingErrors} from "./residuals";
+import {showReading} from "./show_reading";
+
+const ROW = 26;
+const MORE = 8;
+/** Sigmas from which an error is marked. */
+export const MANY_SIGMAS = 5;
+
+const measured = signal<MeasurementsDocument | null>(null);
+const isWanted = signal(false);
+const key = computed(() => {
+  const now = state.value;
+  return now?.measurements && isWanted.value ? `${now.measurements.name} ${now.measurements.change} ${now.model}` : "";
+});
+follow(() => {
+  const wanted = key.value;
+  if (wanted === "") return;
+  get<MeasurementsDocument>("/api/measurements").then(
+    (document) => {
+      if (key.peek() === wanted) measured.value = document;
+    },
+    (error) => report("The readings", error),
+  );
+});
+
+const order = signal({column: "sigma", isDown: true});
+const filter = signal("");
+
+export function ReadingTable() {
+  useEffect(() => {
+    isWanted.value = true;
+    return () => (isWanted.value = false);
+  }, []);
+  const joints = measured.value?.joints.map((joint) => joint.name) ?? [];
+  const columns = useMemo(() => columnsOf(joints), [joints.join()]);
+  const all = useMemo(
+    () => rowsOf(measured.value?.rows ?? [], readingErrors.value),
+    [measured.value, readingErrors.value],
+  );
+  const rows = useMemo(() => {
+    const column = columns.find((entry) => entry.key === order.value.column) ?? columns[0];
+    return sorted(filtered(all, filter.value, columns), column, order.value.isDown);
+  }, [all, columns, filter.value, order.value]);
+  const aside = all.filter((row) => row.isAside).map((row) => row.id);
+  const isBusy = runningJobs.value.length > 0;
+  return (
+    <div class="reading-table">
+      <div class="reading-tools">
+        <input
+          aria-label="Filter the readings"
+          placeholder="P12   sigma>3   theta3<40   aside"
+          value={filter.value}
+          spellcheck={false}
+          onInput={(event) => (filter.value = event.currentTarget.value)}
+        />
+        <span class="muted">
+          {rows.length === all.length ? plural(all.length, "reading") : `${rows.length} of ${all.length}`}
+        </span>
+        {filter.value.trim() !== "" && rows.some((row) => !row.isAside) ? (
+          <button
+            class="button small"
+            disabled={isBusy || rows.length === all.length}
+            onClick={() =>
+              void setAside(
+                rows.filter((row) => !row.isAside).map((row) => row.id),
+                true,
+              )
+            }
+          >
+            Set these aside
+          </button>
+        ) : null}
+        {aside.length > 0 ? (
+          <button class="button small" disabled={isBusy} onClick={() => void setAside(aside, false)}>
+            Take all {aside.length} back
+          </button>
+        ) : null}
+      </div>
+      <Rows rows={rows} joints={joints} columns={columns} isBusy={isBusy} />
+    </div>
+  );
+}
+
+function Rows({
+  rows,
+  joints,
+  columns,
+  isBusy,
+}: {
+  rows: ReadingRow[];
+  joints: string[];
+  columns: ReturnType<typeof columnsOf>;
+  isBusy: boolean;
+}) {
+  const box = useRef<HTMLDivElement>(null);
+  const place = useRef(signal({top: 0, height: 300})).current;
+  useEffect(() => {
+    const element = box.current!;
+    const look = () => (place.value = {top: element.scrollTop, height: element.clientHeight});
+    const observer = new ResizeObserver(look);
+    observer.observe(element);
+    element.addEventListener("scroll", look);
+    return () => observer.disconnect();
+  }, []);
+  const first = Math.max(0, Math.floor(place.value.top / ROW) - MORE),
+    last = Math.min(rows.length, first + Math.ceil(place.value.height / ROW) + 2 * MORE);
+  const layout = {
+    gridTemplateColumns: `26px 44px 60px 58px 58px minmax(56px,1fr) 46px ${joints.map(() => "62px").join(" ")}`,
+  };
+  return (
+    <div class="reading-rows" ref={box} tabIndex={0} role="table" aria-label="Readings" aria-rowcount={rows.length}>
+      <div class="reading-row head" role="row" style={layout}>
+        <span title="In use">use</span>
+        {columns.map((column) => (
+          <button
+            role="columnheader"
+            aria-sort={order.value.column !== column.key ? "none" : order.value.isDown ? "descending" : "ascending"}
+            onClick={() =>
+              (order.value = {
+                column: column.key,
+                isDown: order.value.column === column.key ? !order.value.isDown : true,
+              })
+            }
+          >
+            {column.words}
+            {order.value.column === column.key ? (order.value.isDown ? " ↓" : " ↑") : ""}
+          </button>
+        ))}
+      </div>
+      <div class="reading-space" style={{height: `${ROW * rows.length}px`}}>
+        {rows.slice(first, last).map((row, k) => (
+          <Row key={row.id} row={row} top={ROW * (first + k)} layout={layout} isBusy={isBusy} />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+const DIRECTIONS = ["↓", "", "↑"];
+
+function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: object; isBusy: boolean}) {
+  const isBad = isNumber(row.sigmas) && row.sigmas > MANY_SIGMAS;
+  const isMarked = pointed.value === row.id || pickedOut.value.has(row.id);
+  return (
+    <div
+      class={`reading-row ${row.isAside ? "aside" : ""}`}
+      role="row"
+      aria-selected={isMarked}
+      style={{...layout, top: `${top}px`}}
+      onPointerEnter={() => (pointed.value = row.id)}
+      onPointerLeave={() => (pointed.value = "")}
+    >
+      <input
+        type="checkbox"
+        checked={!row.isAside}
+        disabled={isBusy}
+        aria-label={`Use reading ${row.id}`}
+        onChange={() => void setAside([row.id], !row.isAside)}
+      />
+      <button
+        class="link"
+        aria-label={`The arm at reading ${row.id}`}
+        disabled={row.isAside}
+        onClick={() => showReading(row.id)}
+      >
+        {row.id}
+      </button>
+      <span class={`number ${isBad ? "bad" : ""}`}>
+        {row.isAside ? "aside" : `${isBad ? "▲ " : ""}${isNumber(row.sigmas) ? fixed(row.sigmas, 1) : "–"}`}
+      </span>
+      <span class="number">{short(row.before)}</span>
+      <span class="number">{short(row.after)}</span>
+      <span>{row.name}</span>
+      <span class="number" title={`${exact(row.load)} ${units.value.force}`}>
+        {exact(row.load)}
+      </span>
+      {row.joints.map((value, k) => (
+        <span class="number">
+          {fixed(value, 1)}
+          {DIRECTIONS[(row.senses[k] ?? 0) + 1]}
+        </span>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,178 @@
+// The readings' errors, measured less predicted, before and after: the diagnosis with the explanation that is chosen,
+// else the model before beside the model as it is now, else the comparison as the model stands and refitted.
+import {computed, effect, signal} from "@preact/signals";
+import type {Mark} from "../drawing/marks";
+import type {CompareDocument, DiagnoseDocument, EffectAt, ErrorReading, Model, Vector3} from "../server/documents";
+import {get} from "../server/requests";
+import {report, state} from "../server/workbench";
+import {compare, currentDiagnosis} from "./loop";
+import {explanationTitle, isEnough} from "./words";
+
+export interface ErrorSeries {
+  name: string;
+  mark: Mark;
+  errors: (Vector3 | null)[];
+}
+
+export interface ReadingErrors {
+  readings: ErrorReading[];
+  places: (Vector3 | null)[];
+  /** Before, then after; one alone where there is no after. */
+  series: ErrorSeries[];
+  joints: string[];
+  /** What is between before and after: the causes, first the one that is looked at; none for a mere refit. */
+  causes: EffectAt[];
+  /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
+  sigmas: (number | undefined)[][];
+}
+
+/** Hollow and full, triangle and disc: told apart without colour. */
+export const BEFORE: Mark = {shape: "triangle", colour: "case0"};
+export const AFTER: Mark = {shape: "disc", colour: "accent"};
+
+/** Which of the diagnosis's explanations is drawn. */
+export const chosenExplanation = signal(0);
+effect(() => {
+  void currentDiagnosis.value?.revision;
+  chosenExplanation.value = 0;
+});
+
+// ---- the comparison of the model before
+
+/** The model that the current one was made of, where both were compared. */
+const modelBefore = computed<Model | null>(() => {
+  const now = state.value;
+  if (!now) return null;
+  const at = now.models.findIndex((model) => model.id === now.model);
+  const compared = new Set(now.results.compare?.models ?? []);
+  if (at < 1 || !compared.has(now.model)) return null;
+  return now.models.slice(0, at).findLast((model) => compared.has(model.id)) ?? null;
+});
+const comparisonBefore = signal<CompareDocument | null>(null);
+const beforeKey = computed(() =>
+  modelBefore.value ? `${modelBefore.value.id} ${state.value?.results.compare?.revision}` : "",
+);
+effect(() => {
+  const wanted = beforeKey.value;
+  comparisonBefore.value = null;
+  if (wanted === "") return;
+  get<CompareDocument>(`/api/results/compare?model=${modelBefore.peek()!.id}`).then(
+    (document) => {
+      if (beforeKey.peek() === wanted) comparisonBefore.value = document;
+    },
+    (error) => report("The model before", error),
+  );
+});
+
+// ---- the errors
+
+function reversed(error: Vector3): Vector3 {
+  return [-error[0], -error[1], -error[2]];
+}
+
+function ofDiagnosis(document: DiagnoseDocument): ReadingErrors {
+  const index = Math.min(chosenExplanation.value, document.explanations.length - 1);
+  const explanation = document.explanations[index];
+  const compared = compare.value.document;
+  const known = new Map(
+    compared?.model === document.model ? compared.readings.map((reading) => [reading.id, reading]) : [],
+  );
+  const sigmasOf = (reading: ErrorReading) => known.get(reading.id)?.sigmas_after;
+  const before = document.readings.map(sigmasOf);
+  const series: ErrorSeries[] = [
+    {name: "before: refitted without it", mark: BEFORE, errors: document.readings.map((reading) => reading.before)},
+  ];
+  if (explanation)
+    series.push({
+      name: `after: with ${isEnough(explanation) ? "" : "the closest, "}${explanationTitle(explanation)}`,
+      mark: AFTER,
+      errors: document.readings.map((reading) => reading.explained[index]),
+    });
+  return {
+    readings: document.readings,
+    places: document.readings.map((reading) => reading.position),
+    series,
+    joints: document.joints.map((joint) => joint.name),
+    causes: explanation && isEnough(explanation) ? explanation.effects : [],
+    sigmas: [
+      before,
+      document.readings.map((reading, i) => scaledSigmas(before[i], reading.before, reading.explained[index])),
+    ],
+  };
+}
+
+/** Sigmas hang on the direction of the error little, on its size wholly. */
+function scaledSigmas(sigmas: number | undefined, from: Vector3, to: Vector3 | null | undefined): number | undefined {
+  const size = Math.hypot(...from);
+  return sigmas === undefined || !to || !(size > 0) ? undefined : (sigmas * Math.hypot(...to)) / size;
+}
+
+function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model, earlier: Model): ReadingErrors {
+  const known = new Map(before.readings.map((reading) => [reading.id, reading]));
+  const had = new Set(earlier.effects.map((own) => `${own.effect}@${own.at}`));
+  return {
+    readings: now.readings,
+    places: now.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
+    series: [
+      {
+        name: `before: ${earlier.label}, refitted`,
+        mark: BEFORE,
+        errors: now.readings.map(({id}) => (known.has(id) ? reversed(known.get(id)!.error_after) : null)),
+      },
+      {
+        name: `after: ${model.label}`,
+        mark: AFTER,
+        errors: now.readings.map((reading) => reversed(reading.error_after)),
+      },
+    ],
+    joints: jointsOf(now),
+    causes: model.effects.filter((own) => !had.has(`${own.effect}@${own.at}`)),
+    sigmas: [
+      now.readings.map(({id}) => known.get(id)?.sigmas_after),
+      now.readings.map((reading) => reading.sigmas_after),
+    ],
+  };
+}
+
+function ofComparison(document: CompareDocument): ReadingErrors {
+  const when = document.model === state.value?.model ? "" : ", of the model before";
+  return {
+    readings: document.readings,
+    places: document.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
+    series: [
+      {
+        name: `before: as the model stands${when}`,
+        mark: BEFORE,
+        errors: document.readings.map((reading) => reversed(reading.error_before)),
+      },
+      {
+        name: `after: refitted${when}`,
+        mark: AFTER,
+        errors: document.readings.map((reading) => reversed(reading.error_after)),
+      },
+    ],
+    joints: jointsOf(document),
+    causes: [],
+    sigmas: [
+      document.readings.map((reading) => reading.sigmas_before),
+      document.readings.map((reading) => reading.sigmas_after),
+    ],
+  };
+}
+
+function jointsOf(document: CompareDocument): string[] {
+  return document.joint_columns.map((name) => name.replace(/_[^_]*$/, ""));
+}
+
+export const readingErrors = computed<ReadingErrors | null>(() => {
+  const diagnosed = currentDiagnosis.value;
+  if (diagnosed) return ofDiagnosis(diagnosed);
+  const compared = compare.value.document;
+  if (!compared) return null;
+  const earlier = modelBefore.value,
+    before = comparisonBefore.value,
+    model = state.value?.models.find((entry) => entry.id === compared.model);
+  if (earlier && before && model && compared.model === state.value?.model)
+    return ofTwoModels(before, compared, model, earlier);
+  return ofComparison(compared);
+});

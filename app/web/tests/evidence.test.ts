@@ -1,0 +1,198 @@
+import {describe, expect, it} from "vitest";
+import {binnedMeans, lawAlong} from "../source/error/binned";
+import {LIVES_ON, followedShare, viewOfCause} from "../source/error/own_variable";
+import {partsOf} from "../source/error/parts";
+import {columnsOf, filtered, rowsOf, sorted} from "../source/error/reading_rows";
+import {findVariable, variablesOf} from "../source/error/variables";
+import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
+
+// Two turning joints in a plane, the second at the end of a link of 10; sixty readings, the world's z up.
+const COUNT = 60;
+const wave = (k: number) => ((k * 0.618034) % 1) * 2 - 1;
+const readings: ErrorReading[] = Array.from({length: COUNT}, (_, k) => ({
+  id: String(k + 1),
+  kind: "position",
+  point: `P${k % 6}`,
+  setup: k % 2 ? "a" : "b",
+  joints: [80 * wave(k), 60 * wave(7 * k + 3)],
+  senses: [k % 3 === 0 ? 1 : -1, k % 2 ? 1 : -1],
+  load: 20 * (k % 3),
+  temperature: 20 + 5 * wave(5 * k),
+  time: 2 * k,
+}));
+const radians = Math.PI / 180;
+const levers = readings.map(({joints}): [Vector3, Vector3] => {
+  const [a, b] = [joints[0] * radians, (joints[0] + joints[1]) * radians];
+  const tool: Vector3 = [-8 * Math.sin(b) * radians, 8 * Math.cos(b) * radians, 0];
+  return [[tool[0] - 10 * Math.sin(a) * radians, tool[1] + 10 * Math.cos(a) * radians, 0], tool];
+});
+const places = readings.map(({joints}): Vector3 => {
+  const [a, b] = [joints[0] * radians, (joints[0] + joints[1]) * radians];
+  return [10 * Math.cos(a) + 8 * Math.cos(b), 10 * Math.sin(a) + 8 * Math.sin(b), 0];
+});
+const byId = <T>(of: (k: number) => T) => Object.fromEntries(readings.map(({id}, k) => [id, of(k)]));
+const moments: MomentsDocument = {
+  unit: "lbf*in",
+  names: ["moment_tool_z"],
+  readings: byId((k) => [300 * wave(11 * k)]),
+};
+const leverage: LeverageDocument = {
+  units: ["deg", "deg", "deg"],
+  names: ["theta1", "theta2", "tool.z"],
+  base: [0, 0, 0],
+  up: [0, 0, 1],
+  tool: byId(() => [1, 0, 0, 0, 1, 0, 0, 0, 1]),
+  readings: byId((k) => [...levers[k][0], ...levers[k][1], ...levers[k][1]]),
+};
+const source = {readings, joints: ["theta1", "theta2"], places};
+const variables = variablesOf(source, {angle: "deg", force: "lbf"}, moments);
+const parts = partsOf({ids: readings.map(({id}) => id), places, unit: {length: "in", angle: "deg"}, leverage});
+
+const scaled = (v: Vector3, by: number): Vector3 => [v[0] * by, v[1] * by, v[2] * by];
+const sign = (value: number) => (value > 0 ? 1 : -1);
+
+/** What a cause does at each reading, where it is opened. */
+function opened(effect: string, at: string, of: (k: number) => Vector3): [string, string] {
+  const cause: EffectAt = {effect, at};
+  const view = viewOfCause(
+    cause,
+    readings.map((_, k) => of(k)),
+    readings,
+    variables,
+    parts,
+  )!;
+  return [view.variable.key, view.part.key];
+}
+
+describe("the plot opens on the variable that the cause lives on", () => {
+  it("for errors of a joint", () => {
+    const turn = (j: 0 | 1, by: (k: number) => number) => (k: number) => scaled(levers[k][j], by(k));
+    expect(
+      opened(
+        "hysteresis",
+        "theta2",
+        turn(1, (k) => 0.06 * readings[k].senses![1]),
+      ),
+    ).toEqual(["theta2_dir", "as theta2"]);
+    expect(
+      opened(
+        "joint-offset",
+        "theta1",
+        turn(0, () => 0.3),
+      ),
+    ).toEqual(["theta1", "as theta1"]);
+    expect(
+      opened(
+        "joint-scale",
+        "theta2",
+        turn(1, (k) => 0.01 * readings[k].joints[1]),
+      ),
+    ).toEqual(["theta2", "as theta2"]);
+    expect(
+      opened(
+        "encoder-eccentricity",
+        "theta1",
+        turn(0, (k) => 0.1 * Math.sin(readings[k].joints[0] * radians)),
+      ),
+    ).toEqual(["theta1", "as theta1"]);
+    expect(
+      opened(
+        "joint-coupling",
+        "theta2<-theta1",
+        turn(1, (k) => 0.01 * readings[k].joints[0]),
+      ),
+    ).toEqual(["theta1", "as theta2"]);
+    expect(
+      opened(
+        "backlash",
+        "tool.z",
+        turn(1, (k) => 0.08 * sign(moments.readings[readings[k].id][0])),
+      ),
+    ).toEqual(["moment_tool_z", "as tool.z"]);
+  });
+  it("for errors of base, lengths and measurement", () => {
+    expect(opened("base-slip", "base", (k) => (readings[k].time! > 50 ? [0.05, 0.01, 0] : [0, 0, 0]))).toEqual([
+      "time",
+      "x",
+    ]);
+    expect(opened("base-drift", "base", (k) => [0, 0.001 * readings[k].time!, 0])).toEqual(["time", "y"]);
+    const grown = (k: number) => scaled(places[k], 1e-4 * (readings[k].temperature! - 20));
+    expect(opened("thermal-growth", "arm", grown)).toEqual(["temperature", "radial"]);
+    expect(opened("tool-remount", "tool", (k) => (k % 2 ? [0.1, 0, 0] : [0, 0, 0]))).toEqual(["set-up", "x"]);
+    expect(opened("scale-error", "measurement", (k) => scaled(places[k], 0.001))[0]).toMatch(/^position_[xy]$/);
+    expect(opened("payload-offset", "payload", (k) => [0, 0, 0.001 * readings[k].load!])[0]).toBe("load");
+  });
+  it("for a formula, on what it names", () => {
+    const law = (k: number) => scaled(levers[k][1], 0.1 * Math.sin(readings[k].joints[0] * radians));
+    expect(opened("formula", "theta2 += c*sin(theta1)", law)).toEqual(["theta1", expect.any(String)]);
+  });
+  it("knows all effects of the catalogue but those that may hang on anything", () => {
+    expect(Object.keys(LIVES_ON)).toHaveLength(29);
+  });
+});
+
+describe("findings of the program", () => {
+  it("are found by the names it gives them", () => {
+    expect(findVariable("sense of theta2", variables)?.key).toBe("theta2_dir");
+    expect(findVariable("direction of theta1", variables)?.key).toBe("theta1_dir");
+    expect(findVariable("moment tool.z", variables)?.key).toBe("moment_tool_z");
+    expect(findVariable("order of the readings", variables)?.key).toBe("order");
+    expect(findVariable("theta1 and theta2", variables)?.key).toBe("theta1");
+    expect(findVariable("constant", variables)).toBeNull();
+  });
+});
+
+describe("binned", () => {
+  it("a level is never cut, and its mean has the right error", () => {
+    const means = binnedMeans([1, 1, 1, -1, -1], [2, 4, 6, 1, 3]);
+    expect(means.map(({x, mean}) => [x, mean])).toEqual([
+      [-1, 2],
+      [1, 4],
+    ]);
+    expect(means[1].error).toBeCloseTo(2 / Math.sqrt(3));
+  });
+  it("noise follows nothing", () => {
+    expect(
+      followedShare(
+        readings.map((_, k) => wave(k)),
+        readings.map((_, k) => wave(13 * k * k + 1)),
+      ),
+    ).toBeLessThan(0.3);
+    expect(followedShare([1, 2, 3, 4], [5, 5, 5, 5])).toBe(0);
+  });
+  it("a law is drawn through all that is there", () => {
+    const law = lawAlong(
+      readings.map(({time}) => time),
+      readings.map(({time}) => (time! > 50 ? 1 : 0)),
+    );
+    expect(law.at(0)!.mean).toBe(0);
+    expect(law.at(-1)!.mean).toBe(1);
+  });
+});
+
+describe("the table of readings", () => {
+  const measured = readings.map((reading, k) => ({
+    ...reading,
+    position: [0, 0, 0.1 * k] as Vector3,
+    tip: [0, 0, 0] as Vector3,
+    set_aside: k === 4,
+  }));
+  const rows = rowsOf(measured, null);
+  const columns = columnsOf(["theta1", "theta2"]);
+  it("sorts by any column, what is missing last", () => {
+    const by = (key: string, isDown: boolean) =>
+      sorted(
+        rows,
+        columns.find((column) => column.key === key)!,
+        isDown,
+      );
+    expect(by("before", true)[0].id).toBe("60");
+    expect(by("id", false)[1].id).toBe("2");
+    expect(by("after", true)).toHaveLength(COUNT);
+  });
+  it("filters by words and by figures", () => {
+    expect(filtered(rows, "P3", columns)).toHaveLength(10);
+    expect(filtered(rows, "load=40 theta1>0", columns).every((row) => row.load === 40 && row.joints[0] > 0)).toBe(true);
+    expect(filtered(rows, "aside", columns).map((row) => row.id)).toEqual(["5"]);
+  });
+});

@@ -1,0 +1,89 @@
+#include "app/workbench/leverage_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/command_inputs.hpp"
+#include "app/input_error.hpp"
+#include "calibration/reading_prediction.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using Eigen::Isometry3d, Eigen::Vector3d;
+using nlohmann::json;
+
+/// A direction that the tip turns about, or moves along.
+struct Lever {
+  int row = -1;
+  int axis = 2;  ///< of the row's frame
+  bool slides = false;
+};
+
+std::optional<Lever> findLever(const deflection::Arm& arm, const std::string& name) {
+  for (std::size_t row = 0; row < arm.rows.size(); ++row) {
+    const auto& own = arm.rows[row];
+    const int index = static_cast<int>(row);
+    if (!own.joint.name.empty() && own.joint.name == name)  // about, or along, its row's z
+      return Lever{index, 2, own.joint.type == deflection::JointType::kPrismatic};
+    for (int k = 0; k < 3; ++k)
+      if (name == own.name + "." + "xyz"[k]) return Lever{index, k, false};
+  }
+  return std::nullopt;
+}
+
+std::vector<Lever> leversOf(const deflection::Arm& arm, const std::vector<std::string>& names) {
+  std::vector<Lever> levers;
+  for (const auto& name : names) {
+    const auto lever = findLever(arm, name);
+    if (!lever) throw InputError("at", inQuotes(name), "a joint of this arm, or an axis of a row as in 'forearm.z'");
+    levers.push_back(*lever);
+  }
+  return levers;
+}
+
+/// The tip's motion in the world per m or rad.
+Vector3d leverage(const Lever& lever, const Isometry3d& X_WL, const Vector3d& p_WT) {
+  const Vector3d axis_W = X_WL.linear().col(lever.axis);
+  return lever.slides ? axis_W : Vector3d(axis_W.cross(p_WT - X_WL.translation()));
+}
+
+/// To six decimals: enough for any picture, and thousands of readings stay small.
+double brief(double value) { return std::round(value * 1e6) / 1e6; }
+
+json vectorOf(const Vector3d& v) { return {brief(v.x()), brief(v.y()), brief(v.z())}; }
+
+}  // namespace
+
+json leverageJson(const Cell& cell, const ReadingSet& set, const std::vector<std::string>& names) {
+  const auto levers = leversOf(cell.arm, names);
+  const double turn = cell.units.factor(dimension::kAngle) / cell.units.factor(dimension::kLength);
+  json tools = json::object(), readings = json::object();
+  for (const auto& reading : set.readings) {
+    const auto shape =
+        deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));
+    if (shape.status != deflection::KinematicsStatus::kConverged) continue;
+    const auto X_WL = deflection::rowFramesInWorld(shape, cell.X_WB);
+    const Isometry3d X_WD = cell.X_WB * deflection::toIsometry(shape.X_BD);
+    json numbers = json::array(), axes = json::array();
+    for (const auto& lever : levers)
+      for (const double part : leverage(lever, X_WL[static_cast<std::size_t>(lever.row)], X_WD.translation()))
+        numbers.push_back(brief(part * (lever.slides ? 1 : turn)));
+    for (const double part : X_WD.linear().reshaped()) axes.push_back(brief(part));
+    readings[reading.id] = std::move(numbers);
+    tools[reading.id] = std::move(axes);
+  }
+  json units = json::array();
+  for (const auto& lever : levers)
+    units.push_back(cell.units.nameOf(lever.slides ? dimension::kLength : dimension::kAngle));
+  return {{"units", units},
+          {"names", names},
+          {"base", vectorJson(cell.X_WB.translation(), cell.units, dimension::kLength)},
+          {"up", vectorOf(-cell.arm.gravity_W.normalized())},
+          {"tool", tools},
+          {"readings", readings}};
+}
+
+}  // namespace tubeplan::app

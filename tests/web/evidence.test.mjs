@@ -1,0 +1,138 @@
+// What says why: the plot opens on the variable of what was found, before and after stand in it together, and every
+// reading can be asked, shown and set aside.
+import assert from "node:assert/strict";
+import {after, before, describe, it} from "node:test";
+import path from "node:path";
+import {launch, makeFolder, openTab, serve, simulate} from "./workbench.mjs";
+
+let made, browser;
+
+before(async () => {
+  made = makeFolder();
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  made?.remove();
+});
+
+/** A workbench with readings that hide an effect, compared. */
+async function compared(name, hide, more = {}) {
+  simulate(made.folder, name, {hide, seed: 7, ...more});
+  const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
+  const tab = await openTab(browser, `${server.address}#error`);
+  if (await tab.locator(".next:has-text('Compare')").count()) await tab.click(".next:has-text('Compare')");
+  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000});
+  await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 2 && !document.querySelector(".job"));
+  return {
+    tab,
+    server,
+    close: async () => {
+      assert.deepEqual(tab.errors, []);
+      await tab.context().close();
+      await server.stop();
+    },
+  };
+}
+
+async function diagnosed(tab) {
+  await tab.click(".next:has-text('Diagnose')");
+  await tab.waitForFunction(
+    () => !document.querySelector(".job") && !/Diagnose/.test(document.querySelector(".next")?.innerText),
+    null,
+    {timeout: 120000},
+  );
+}
+
+const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
+const part = (tab) => tab.locator("select[aria-label='Part of the error']").inputValue();
+/** Waits until the plot is of that variable. */
+const opensOn = (tab, wanted) =>
+  tab.waitForFunction((key) => document.querySelector("select[aria-label='Variable']")?.value === key, wanted, {
+    timeout: 10000,
+  });
+
+const FOUND = [
+  ["hysteresis@theta4:0.06deg", "theta4_dir", "as theta4"],
+  ["base-slip@base:x=0.08,y=0.05,time=90", "time", ""],
+  ["backlash@tool.z:0.15deg", "moment_tool_z", "as tool.z"],
+  ["thermal-growth@arm", "temperature", ""],
+];
+
+describe("the plot of the errors", () => {
+  for (const [hide, wanted, wantedPart] of FOUND) {
+    it(`opens on ${wanted} for ${hide}, before and after on one scale`, async () => {
+      const {tab, close} = await compared(hide.replace(/\W/g, "_"), hide);
+      await opensOn(tab, wanted); // by the pattern search alone
+      await diagnosed(tab);
+      await opensOn(tab, wanted);
+      if (wantedPart) assert.equal(await part(tab), wantedPart);
+      const legend = await tab.innerText(".residual-plot .series-legend");
+      assert.match(legend, /before: refitted without it/);
+      assert.match(legend, new RegExp(`after: with ${hide.split("@")[0]}`));
+      await tab.click(".next:has-text('Add')");
+      await tab.waitForFunction(
+        () => document.querySelectorAll(".rung").length >= 3 && !document.querySelector(".job"),
+      );
+      await tab.waitForSelector(".residual-plot .series-legend >> text=/before: as given, refitted/");
+      await opensOn(tab, wanted);
+      assert.match(await tab.innerText(".residual-plot .series-legend"), /after: \+ /);
+      await close();
+    });
+  }
+});
+
+describe("a reading", () => {
+  it("names itself under the pointer, brings the arm there, and is set aside and taken back", async () => {
+    const {tab, server, close} = await compared("asked", "hysteresis@theta4:0.06deg");
+    const before = await tab.innerText(".rung.now .bar-text >> nth=0");
+    await tab.click(".evidence [role=tab]:has-text('Readings')");
+    await tab.waitForSelector(".reading-space .reading-row");
+    const worst = await tab.innerText(".reading-space .reading-row >> nth=0 >> .link");
+    await tab.hover(".reading-space .reading-row >> nth=0");
+    const words = await tab.innerText(".reading-tip");
+    assert.match(words, new RegExp(`reading ${worst}\\b`));
+    for (const named of ["theta4", "load", "before", "σ"]) assert.ok(words.includes(named), named);
+    await tab.click(".reading-space .reading-row >> nth=0 >> .link");
+    await tab.waitForSelector(`.shown-errors >> text=reading ${worst}`);
+    await tab.waitForFunction(() => document.querySelector(".readout .figure b")?.textContent !== "–");
+    await tab.click("text=Back to the errors");
+    await tab.waitForSelector(".error-view");
+
+    await tab.click(".evidence [role=tab]:has-text('Readings')");
+    await tab.click(`input[aria-label='Use reading ${worst}']`);
+    await tab.waitForFunction((was) => {
+      const now = document.querySelector(".rung.now .bar-text")?.innerText;
+      return now && now !== was && !document.querySelector(".job");
+    }, before);
+    let state = await (await fetch(`${server.address}api/state`)).json();
+    assert.equal(state.measurements.set_aside, 1);
+    await tab.fill("input[aria-label='Filter the readings']", "aside");
+    await tab.waitForFunction(() => document.querySelectorAll(".reading-space .reading-row").length === 1);
+    await tab.click("text=/Take all 1 back/");
+    await tab.waitForFunction(
+      (was) => document.querySelector(".rung.now .bar-text")?.innerText === was && !document.querySelector(".job"),
+      before,
+    );
+    state = await (await fetch(`${server.address}api/state`)).json();
+    assert.equal(state.measurements.set_aside, 0);
+    await close();
+  });
+
+  it("is picked out with others by a rectangle in the plot", async () => {
+    const {tab, server, close} = await compared("rectangle", "hysteresis@theta4:0.06deg");
+    const box = await tab.locator(".residual-plot .u-over").boundingBox();
+    await tab.mouse.move(box.x + box.width / 2, box.y + 2);
+    await tab.mouse.down();
+    await tab.mouse.move(box.x + box.width - 2, box.y + box.height - 2, {steps: 4});
+    await tab.mouse.up();
+    const words = await tab.innerText(".selection-bar");
+    const picked = Number(/(\d+) readings/.exec(words)[1]);
+    assert.ok(picked > 20 && picked < 100, words);
+    await tab.click(".selection-bar >> text=Set aside");
+    await tab.waitForFunction(() => !document.querySelector(".selection-bar") && !document.querySelector(".job"));
+    const state = await (await fetch(`${server.address}api/state`)).json();
+    assert.equal(state.measurements.set_aside, picked);
+    await close();
+  });
+});
