@@ -68,7 +68,8 @@ int run(const ServeOptions& options) {
 Run configureServe(CLI::App& cli) {
   const auto options = std::make_shared<ServeOptions>();
   options->door.port = 8642;
-  cli.add_option("CELL", options->workbench.cell, "the cell file")->required();
+  options->workbench.state = defaultStateFolder();
+  cli.add_option("CELL", options->workbench.cell, "the cell file, or a project that was saved")->required();
   cli.add_option("MEASUREMENTS", options->workbench.measurements, "readings of any kind (CSV), taken together");
   cli.add_option("--port", options->door.port, "where to listen; 0 takes any free one")
       ->check(CLI::Range(0, 65535))
@@ -78,6 +79,9 @@ Run configureServe(CLI::App& cli) {
   cli.add_option("--token", options->door.token, "what a browser must show, 12 or more letters, digits, - and _");
   cli.add_option("--folder", options->workbench.folder,
                  "the folder whose files the page may open and write (the cell's)");
+  cli.add_option("--state", options->workbench.state, "the folder that keeps the session, to be taken up again")
+      ->default_str("$XDG_STATE_HOME/tubeplan");
+  cli.add_flag("--fresh", options->workbench.fresh, "begin anew; what is kept of this cell stays under Open, Recent");
   cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, to touch holes with");
   cli.add_option("--page", options->page, "serve the page from this folder instead of the program's own");
   cli.add_flag("--open", options->open, "open the page in a browser");

@@ -15,6 +15,7 @@
 #include "app/trajectory_yaml.hpp"
 #include "app/work_list_export.hpp"
 #include "app/workbench/job_routes.hpp"
+#include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 
@@ -93,12 +94,19 @@ struct Export {
   std::string (*text)(const Situation&);
 };
 constexpr Export kExports[] = {
-    {"cell.yaml", "application/yaml", cellText},     {"cell-arm.yaml", "application/yaml", armText},
-    {"measurements.csv", "text/csv", readingsText},  {"touches.csv", "text/csv", touchesText},
-    {"plan.json", "application/json", planText},     {"path.csv", "text/csv", pathText},
-    {"worklist.csv", "text/csv", workListText},      {"trajectory.yaml", "application/yaml", trajectoryText},
-    {"report.html", "text/html", planReport},        {"compare.html", "text/html", comparisonReport},
-    {"diagnose.html", "text/html", diagnosisReport}, {"ladder.html", "text/html", ladderReport},
+    {"cell.yaml", "application/yaml", cellText},
+    {"cell-arm.yaml", "application/yaml", armText},
+    {"measurements.csv", "text/csv", readingsText},
+    {"touches.csv", "text/csv", touchesText},
+    {"plan.json", "application/json", planText},
+    {"path.csv", "text/csv", pathText},
+    {"worklist.csv", "text/csv", workListText},
+    {"trajectory.yaml", "application/yaml", trajectoryText},
+    {"project.tubeplan", "application/json", projectText},
+    {"report.html", "text/html", planReport},
+    {"compare.html", "text/html", comparisonReport},
+    {"diagnose.html", "text/html", diagnosisReport},
+    {"ladder.html", "text/html", ladderReport},
 };
 
 Answer download(Workbench& workbench, const Request& request) {

@@ -3,10 +3,12 @@
 
 #include <sstream>
 
+#include "app/atomic_file.hpp"
 #include "app/input_error.hpp"
 #include "app/reading_input.hpp"
 #include "app/workbench/leverage_json.hpp"
 #include "app/workbench/moments_json.hpp"
+#include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -19,8 +21,11 @@ constexpr std::size_t kMostReadings = 20000;  // every look at them solves the a
 
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();
-  return answerOf(
-      {{"folder", folder.path().string()}, {"cells", folder.names(".yaml")}, {"measurements", folder.names(".csv")}});
+  return answerOf({{"folder", folder.path().string()},
+                   {"cells", folder.names(".yaml")},
+                   {"measurements", folder.names(".csv")},
+                   {"projects", folder.names(kProjectExtension)},
+                   {"recent", workbench.keeper().recent()}});
 }
 
 Answer noReadings() { return refusal(404, InputError("measurements", "none loaded", "some")); }
@@ -119,13 +124,45 @@ Answer setAside(Workbench& workbench, const Request& request) {
   return has_readings ? answerOf(stateJson(workbench)) : noReadings();
 }
 
-Answer openCellFile(Workbench& workbench, const Request& request) {
-  const auto path = workbench.folder().fileToRead(textOf(objectOf(request), "file"));
-  if (workbench.jobs().isBusy()) return refusal(409, InputError("cell", "a job that is not done yet", "none"));
+/// Another cell or project instead of what is there; work that stands in no project is not dropped unasked.
+Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
+  if (isUnsaved(workbench.situation()) && !booleanOf(body, "discard", false))
+    return refusal(409,
+                   InputError("cell", "work that is not saved as a project", "a saved one", "save it, or say discard"));
   Situation opened = openCell(path.string(), "");
+  opened.saved_revision = opened.revision;
+  if (!workbench.replace(std::move(opened)))
+    return refusal(409, InputError("cell", "a job that is not done yet", "none"));
+  return answerOf(stateJson(workbench));
+}
+
+Answer openCellFile(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
+}
+
+/// {"file"} of the opened folder, or {"recent"} of the sessions kept.
+Answer openProject(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const auto& keeper = workbench.keeper();
+  const std::string recent = textOf(body, "recent");
+  if (recent.empty()) return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
+  if (keeper.folder().empty()) throw InputError("recent", inQuotes(recent), "a session that is kept");
+  return openInstead(workbench, body, OpenedFolder(keeper.folder()).fileToRead(recent));
+}
+
+Answer saveProject(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  std::string name = textOf(body, "file");
+  if (!name.ends_with(kProjectExtension)) name += kProjectExtension;
+  const auto place = workbench.folder().fileToWrite(name);
+  if (std::filesystem::exists(place) && !booleanOf(body, "overwrite", false))
+    return refusal(409, InputError(name, "a file that is there already", "another name", "or say overwrite"));
+  const Situation saved = workbench.situation();
+  writeFileAtomically(place, projectText(saved), "file");
   workbench.change([&](Situation& situation) {
-    opened.revision = situation.revision;
-    situation = std::move(opened);
+    situation.saved_revision = situation.revision == saved.revision ? saved.revision + 1 : saved.revision;
+    situation.project = name;
     return true;
   });
   return answerOf(stateJson(workbench));
@@ -140,6 +177,8 @@ constexpr Route kRoutes[] = {
     {"POST", "measurements/open", openReadingsFile},
     {"POST", "measurements/set-aside", setAside},
     {"POST", "cell/open", openCellFile},
+    {"POST", "project/open", openProject},
+    {"POST", "project/save", saveProject},
 };
 
 }  // namespace

@@ -53,6 +53,8 @@ struct Situation {
   std::shared_ptr<const ReadingSet> readings;                   ///< none: null
   std::map<std::string, std::map<int, ResultPointer>> results;  ///< by name and model
   std::string truth;                                            ///< a cell's file; empty: none
+  std::string project;                                          ///< the file it was last saved as; empty: none
+  std::uint64_t saved_revision = 0;                             ///< the revision that stands there
   std::vector<TouchMade> touches;                               ///< made one by one
   int next_touch = 1;
   std::shared_ptr<const PlanOutcome> plan;

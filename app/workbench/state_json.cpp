@@ -9,6 +9,7 @@
 #include "app/diagnosis_views_json.hpp"
 #include "app/measurement_checks_json.hpp"
 #include "app/version.hpp"
+#include "app/workbench/project.hpp"
 #include "app/workcell.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
@@ -58,6 +59,7 @@ json cellJson(const Situation& situation) {
           {"has_tool", cell.tool.has_value()},
           {"has_truth", !situation.truth.empty()},
           {"has_park", cell.park.has_value()},
+          {"has_arm_file", !cell.arm_source.text.empty()},
           {"joints", jointRangesJson(cell)},
           {"identify", cell.identify},
           {"loads", loadsJson(situation, cell.units)}};
@@ -139,6 +141,11 @@ json stateJson(const Workbench& workbench) {
           {"measurements", measurementsJson(situation)},
           {"results", resultsJson(situation)},
           {"touches", situation.touches.size()},
+          {"project",
+           {{"file", situation.project.empty() ? json() : json(situation.project)},
+            {"unsaved", isUnsaved(situation)},
+            {"kept", !workbench.keeper().file().empty() && workbench.keeper().problem().empty()},
+            {"problem", workbench.keeper().problem()}}},
           {"jobs", workbench.jobs().list()}};
 }
 

@@ -1,16 +1,22 @@
 #include "app/workbench/workbench.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 
 #include "app/input_error.hpp"
 #include "app/readers/measurements_reader.hpp"
 #include "app/reading_input.hpp"
+#include "app/workbench/project.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+bool isProject(const std::string& file) { return fs::path(file).extension() == kProjectExtension; }
 
 fs::path folderOf(const WorkbenchOptions& options) {
   if (!options.folder.empty()) return options.folder;
@@ -20,15 +26,41 @@ fs::path folderOf(const WorkbenchOptions& options) {
 
 Situation openAsAsked(const WorkbenchOptions& options) {
   Situation situation = openCell(options.cell, options.truth);
-  if (!options.measurements.empty())
+  if (!options.measurements.empty()) {
     situation.readings = openReadings(options.measurements, currentModel(situation).cell);
+    situation.results.clear();
+  }
   return situation;
+}
+
+/// Of the cell as its file is now, with the readings that were asked for; without any, those that were kept serve.
+bool goesOn(const Situation& kept, const Situation& asked) {
+  Situation inputs = asked;
+  if (!inputs.readings) inputs.readings = kept.readings;
+  return hasSameInputs(kept, inputs) && (asked.truth.empty() || kept.truth == fs::absolute(asked.truth));
+}
+
+/// The kept session where it goes on with what was asked for; else that, the kept one put aside.
+Situation takeUp(SessionKeeper& keeper, Situation asked, const WorkbenchOptions& options) {
+  const bool is_project = isProject(options.cell);
+  auto kept = keeper.begin(asked.models.front()->cell.path);
+  if (!kept) return asked;
+  if (!options.fresh && !is_project && goesOn(*kept, asked)) return std::move(*kept);
+  if (hasWork(*kept)) {
+    keeper.putAside();
+    fmt::print(stderr, "tubeplan: {}; the kept session stays under Open, Recent\n",
+               options.fresh || is_project ? "begun anew" : "cell or readings are others than those kept");
+  }
+  return asked;
 }
 
 }  // namespace
 
 Workbench::Workbench(const WorkbenchOptions& options)
-    : situation_(openAsAsked(options)), folder_(folderOf(options)), events_(options.most_listeners), jobs_(events_) {}
+    : folder_(folderOf(options)), keeper_(options.state), events_(options.most_listeners), jobs_(events_) {
+  situation_ = takeUp(keeper_, openAsAsked(options), options);
+  keeper_.keep(situation_);
+}
 
 Situation Workbench::situation() const {
   const std::lock_guard lock(mutex_);
@@ -36,18 +68,35 @@ Situation Workbench::situation() const {
 }
 
 bool Workbench::change(const std::function<bool(Situation&)>& step) {
+  Situation changed;
   {
     const std::lock_guard lock(mutex_);
-    Situation changed = situation_;
+    changed = situation_;
     if (!step(changed)) return false;
     ++changed.revision;
-    situation_ = std::move(changed);
+    situation_ = changed;
   }
+  keeper_.keep(changed);  // before anybody is told
   events_.stateChanged();
   return true;
 }
 
+bool Workbench::replace(Situation situation) {
+  if (jobs_.isBusy()) return false;
+  const auto kept = keeper_.begin(situation.models.front()->cell.path);
+  if (kept && hasWork(*kept)) keeper_.putAside();
+  return change([&](Situation& now) {
+    const bool is_saved = situation.saved_revision == situation.revision;
+    const std::uint64_t revision = std::max(now.revision, situation.revision);
+    now = std::move(situation);
+    now.revision = revision;
+    now.saved_revision = is_saved ? revision + 1 : 0;  // as what this step leaves
+    return true;
+  });
+}
+
 Situation openCell(const std::string& file, const std::string& truth) {
+  if (isProject(file)) return readProject(file);
   Situation situation;
   if (!truth.empty()) (void)readCell(truth);
   situation.truth = truth;

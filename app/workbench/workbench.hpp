@@ -9,15 +9,18 @@
 #include "app/workbench/events.hpp"
 #include "app/workbench/jobs.hpp"
 #include "app/workbench/opened_folder.hpp"
+#include "app/workbench/session_keeper.hpp"
 #include "app/workbench/situation.hpp"
 
 namespace tubeplan::app {
 
 struct WorkbenchOptions {
-  std::string cell;                       ///< file
+  std::string cell;                       ///< file, or a project
   std::vector<std::string> measurements;  ///< files, taken together
   std::string truth;                      ///< a cell's file, to touch with; empty: none
   std::string folder;                     ///< empty: the cell's
+  std::string state;                      ///< folder where the session is kept; empty: it is not
+  bool fresh = false;                     ///< a kept session is put aside
   int most_listeners = 16;
 };
 
@@ -32,6 +35,11 @@ class Workbench {
   /// nothing; whether it did is returned.
   bool change(const std::function<bool(Situation&)>& step);
 
+  /// Instead of all there is, unless a job works on it: with that cell's session kept from now on, an earlier one of it
+  /// put aside. False where one does.
+  bool replace(Situation situation);
+
+  [[nodiscard]] const SessionKeeper& keeper() const { return keeper_; }
   [[nodiscard]] const OpenedFolder& folder() const { return folder_; }
   [[nodiscard]] Events& events() { return events_; }
   [[nodiscard]] Jobs& jobs() { return jobs_; }
@@ -41,11 +49,12 @@ class Workbench {
   mutable std::mutex mutex_;
   Situation situation_;
   OpenedFolder folder_;
+  SessionKeeper keeper_;
   Events events_;
   Jobs jobs_;  ///< last: its thread ends before what it works on
 };
 
-/// The situation of a cell just opened. Throws InputError.
+/// The situation of a cell, or of a project, just opened. Throws InputError.
 [[nodiscard]] Situation openCell(const std::string& file, const std::string& truth);
 
 /// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.

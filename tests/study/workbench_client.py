@@ -19,7 +19,8 @@ class Workbench:
     def __init__(self, program, words, folder, seconds=240):
         self.seconds = seconds
         self.errors = open(f"{folder}/serve.txt", "w+")
-        self.process = subprocess.Popen([program, "serve"] + words + ["--port", "0"], cwd=folder, stdout=subprocess.PIPE,
+        own = ["--port", "0", "--state", f"{folder}/state", "--fresh"]
+        self.process = subprocess.Popen([program, "serve"] + words + own, cwd=folder, stdout=subprocess.PIPE,
                                         stderr=self.errors, text=True)
         self.address = self.process.stdout.readline().strip()
         self.code = None if self.address else self.process.wait(seconds)

@@ -67,11 +67,19 @@ export function writeDisc(folder) {
   return "disc.yaml";
 }
 
-/** tubeplan serve on a free port; resolves once it has printed its address. */
-export async function serve(folder, cell, more = []) {
+let states = 0;
+
+/** tubeplan serve on a free port, its session kept in `state`; resolves once it has printed its address. */
+export async function serve(folder, cell, more = [], state = path.join(folder, `state-${++states}`)) {
   const child = spawn(
     program,
-    ["serve", path.join(folder, cell), "--port", "0", "--folder", folder, ...(page ? ["--page", page] : []), ...more],
+    [
+      "serve",
+      path.join(folder, cell),
+      ...["--port", "0", "--folder", folder, "--state", state],
+      ...(page ? ["--page", page] : []),
+      ...more,
+    ],
     {stdio: ["ignore", "pipe", "pipe"]},
   );
   let said = "";
@@ -89,6 +97,12 @@ export async function serve(folder, cell, more = []) {
   child.removeAllListeners("exit");
   return {
     address,
+    /** As when the machine stops: no word to the program. */
+    kill: () =>
+      new Promise((resolve) => {
+        child.on("exit", resolve);
+        child.kill("SIGKILL");
+      }),
     stop: () =>
       new Promise((resolve) => {
         child.on("exit", resolve);

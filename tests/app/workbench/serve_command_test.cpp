@@ -18,7 +18,7 @@ TEST_F(ServeCommand, refusesAnOpenDoorWithoutAToken) {
 TEST_F(ServeCommand, printsItsAddressAndEndsWhenAsked) {
   const std::string command = "cd '" + folder.string() + "' && { '" TUBEPLAN_PROGRAM "' serve " +
                               shipped("bench.yaml") +
-                              " --port 0 >address.txt 2>&1 & } && program=$! && for k in $(seq 100); do "
+                              " --state state --port 0 >address.txt 2>&1 & } && program=$! && for k in $(seq 100); do "
                               "test -s address.txt && break; sleep 0.1; done; kill -TERM $program; wait $program";
   const int status = std::system(command.c_str());
   EXPECT_TRUE(WIFEXITED(status));

@@ -4,12 +4,12 @@ import {computed, signal} from "@preact/signals";
 import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {ArmPicture} from "../arm/arm_picture";
-import {Icon} from "../drawing/icons";
 import {drawMark, MarkIcon} from "../drawing/marks";
 import {duration, percent, plural, short, whole} from "../drawing/numbers";
 import type {PlanDocument} from "../server/documents";
 import {cell, runJob, runningJob, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected} from "../shell/page_state";
+import {ExportMenu} from "../shell/export_menu";
 import {ProblemWords} from "../shell/states";
 import {byState, bySteps} from "../sheet/colourings";
 import {toPixel} from "../sheet/sheet_camera";
@@ -29,7 +29,7 @@ const EXPORTS = [
   ["trajectory.yaml", "Trajectory for ROS 2"],
   ["report.html", "Report"],
   ["cell.yaml", "Cell"],
-];
+] as const;
 const compensation = signal("via-point");
 const isParked = signal(false);
 const mode = signal("via_point");
@@ -78,7 +78,7 @@ function Plan({model}: {model: SheetModel}) {
       <section class="panel">
         <header>
           {document ? <Outcome document={document} /> : <h2>Tubes</h2>}
-          <Exports isHere={document !== null} />
+          <ExportMenu exports={EXPORTS} isHere={document !== null} at="end" />
         </header>
         <div class="panel-body flush">
           {plan.value.problem ? (
@@ -277,26 +277,5 @@ function Outcome({document}: {document: PlanDocument}) {
         clearance <b>{short(document.min_clearance)}</b> {unit}
       </span>
     </p>
-  );
-}
-
-function Exports({isHere}: {isHere: boolean}) {
-  return (
-    <details class="menu end">
-      <summary class={`button ${isHere ? "" : "off"}`}>
-        <Icon name="down" size={16} /> Export
-      </summary>
-      {isHere ? (
-        <ul>
-          {EXPORTS.map(([name, words]) => (
-            <li>
-              <a href={`/api/export/${name}`} download={name}>
-                {words} <small>{name}</small>
-              </a>
-            </li>
-          ))}
-        </ul>
-      ) : null}
-    </details>
   );
 }

@@ -19,6 +19,7 @@ export interface CellInfo {
   has_tool: boolean;
   has_truth: boolean;
   has_park: boolean;
+  has_arm_file: boolean;
   joints: JointInfo[];
   identify: string[];
   loads: number[];
@@ -111,4 +112,12 @@ export interface WorkbenchState {
   results: Record<string, ResultMark | null>;
   jobs: Job[];
   touches?: number;
+  project: {
+    /** What it was last saved as, in the folder. */
+    file: string | null;
+    unsaved: boolean;
+    /** Whether every change is kept in the state folder, and why not. */
+    kept: boolean;
+    problem: string;
+  };
 }

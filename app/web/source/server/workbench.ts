@@ -27,8 +27,12 @@ function noteJob(job: Job): void {
   jobs.value = known;
 }
 
+/** A program that was started anew may count from the beginning. */
+let isNewConnection = true;
+
 export function takeState(next: WorkbenchState): void {
-  if (state.value !== null && next.revision < state.value.revision) return;
+  if (!isNewConnection && state.value !== null && next.revision < state.value.revision) return;
+  isNewConnection = false;
   state.value = next;
   const known = new Map<string, Job>();
   for (const job of next.jobs ?? []) known.set(String(job.id), job);
@@ -46,7 +50,10 @@ export function dropTokenFromAddress(): void {
 /** Follows the server; the browser reconnects by itself, and every connection begins with the whole state. */
 export function followServer(): void {
   const events = new EventSource("/api/events");
-  events.addEventListener("open", () => (connection.value = "live"));
+  events.addEventListener("open", () => {
+    connection.value = "live";
+    isNewConnection = true;
+  });
   events.addEventListener("state", (event) => {
     connection.value = "live";
     takeState(JSON.parse(event.data) as WorkbenchState);

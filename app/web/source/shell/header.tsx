@@ -5,6 +5,7 @@ import {duration, plural} from "../drawing/numbers";
 import type {Job} from "../server/documents";
 import {cell, connection, order, runningJobs, state} from "../server/workbench";
 import {dialog} from "./page_state";
+import {ProjectTools} from "./project";
 
 function ModelStack() {
   const now = state.value;
@@ -86,6 +87,7 @@ export function Header() {
       <ModelStack />
       <div class="header-space" />
       {job ? <JobProgress key={job.id} job={job} /> : null}
+      <ProjectTools />
       <Connection />
       <SchemeSwitch />
       <button class="tool" title="Keys (?)" onClick={() => (dialog.value = "keys")}>

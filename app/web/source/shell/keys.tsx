@@ -3,6 +3,7 @@ import {chooseScheme, isDark} from "../drawing/colours";
 import {dismiss, notices, order, state} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {closeDialog, dialog, view, VIEWS} from "./page_state";
+import {save} from "./project";
 
 const LIST: [string, [string, string][]][] = [
   [
@@ -12,6 +13,7 @@ const LIST: [string, [string, string][]][] = [
       ["O", "open a cell or readings"],
       ["Ctrl Z", "undo the last change of the model"],
       ["Ctrl Shift Z", "redo"],
+      ["Ctrl S", "save as a project"],
       ["D", "dark or light"],
       ["?", "this list"],
       ["Esc", "close, or put a message away"],
@@ -61,6 +63,11 @@ function onKey(event: KeyboardEvent): void {
     event.preventDefault();
     if (event.shiftKey ? state.value?.can_redo : state.value?.can_undo)
       void order("Undo", event.shiftKey ? "/api/redo" : "/api/undo");
+    return;
+  }
+  if ((event.ctrlKey || event.metaKey) && key === "s") {
+    event.preventDefault();
+    void save();
     return;
   }
   if (event.ctrlKey || event.metaKey || event.altKey) return;

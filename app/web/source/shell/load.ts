@@ -4,6 +4,7 @@ import {post, postText} from "../server/requests";
 import {startCompare} from "../error/loop";
 import {cell, report, runJob, takeState} from "../server/workbench";
 import {dialog, view} from "./page_state";
+import {openInstead} from "./project";
 
 async function afterReadings(): Promise<void> {
   dialog.value = "";
@@ -31,13 +32,16 @@ export async function openReadings(file: string): Promise<void> {
   await afterReadings();
 }
 
-export async function openCell(file: string): Promise<void> {
-  try {
-    takeState(await post<WorkbenchState>("/api/cell/open", {file}));
-    dialog.value = "";
-  } catch (error) {
-    report(`${file} cannot be opened`, error);
-  }
+export function openCell(file: string): Promise<void> {
+  return openInstead("/api/cell/open", {file}, file);
+}
+
+export function openProject(file: string): Promise<void> {
+  return openInstead("/api/project/open", {file}, file);
+}
+
+export function openRecent(recent: string, name: string): Promise<void> {
+  return openInstead("/api/project/open", {recent}, name);
 }
 
 export interface Practice {

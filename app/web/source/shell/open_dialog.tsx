@@ -2,10 +2,11 @@
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import type {CatalogueDocument, Problem} from "../server/documents";
+import {plural} from "../drawing/numbers";
 import {asProblem, get} from "../server/requests";
 import {cell, state} from "../server/workbench";
 import {Dialog} from "./dialog";
-import {loadFile, openCell, openReadings, simulate} from "./load";
+import {loadFile, openCell, openProject, openReadings, openRecent, simulate} from "./load";
 import {closeDialog, dialog} from "./page_state";
 import {ProblemWords, Waiting} from "./states";
 
@@ -13,6 +14,17 @@ interface Files {
   folder: string;
   cells: string[];
   measurements: string[];
+  projects: string[];
+  recent: RecentSession[];
+}
+
+/** A session that was kept, or put aside. */
+interface RecentSession {
+  file: string;
+  cell: string;
+  readings: string;
+  models: string;
+  saved: string;
 }
 
 export function OpenDialog() {
@@ -46,6 +58,7 @@ function OpenBody() {
         />
         <FileList title="Cells" names={files.value.cells} now={cell.value?.file ?? ""} onOpen={openCell} />
       </div>
+      <Projects files={files.value} />
       <div class="open-foot">
         <label class="button">
           A file of your own …
@@ -64,6 +77,38 @@ function OpenBody() {
       <PracticeForm />
     </div>
   );
+}
+
+/** Projects of the folder, and sessions that are kept of themselves; nothing where there is neither. */
+function Projects({files}: {files: Files}) {
+  if (files.projects.length + files.recent.length === 0) return null;
+  return (
+    <div class="open-lists">
+      <FileList title="Projects" names={files.projects} now={state.value?.project?.file ?? ""} onOpen={openProject} />
+      <section>
+        <h2>Recent</h2>
+        <ul class="files">
+          {files.recent.map((session) => (
+            <li key={session.file}>
+              <button class="file" title={session.file} onClick={() => openRecent(session.file, session.cell)}>
+                {session.cell}
+                <small class="muted">
+                  {" "}
+                  {session.readings || "no readings"} · {plural(Number(session.models), "model")} ·{" "}
+                  {whenText(session.saved)}
+                </small>
+              </button>
+            </li>
+          ))}
+        </ul>
+      </section>
+    </div>
+  );
+}
+
+function whenText(saved: string): string {
+  const when = new Date(saved);
+  return Number.isNaN(when.getTime()) ? "" : when.toLocaleString("en-GB", {dateStyle: "short", timeStyle: "short"});
 }
 
 function FileList({

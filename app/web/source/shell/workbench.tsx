@@ -11,6 +11,7 @@ import {KeysDialog, followKeys} from "./keys";
 import {Notices} from "./notices";
 import {OpenDialog} from "./open_dialog";
 import {dialog, view, type ViewName} from "./page_state";
+import {SaveDialog, UnsavedDialog} from "./project";
 import {Rail} from "./rail";
 import {Waiting} from "./states";
 
@@ -70,6 +71,8 @@ export function Workbench() {
       {dialog.value === "" ? <Notices /> : null}
       <OpenDialog />
       <KeysDialog />
+      <SaveDialog />
+      <UnsavedDialog />
       <DropTarget />
     </div>
   );

@@ -1,0 +1,175 @@
+// Keeping the work: saved as a project in the opened folder; what is not saved is never dropped unasked.
+import {computed, signal} from "@preact/signals";
+import {useSignal} from "@preact/signals";
+import type {Problem, WorkbenchState} from "../server/documents";
+import {asProblem, post, ServerProblem} from "../server/requests";
+import {cell, report, state, takeState} from "../server/workbench";
+import {Dialog} from "./dialog";
+import {ExportMenu} from "./export_menu";
+import {closeDialog, dialog} from "./page_state";
+import {ProblemWords} from "./states";
+
+const project = computed(() => state.value?.project ?? null);
+
+/** What shall be done once the work is saved, or need not be. */
+const opening = signal<{name: string; go: (discard: boolean) => Promise<void>} | null>(null);
+
+// ---- saving
+
+async function saveAs(file: string, overwrite: boolean): Promise<Problem | null> {
+  try {
+    takeState(await post<WorkbenchState>("/api/project/save", {file, overwrite}));
+    return null;
+  } catch (error) {
+    return asProblem(error);
+  }
+}
+
+/** Under the name it has; asks for one where it has none. */
+export async function save(): Promise<void> {
+  const file = project.value?.file;
+  if (!file) {
+    dialog.value = "save";
+    return;
+  }
+  const problem = await saveAs(file, true);
+  if (problem) report("Not saved", problem);
+}
+
+export function SaveDialog() {
+  return (
+    <Dialog isOpen={dialog.value === "save"} title="Save the project" onClose={() => closeDialog("save")}>
+      <SaveForm />
+    </Dialog>
+  );
+}
+
+function SaveForm() {
+  const name = useSignal(project.value?.file ?? `${cell.value?.name ?? "work"}.tubeplan`);
+  const problem = useSignal<Problem | null>(null);
+  const write = async (overwrite: boolean) => {
+    problem.value = await saveAs(name.value.trim(), overwrite);
+    if (problem.value === null) closeDialog("save");
+  };
+  return (
+    <form
+      class="save-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void write(false);
+      }}
+    >
+      <label class="field">
+        name, in {state.value?.folder}
+        <input
+          autofocus
+          value={name.value}
+          spellcheck={false}
+          onInput={(event) => {
+            name.value = event.currentTarget.value;
+            problem.value = null;
+          }}
+        />
+      </label>
+      <p class="muted">
+        One file with the cell, the readings, every model with its figures and what is set aside. `tubeplan serve` opens
+        it, here or elsewhere.
+      </p>
+      {problem.value ? <ProblemWords problem={problem.value} /> : null}
+      <div class="row">
+        <button class="button first" type="submit" disabled={name.value.trim() === ""}>
+          Save
+        </button>
+        {problem.value ? (
+          <button class="button" type="button" onClick={() => void write(true)}>
+            Replace what is there
+          </button>
+        ) : null}
+      </div>
+    </form>
+  );
+}
+
+// ---- opening something else
+
+/** Opens a cell, project or session; where work would be dropped, asks first. */
+export async function openInstead(path: string, body: Record<string, unknown>, name: string): Promise<void> {
+  const go = async (discard: boolean) => {
+    try {
+      takeState(await post<WorkbenchState>(path, {...body, discard}));
+      dialog.value = "";
+      opening.value = null;
+    } catch (error) {
+      if (error instanceof ServerProblem && error.status === 409 && project.value?.unsaved && !discard) {
+        opening.value = {name, go};
+        dialog.value = "unsaved";
+      } else report(`${name} cannot be opened`, error);
+    }
+  };
+  await go(false);
+}
+
+export function UnsavedDialog() {
+  return (
+    <Dialog isOpen={dialog.value === "unsaved"} title="Keep the work?" onClose={() => closeDialog("unsaved")}>
+      <p class="lead">
+        The work on <b>{cell.value?.name}</b> stands in no project. Opening {opening.value?.name} puts it away
+        {project.value?.kept ? "; it stays under Open, Recent" : ""}.
+      </p>
+      <div class="row">
+        <button class="button first" onClick={() => void save()}>
+          Save it first …
+        </button>
+        <button class="button" onClick={() => void opening.value?.go(true)}>
+          Open {opening.value?.name}
+        </button>
+        <button class="button" onClick={() => closeDialog("unsaved")}>
+          Stay
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+// ---- the header's part
+
+const ALWAYS = [
+  ["cell.yaml", "Model"],
+  ["project.tubeplan", "Project"],
+] as const;
+const REPORTS = [
+  ["compare", "compare.html", "Comparison, report"],
+  ["diagnose", "diagnose.html", "Diagnosis, report"],
+  ["ladder", "ladder.html", "Ladder, report"],
+] as const;
+
+export function ProjectTools() {
+  const now = state.value;
+  if (!now) return null;
+  const isUnsaved = project.value?.unsaved ?? false;
+  const words = isUnsaved ? "not saved as a project" : project.value?.file ? `saved as ${project.value.file}` : "";
+  const kept = project.value?.problem
+    ? `, not kept: ${project.value.problem}`
+    : project.value?.kept
+      ? "; kept by itself"
+      : "";
+  const exports: [string, string][] = [
+    ...ALWAYS.map(([name, title]): [string, string] => [name, title]),
+    ...(now.cell.has_arm_file ? [["cell-arm.yaml", "Its arm"] as [string, string]] : []),
+    ...(now.measurements ? [["measurements.csv", "Readings"] as [string, string]] : []),
+    ...REPORTS.filter(([result]) => now.results[result]).map(([, name, title]): [string, string] => [name, title]),
+  ];
+  return (
+    <div class="project-tools">
+      <button
+        class="button"
+        title={`Save as a project (Ctrl+S)${words ? `: ${words}` : ""}${kept}`}
+        onClick={() => void save()}
+      >
+        {isUnsaved ? <i class="unsaved" aria-hidden="true" /> : null}
+        Save<span class="hidden">{words}</span>
+      </button>
+      <ExportMenu exports={exports} />
+    </div>
+  );
+}

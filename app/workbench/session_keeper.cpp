@@ -1,0 +1,158 @@
+#include "app/workbench/session_keeper.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.hpp"
+#include "app/input_error.hpp"
+#include "app/plan_question.hpp"
+#include "app/workbench/project.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostAtOnce = 16;  // programs that work on one cell at a time
+constexpr std::size_t kMostRecent = 20;
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// "bench-1a2b3c4d5e6f7081": of the cell's name and place.
+std::string sessionName(const std::string& cell) {
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(cell, error);
+  return fs::path(cell).stem().string() + "-" + fingerprintOf(error ? cell : place.string());
+}
+
+/// A name beside it that is not taken.
+fs::path freeName(const fs::path& file, const std::string& word) {
+  for (int k = 1;; ++k) {
+    const auto other =
+        fs::path(file).replace_filename(fmt::format("{}-{}-{}{}", file.stem().string(), word, k, kProjectExtension));
+    std::error_code error;
+    if (!fs::exists(other, error)) return other;
+  }
+}
+
+}  // namespace
+
+std::string defaultStateFolder() {
+  const std::string state = variable("XDG_STATE_HOME"), home = variable("HOME");
+  if (!state.empty()) return state + "/tubeplan";
+  return home.empty() ? "" : home + "/.local/state/tubeplan";
+}
+
+SessionKeeper::SessionKeeper(fs::path folder) : folder_(std::move(folder)) {
+  if (folder_.empty()) return;
+  checkWritableFile(folder_ / "session", "--state");
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  folder_ = fs::canonical(folder_, error);
+  if (error) throw InputError("--state", error.message(), "a folder that can be made");
+}
+
+SessionKeeper::~SessionKeeper() { unlock(); }
+
+/// Held until this program ends, however it does.
+bool SessionKeeper::lock(const fs::path& file) {
+  const auto place = fs::path(file).concat(".lock");
+  const int descriptor = ::open(place.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    ::close(descriptor);
+    return false;
+  }
+  lock_ = descriptor;
+  return true;
+}
+
+void SessionKeeper::unlock() {
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
+}
+
+std::optional<Situation> SessionKeeper::begin(const std::string& cell) {
+  if (folder_.empty()) return std::nullopt;
+  const std::lock_guard guard(mutex_);
+  unlock();
+  file_.clear();
+  kept_ = 0;
+  const std::string name = sessionName(cell);
+  for (int k = 1; k <= kMostAtOnce && file_.empty(); ++k) {
+    const auto file =
+        folder_ / (k == 1 ? name + kProjectExtension : fmt::format("{}-{}{}", name, k, kProjectExtension));
+    if (lock(file)) file_ = file;
+  }
+  std::error_code error;
+  if (file_.empty() || !fs::exists(file_, error)) return std::nullopt;
+  removeLeftovers(folder_, file_.filename().string());
+  try {
+    return readProject(file_);
+  } catch (const InputError& problem) {
+    const auto other = freeName(file_, "unreadable");
+    fs::rename(file_, other, error);
+    fmt::print(stderr, "tubeplan: the kept session is not taken up, and stays as {}: {}\n", other.string(),
+               problem.what());
+    return std::nullopt;
+  }
+}
+
+void SessionKeeper::putAside() {
+  const std::lock_guard guard(mutex_);
+  std::error_code error;
+  if (!file_.empty() && fs::exists(file_, error)) fs::rename(file_, freeName(file_, "earlier"), error);
+}
+
+void SessionKeeper::keep(const Situation& situation) {
+  const std::lock_guard guard(mutex_);
+  if (file_.empty() || situation.revision <= kept_) return;
+  try {
+    writeFileAtomically(file_, projectText(situation), "--state");
+    kept_ = situation.revision;
+    problem_.clear();
+  } catch (const std::exception& error) {
+    if (problem_.empty()) fmt::print(stderr, "tubeplan: the session is not kept: {}\n", error.what());
+    problem_ = error.what();
+  }
+}
+
+std::string SessionKeeper::problem() const {
+  const std::lock_guard guard(mutex_);
+  return problem_;
+}
+
+fs::path SessionKeeper::file() const {
+  const std::lock_guard guard(mutex_);
+  return file_;
+}
+
+nlohmann::json SessionKeeper::recent() const {
+  nlohmann::json list = nlohmann::json::array();
+  if (folder_.empty()) return list;
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  std::error_code error;
+  const fs::path own = file();
+  for (const auto& entry : fs::directory_iterator(folder_, error))
+    if (entry.path().extension() == kProjectExtension && entry.is_regular_file(error) && entry.path() != own)
+      files.emplace_back(entry.last_write_time(error), entry.path());
+  std::sort(files.rbegin(), files.rend());
+  for (const auto& [time, path] : files) {
+    const auto summary = projectSummary(path);
+    if (!summary.is_null()) list.push_back(summary);
+    if (list.size() == kMostRecent) break;
+  }
+  return list;
+}
+
+}  // namespace tubeplan::app
