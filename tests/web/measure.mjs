@@ -148,6 +148,38 @@ async function sliderLatency(browser, address) {
   await tab.context().close();
 }
 
+/** From a pointer's motion over the plot of 10,000 readings to the page's next frame, and from a click to a new ladder. */
+async function hoverLatency(browser, folder) {
+  const file = simulate(folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 10000});
+  const own = await serve(folder, "bench.yaml", [file]);
+  const tab = await openTab(browser, `${own.address}#error`);
+  await tab.click(".next:has-text('Compare')");
+  await tab.waitForSelector(".residual-plot .u-over", {timeout: 120000});
+  await tab.waitForFunction(() => !document.querySelector(".job"), null, {timeout: 120000});
+  await tab.waitForTimeout(3000);
+  const times = await tab.evaluate(async () => {
+    const over = document.querySelector(".residual-plot .u-over"),
+      box = over.getBoundingClientRect();
+    const taken = [];
+    for (let i = 0; i < 200; ++i) {
+      const at = {
+        clientX: box.left + box.width * ((0.618 * i) % 1),
+        clientY: box.top + box.height * (0.3 + 0.4 * ((0.37 * i) % 1)),
+      };
+      const start = performance.now();
+      over.dispatchEvent(new PointerEvent("pointermove", {...at, bubbles: true}));
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      taken.push(performance.now() - start);
+    }
+    return taken;
+  });
+  console.log(
+    `pointing at 10,000 readings: median ${median(times).toFixed(1)} ms, 95 % ${at(times, 0.95).toFixed(1)} ms to the next frame`,
+  );
+  await tab.context().close();
+  await own.stop();
+}
+
 async function pictures(browser, folder, into) {
   mkdirSync(into, {recursive: true});
   const shoot = (tab, name) => tab.screenshot({path: path.join(into, `${name}.png`)});
@@ -259,6 +291,7 @@ try {
   const mockup = await serve(folder, "mockup.yaml");
   await sliderLatency(browser, mockup.address);
   await mockup.stop();
+  await hoverLatency(browser, folder);
   const into = process.argv[process.argv.indexOf("--pictures") + 1];
   if (process.argv.includes("--pictures")) {
     simulate(folder, "readings", {hide: "hysteresis@theta4:0.06deg"});

@@ -110,8 +110,8 @@ describe("the mock-up", () => {
       figures.add(/s: (\S+)/.exec(await read())[1]);
     }
     assert.ok(figures.size > 4, `the cursor reads ${[...figures].join(", ")}`);
-    await tab.click(".menu summary");
-    const [download] = await Promise.all([tab.waitForEvent("download"), tab.click(".menu a[download='worklist.csv']")]);
+    await tab.click(".plan-view .menu summary");
+    const [download] = await Promise.all([tab.waitForEvent("download"), tab.click(".plan-view .menu a[download='worklist.csv']")]);
     assert.equal(download.suggestedFilename(), "worklist.csv");
     assert.deepEqual(tab.errors, []);
   });

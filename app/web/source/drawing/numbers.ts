@@ -16,7 +16,12 @@ export function short(value: unknown): string {
   if (!isNumber(value)) return MISSING;
   const size = Math.abs(value);
   if (size === 0) return "0";
-  if (size < 5e-4) return value.toExponential(1).replace("e-", "e−").replace("e+", "e").replace(/^-/, "−");
+  if (size < 5e-4 || size >= 1e6)
+    return value
+      .toExponential(size < 1 ? 1 : 2)
+      .replace("e-", "e−")
+      .replace("e+", "e")
+      .replace(/^-/, "−");
   const digits = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 0.1 ? 3 : 4;
   return fixed(value, digits);
 }
@@ -42,6 +47,13 @@ export function probability(value: unknown): string {
   return percent(value, 1);
 }
 
+/** A p-value: p = 0.032, p = 6e−173. */
+export function chance(p: number | null | undefined): string {
+  if (!isNumber(p)) return "not tested";
+  if (p < 1e-300) return "p < 1e−300";
+  return p < 0.001 ? `p = ${p.toExponential(0).replace("e-", "e−")}` : `p = ${fixed(p, p < 0.095 ? 3 : 2)}`;
+}
+
 export function duration(seconds: unknown): string {
   if (!isNumber(seconds)) return MISSING;
   if (seconds < 120) return `${fixed(seconds, seconds < 10 ? 1 : 0)} s`;
@@ -65,12 +77,39 @@ export function unitText(unit: string | undefined): string {
   return !unit || unit === "1" ? "" : ` ${unit.replace("degree", "deg")}`;
 }
 
-/** A value with as many digits as its sigma tells: 0.1101 ± 0.0007 deg. */
+/** A value with as many digits as its sigma tells, sigma with two: 0.1101 ± 0.0007 deg, (9.93 ± 0.07)e6 lbf/in^2. */
 export function withSigma(value: number, sigma: number | null | undefined, unit?: string): string {
-  if (!isNumber(sigma) || sigma <= 0) return `${short(value)}${unitText(unit)}`;
-  const digits = 1 - Math.floor(Math.log10(sigma));
-  if (digits > 6 || digits < 0) return `${short(value)} ± ${short(sigma)}${unitText(unit)}`;
-  return `${fixed(value, digits)} ± ${fixed(sigma, digits)}${unitText(unit)}`;
+  if (!isNumber(value) || !isNumber(sigma) || sigma <= 0) return `${short(value)}${unitText(unit)}`;
+  const {value: shown, sigma: about, power} = pairOf(value, sigma);
+  const pair = `${shown} ± ${about}`;
+  return `${power === "" ? pair : `(${pair})${power}`}${unitText(unit)}`;
+}
+
+/** The two of withSigma by themselves, for a table. */
+export function valueAndSigma(value: number, sigma: number | null | undefined): [string, string] {
+  if (!isNumber(value) || !isNumber(sigma) || sigma <= 0) return [short(value), MISSING];
+  const {value: shown, sigma: about, power} = pairOf(value, sigma);
+  return [shown + power, about + power];
+}
+
+/** Figures beyond these are written with a power of ten. */
+const LARGEST = 1e5,
+  SMALLEST = 1e-3;
+
+function pairOf(value: number, sigma: number): {value: string; sigma: string; power: string} {
+  const size = Math.max(Math.abs(value), sigma);
+  const exponent = size >= LARGEST || size < SMALLEST ? Math.floor(Math.log10(size) + 1e-12) : 0;
+  const scale = 10 ** exponent;
+  const digits = Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(sigma / scale))));
+  const step = 10 ** Math.max(0, Math.floor(Math.log10(sigma / scale)) - 1);
+  const rounded = (number: number) => fixed(Math.round(number / scale / step) * step, digits);
+  const roundedFine = (number: number) => fixed(number / scale, digits);
+  const written = step > 1 ? rounded : roundedFine;
+  return {
+    value: written(value),
+    sigma: written(sigma),
+    power: exponent === 0 ? "" : `e${String(exponent).replace("-", "−")}`,
+  };
 }
 
 /** The 1, 2 or 5 times a power of ten at or below a positive value. */

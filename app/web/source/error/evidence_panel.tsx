@@ -1,12 +1,14 @@
-// Where the model fails: the errors at their places, or every reading as a row.
+// Where the model fails: the errors at their places, as those of each joint, or every reading as a row.
 import {signal} from "@preact/signals";
 import {rove} from "../drawing/segments";
+import {JointPanels} from "./joint_panels";
 import {ReadingTable} from "./reading_table";
 import {PlaneChoice, ResidualArrows} from "./residual_arrows";
 
-type Tab = "places" | "readings";
+type Tab = "places" | "joints" | "readings";
 const TABS: [Tab, string][] = [
   ["places", "Places"],
+  ["joints", "Joints"],
   ["readings", "Readings"],
 ];
 const tab = signal<Tab>("places");
@@ -33,7 +35,7 @@ export function EvidencePanel() {
           </div>
         ) : null}
       </header>
-      {tab.value === "places" ? <ResidualArrows /> : <ReadingTable />}
+      {tab.value === "places" ? <ResidualArrows /> : tab.value === "joints" ? <JointPanels /> : <ReadingTable />}
     </section>
   );
 }

@@ -46,7 +46,7 @@ function partFollowing(variable: Variable, errors: ReadingErrors, among: readonl
       part,
       share: followedShare(
         xs,
-        errors.series[0].errors.map((error, i) => (error ? part.of(error, i) : null)),
+        errors.series[errors.judged].errors.map((error, i) => (error ? part.of(error, i) : null)),
       ),
     }));
   return shares.reduce((best, entry) => (entry.share > best.share + 0.02 ? entry : best), {part: among[0], share: 0})

@@ -15,7 +15,7 @@ import {showReading} from "./show_reading";
 
 type Plane = "xy" | "xz" | "yz";
 const PLANES: [Plane, string][] = [
-  ["xy", "from above"],
+  ["xy", "above"],
   ["xz", "along y"],
   ["yz", "along x"],
 ];
@@ -32,7 +32,7 @@ export function PlaneChoice() {
       onChoose={(next) => (plane.value = next)}
       choices={PLANES.map(([value, words]) => ({
         value,
-        words: value === "xy" && sheet.value?.viewingSide === "below" ? "from below" : words,
+        words: value === "xy" && sheet.value?.viewingSide === "below" ? "below" : words,
       }))}
     />
   );

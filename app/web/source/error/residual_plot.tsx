@@ -88,7 +88,7 @@ function PlotLegend({errors, hasLaw}: {errors: ReadingErrors | null; hasLaw: boo
         </span>
       ))}
       <span>
-        <i class="means-sign" /> means before ± 2 s.e.
+        <i class="means-sign" /> means {errors?.judged === 1 ? "after" : "before"} ± 2 s.e.
       </span>
       {hasLaw ? (
         <span title="What the chosen cause takes away from the error, as a mean along the variable; the band is its spread">
@@ -128,7 +128,7 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot
     .flatMap((x, index) => (isNumber(x) ? [{x: spread(isLevel, x, index), index, id: errors.readings[index].id}] : []))
     .sort((a, b) => a.x - b.x);
   const values = errors.series.map((series) => series.errors.map((error, i) => (error ? part.of(error, i) : null)));
-  const means = part.isSigned ? binnedMeans(xs, values[0]) : [];
+  const means = part.isSigned ? binnedMeans(xs, values[errors.judged]) : [];
   const hasLaw = part.isSigned && errors.causes.length > 0;
   const law = hasLaw
     ? lawAlong(

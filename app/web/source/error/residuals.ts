@@ -20,6 +20,8 @@ export interface ReadingErrors {
   /** Before, then after; one alone where there is no after. */
   series: ErrorSeries[];
   joints: string[];
+  /** The series that means, shares and p-values are about: what the causes take away from; of a refit, what it leaves. */
+  judged: number;
   /** What is between before and after: the causes, first the one that is looked at; none for a mere refit. */
   causes: EffectAt[];
   /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
@@ -93,6 +95,7 @@ function ofDiagnosis(document: DiagnoseDocument): ReadingErrors {
     places: document.readings.map((reading) => reading.position),
     series,
     joints: document.joints.map((joint) => joint.name),
+    judged: 0,
     causes: explanation && isEnough(explanation) ? explanation.effects : [],
     sigmas: [
       before,
@@ -126,6 +129,7 @@ function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model
       },
     ],
     joints: jointsOf(now),
+    judged: 0,
     causes: model.effects.filter((own) => !had.has(`${own.effect}@${own.at}`)),
     sigmas: [
       now.readings.map(({id}) => known.get(id)?.sigmas_after),
@@ -152,6 +156,7 @@ function ofComparison(document: CompareDocument): ReadingErrors {
       },
     ],
     joints: jointsOf(document),
+    judged: 1,
     causes: [],
     sigmas: [
       document.readings.map((reading) => reading.sigmas_before),

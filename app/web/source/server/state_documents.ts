@@ -4,6 +4,7 @@ import type {Problem, Units} from "./common_documents";
 export interface JointInfo {
   name: string;
   unit: string;
+  row: number;
   lower: number | null;
   upper: number | null;
   home: number;
