@@ -82,6 +82,63 @@ describe("the plot of the errors", () => {
   }
 });
 
+describe("joint by joint", () => {
+  it("frames the loudest with its p-value, and a click shows it large", async () => {
+    const {tab, close} = await compared("joints", "hysteresis@theta4:0.06deg");
+    await tab.click(".evidence [role=tab]:has-text('Joints')");
+    await tab.waitForSelector(".joint-panel.loud");
+    assert.equal(await tab.locator(".joint-panel.loud").count(), 1);
+    assert.equal(await tab.getAttribute(".joint-panel.loud", "data-panel"), "theta4 direction");
+    assert.match(await tab.innerText(".joint-panel.loud"), /p = \d+e−\d+/);
+    assert.match(await tab.innerText(".joint-panel[data-panel='theta1 angle']"), /p = [01]\.\d+/);
+    await tab.click(".joint-panel[data-panel='theta2 load']");
+    await opensOn(tab, "load");
+    assert.equal(await part(tab), "as theta2");
+    await tab.click(".joint-panel.loud");
+    await opensOn(tab, "theta4_dir");
+    assert.equal(await part(tab), "as theta4");
+    // Added, nothing is loud any more.
+    await diagnosed(tab);
+    await tab.click(".next:has-text('Add')");
+    await tab.waitForSelector(".joint-panel.loud", {state: "detached", timeout: 60000});
+    await close();
+  });
+});
+
+describe("figures", () => {
+  it("mark what is far beyond the noise, and carry no digits that it does not", async () => {
+    const {tab, close} = await compared("figures", "hysteresis@theta4:0.06deg");
+    assert.match(await tab.innerText(".verdict-figures .bad"), /▲ 10\.5/);
+    await diagnosed(tab);
+    const words = await tab.innerText(".verdict ul");
+    assert.match(words, /half width 0\.05\d\d ± 0\.00\d\d deg/);
+    assert.match(words, /from 0\.0\d{3} to 0\.00\d\d in/);
+    const shown = await tab.evaluate(() => {
+      const box = document.querySelector(".verdict ul");
+      return box.scrollHeight <= box.clientHeight + 1;
+    });
+    assert.ok(shown, "nothing of the verdict is cut");
+    for (const size of await tab.locator(".ranking .size").allInnerTexts())
+      assert.doesNotMatch(size, /\d{7}|,\d{3},\d{3}/);
+    await tab.click(".next:has-text('Add')");
+    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 3 && !document.querySelector(".job"));
+    assert.equal(await tab.locator(".verdict-figures .bad").count(), 0);
+    await close();
+  });
+});
+
+describe("no known effect", () => {
+  it("leads to a formula, begun with what the error follows, and urges nothing that does not help", async () => {
+    const {tab, close} = await compared("unknown", "theta3 += c*sin(2*theta1)*cos(3*theta2); c=0.15");
+    await diagnosed(tab);
+    assert.match(await tab.innerText(".verdict h1"), /Unexplained/);
+    assert.equal(await tab.locator(".explanation .button.first").count(), 0);
+    await tab.click(".next:has-text('Try a formula')");
+    assert.match(await tab.inputValue(".formula input"), /^theta\d \+= c\*/);
+    await close();
+  });
+});
+
 describe("a reading", () => {
   it("names itself under the pointer, brings the arm there, and is set aside and taken back", async () => {
     const {tab, server, close} = await compared("asked", "hysteresis@theta4:0.06deg");

@@ -1,5 +1,15 @@
 import {describe, expect, it} from "vitest";
-import {clock, duration, probability, roundDown125, roundTicks, short, withSigma} from "../source/drawing/numbers";
+import {
+  chance,
+  clock,
+  duration,
+  probability,
+  roundDown125,
+  roundTicks,
+  short,
+  valueAndSigma,
+  withSigma,
+} from "../source/drawing/numbers";
 
 describe("figures", () => {
   it("have about three digits and a real minus sign", () => {
@@ -7,16 +17,29 @@ describe("figures", () => {
     expect(short(-12.4312)).toBe("−12.4");
     expect(short(4674)).toBe("4,674");
     expect(short(-3.14e-8)).toBe("−3.1e−8");
+    expect(short(28658879022000000)).toBe("2.87e16");
     expect(short(NaN)).toBe("–");
   });
   it("have as many digits as sigma tells", () => {
     expect(withSigma(0.0585900745, 0.00101218, "deg")).toBe("0.0586 ± 0.0010 deg");
     expect(withSigma(2, null, "in")).toBe("2.00 in");
+    expect(withSigma(9927495, 67123, "lbf/in^2")).toBe("(9.927 ± 0.067)e6 lbf/in^2");
+    expect(withSigma(2.8658879e16, 1.8571527e16, "lbf")).toBe("(2.9 ± 1.9)e16 lbf");
+    expect(withSigma(-0.000182, 0.000075)).toBe("(−1.82 ± 0.75)e−4");
+    expect(withSigma(3812, 640)).toBe("3,810 ± 640");
+    expect(valueAndSigma(12.34567, 0.0123)).toEqual(["12.346", "0.012"]);
+    expect(valueAndSigma(319800, 151571)).toEqual(["3.2e5", "1.5e5"]);
   });
   it("say certainty only where it is certain", () => {
     expect(probability(0.9997)).toBe("> 99.9 %");
     expect(probability(0.0002)).toBe("< 0.1 %");
     expect(probability(1)).toBe("100.0 %");
+  });
+  it("of chance are told with one digit where they are small", () => {
+    expect(chance(6.4e-173)).toBe("p = 6e−173");
+    expect(chance(0)).toBe("p < 1e−300");
+    expect(chance(0.0321)).toBe("p = 0.032");
+    expect(chance(null)).toBe("not tested");
   });
   it("of time read as a clock", () => {
     expect(clock(187.46)).toBe("03:07.5");

@@ -1,5 +1,5 @@
 // Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
-import {fixed, short} from "../drawing/numbers";
+import {fixed, isNumber, short, valueAndSigma} from "../drawing/numbers";
 import {units} from "../server/workbench";
 import {ProblemWords} from "../shell/states";
 import {Covariance} from "./covariance";
@@ -31,13 +31,14 @@ export function BasePanel() {
     );
   }
   const {length, angle} = units.value;
+  const isShort = document.verdict === "falls-short";
   return (
     <section class="panel grow">
       <header>
         <h2>Base</h2>
         <div class="end">
-          <span class="muted">
-            rms {short(document.rms)} {length}
+          <span class={isShort ? "bad" : "muted"}>
+            {isShort ? "▲ " : ""}rms {short(document.rms)} {length}
           </span>
         </div>
       </header>
@@ -58,10 +59,15 @@ export function BasePanel() {
             </tr>
           </thead>
           <tbody>
-            <FigureRow name={`position, ${length}`} values={document.base.position} />
-            <FigureRow name="± sigma" values={document.sigma.position} />
-            <FigureRow name={`turn, ${angle}`} values={document.base.rpy} />
-            <FigureRow name="± sigma" values={document.sigma.rotation} />
+            <FigureRows name={`position, ${length}`} values={document.base.position} sigmas={document.sigma.position} />
+            <FigureRows name={`turn, ${angle}`} values={document.base.rpy} sigmas={document.sigma.rotation} />
+            {isShort ? (
+              <tr>
+                <td colSpan={4} class="bad">
+                  ▲ the touches do not fit: these sigmas hold only where they do
+                </td>
+              </tr>
+            ) : null}
           </tbody>
         </table>
         <p class="muted">
@@ -78,8 +84,8 @@ export function BasePanel() {
               <tr>
                 <td>{touch.id}</td>
                 <td>{touch.hole}</td>
-                {touch.residual.map((value) => (
-                  <td class="number">{fixed(value, 4)}</td>
+                {touch.residual.map((value, k) => (
+                  <Left value={value} sigma={touch.sigma[k]} />
                 ))}
               </tr>
             ))}
@@ -108,13 +114,33 @@ export function BasePanel() {
   );
 }
 
-function FigureRow({name, values}: {name: string; values: readonly number[]}) {
+/** From so many sigmas on what is left at a touch is marked. */
+const MANY_SIGMAS = 4;
+
+function Left({value, sigma}: {value: number; sigma: number}) {
+  const times = Math.abs(value) / sigma;
+  const isBad = times >= MANY_SIGMAS;
   return (
-    <tr>
-      <th>{name}</th>
-      {values.map((value) => (
-        <td class="number">{fixed(value, 4)}</td>
+    <td class={`number ${isBad ? "bad" : ""}`} title={isNumber(times) ? `${short(times)} sigmas` : ""}>
+      {isBad ? "▲ " : ""}
+      {valueAndSigma(value, sigma)[0]}
+    </td>
+  );
+}
+
+/** Values and their sigmas below them, to the digits that those carry. */
+function FigureRows({name, values, sigmas}: {name: string; values: readonly number[]; sigmas: readonly number[]}) {
+  const pairs = values.map((value, k) => valueAndSigma(value, sigmas[k]));
+  return (
+    <>
+      {[name, "± sigma"].map((title, k) => (
+        <tr>
+          <th>{title}</th>
+          {pairs.map((pair) => (
+            <td class="number">{pair[k]}</td>
+          ))}
+        </tr>
       ))}
-    </tr>
+    </>
   );
 }

@@ -2,7 +2,7 @@
 import {rove} from "../drawing/segments";
 import {computed, signal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
-import {plural, short} from "../drawing/numbers";
+import {isNumber, plural, short} from "../drawing/numbers";
 import type {DiagnoseDocument} from "../server/documents";
 import {currentModel, runningJob, state, units} from "../server/workbench";
 import {dialog} from "../shell/page_state";
@@ -132,7 +132,9 @@ function VerdictBand() {
         <dt>readings</dt>
         <dd>{state.value?.measurements?.readings}</dd>
         <dt>chi² per degree of freedom</dt>
-        <dd>{short(document?.chi2_per_dof ?? ladder.value.document?.rungs.at(-1)?.chi2_per_dof)}</dd>
+        <dd>
+          <Misfit chi2={document?.chi2_per_dof ?? ladder.value.document?.rungs.at(-1)?.chi2_per_dof} />
+        </dd>
         <dt>noise floor</dt>
         <dd>
           {short(document?.rms.noise_floor ?? ladder.value.document?.rungs.at(-1)?.rms.noise_floor)}{" "}
@@ -141,6 +143,20 @@ function VerdictBand() {
       </dl>
       <NextStep isBusy={job !== null} />
     </section>
+  );
+}
+
+/** Errors of twice the stated noise and more are marked, by a sign as well as by colour. */
+const TWICE = 4;
+
+function Misfit({chi2}: {chi2: number | null | undefined}) {
+  if (!isNumber(chi2)) return <>–</>;
+  const isBad = chi2 >= TWICE;
+  return (
+    <span class={isBad ? "bad" : ""} title={`errors are ${short(Math.sqrt(chi2))} times the stated noise`}>
+      {isBad ? "▲ " : ""}
+      {short(chi2)}
+    </span>
   );
 }
 

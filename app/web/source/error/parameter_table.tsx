@@ -1,5 +1,5 @@
 // What the last fit found, each number with its interval and a word on whether it can be told.
-import {exact, short} from "../drawing/numbers";
+import {exact, valueAndSigma} from "../drawing/numbers";
 import type {IdentifyDocument} from "../server/documents";
 
 export function ParameterTable({document}: {document: IdentifyDocument}) {
@@ -19,8 +19,9 @@ export function ParameterTable({document}: {document: IdentifyDocument}) {
         {document.parameters.map((parameter) => (
           <tr key={parameter.name}>
             <td class="wrap">{parameter.name}</td>
-            <td class="number">{exact(Number(parameter.value?.toPrecision(5)))}</td>
-            <td class="number">{short(parameter.sigma)}</td>
+            {valueAndSigma(parameter.value, parameter.sigma).map((figure) => (
+              <td class="number">{figure}</td>
+            ))}
             <td class="number">{exact(parameter.start)}</td>
             <td>{parameter.unit}</td>
             <td class={parameter.identifiable === "yes" ? "" : "bad"}>{parameter.identifiable}</td>

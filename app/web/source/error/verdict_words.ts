@@ -29,7 +29,19 @@ function findingItems(document: DiagnoseDocument): string[] {
         `${short(rms.noise_floor)} ${units.length}.`,
     ];
   }
+  if (document.verdict === "adequate")
+    return [
+      `Nothing is missing: the error of ${short(rms.before)} ${units.length} is what noise leaves ` +
+        `(${short(rms.noise_floor)} ${units.length}).`,
+    ];
+  if (document.verdict === "unexplained" && !isScatter(document))
+    return ["Something is missing, and no known effect is sure to be part of it.", ...remainderItems(document)];
   return sentencesOf(document.sentence);
+}
+
+/** Beyond the stated noise, and following nothing: then the program's own words say what that can be. */
+function isScatter({probability}: DiagnoseDocument): boolean {
+  return (probability.scatter_alone ?? 0) > 0.5;
 }
 
 function remainderItems({remainder, units}: DiagnoseDocument): string[] {
@@ -37,7 +49,7 @@ function remainderItems({remainder, units}: DiagnoseDocument): string[] {
   const follows = remainder.follows.map(({variable, share}) => `${variable} (${percent(share)})`);
   return [
     `${short(remainder.size)} ${units.length} remains that no known effect explains` +
-      `${follows.length > 0 ? `; it follows ${follows.slice(0, 3).join(", ")}` : ""}.`,
+      `${follows.length > 0 ? `; it follows ${follows.slice(0, 3).join(", ")}` : ", and follows nothing that the readings state"}.`,
   ];
 }
 

@@ -104,7 +104,7 @@ export interface DiagnoseDocument {
   sentence: string;
   chi2_per_dof: number;
   p_value: number;
-  probability: {nothing_missing: number; unknown_alone: number};
+  probability: {nothing_missing: number; unknown_alone: number; scatter_alone?: number | null};
   not_tried: string[];
   explanations: Explanation[];
   closest: Explanation[];
