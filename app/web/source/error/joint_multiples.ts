@@ -57,7 +57,7 @@ function multipleOf(
   part: Part,
   name: string,
 ): Multiple {
-  const values = errors.series[errors.judged].errors.map((error, i) => (error ? part.of(error, i) : null));
+  const values = errors.series[errors.tested].errors.map((error, i) => (error ? part.of(error, i) : null));
   const chances = tested.flatMap((test) => (test.variable === name && test.p_value !== null ? [test.p_value] : []));
   return {
     joint,

@@ -50,7 +50,11 @@ export function JointPanels() {
           </>
         ))}
       </div>
-      <SeriesLegend errors={errors} />
+      <SeriesLegend errors={errors}>
+        <span>
+          <i class="mean-line" /> means and p: {errors.tested === 0 ? "before" : "after"}
+        </span>
+      </SeriesLegend>
     </div>
   );
 }
@@ -165,7 +169,7 @@ function drawPanel(
   });
   const means = binnedMeans(
     xs,
-    errors.series[errors.judged].errors.map((error, i) => (error ? part.of(error, i) : null)),
+    errors.series[errors.tested].errors.map((error, i) => (error ? part.of(error, i) : null)),
   );
   context.strokeStyle = colours.ink;
   context.lineWidth = 1.6;

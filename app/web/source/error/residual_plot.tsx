@@ -1,5 +1,6 @@
 // The errors against anything that a reading says of itself: before hollow and after full on one scale, the law of the
 // cause drawn through, means of bins with their bars.
+import type {ComponentChildren} from "preact";
 import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {MarkIcon} from "../drawing/marks";
@@ -67,7 +68,7 @@ export function ResidualPlot() {
   );
 }
 
-export function SeriesLegend({errors}: {errors: ReadingErrors | null}) {
+export function SeriesLegend({errors, children}: {errors: ReadingErrors | null; children?: ComponentChildren}) {
   return (
     <p class="series-legend">
       {(errors?.series ?? []).map((series) => (
@@ -75,18 +76,14 @@ export function SeriesLegend({errors}: {errors: ReadingErrors | null}) {
           <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} /> {series.name}
         </span>
       ))}
+      {children}
     </p>
   );
 }
 
 function PlotLegend({errors, hasLaw}: {errors: ReadingErrors | null; hasLaw: boolean}) {
   return (
-    <p class="series-legend">
-      {(errors?.series ?? []).map((series) => (
-        <span>
-          <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} /> {series.name}
-        </span>
-      ))}
+    <SeriesLegend errors={errors}>
       <span>
         <i class="means-sign" /> means {errors?.judged === 1 ? "after" : "before"} ± 2 s.e.
       </span>
@@ -95,7 +92,7 @@ function PlotLegend({errors, hasLaw}: {errors: ReadingErrors | null; hasLaw: boo
           <i class="law-sign" /> law
         </span>
       ) : null}
-    </p>
+    </SeriesLegend>
   );
 }
 

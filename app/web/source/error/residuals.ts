@@ -22,6 +22,8 @@ export interface ReadingErrors {
   joints: string[];
   /** The series that means, shares and p-values are about: what the causes take away from; of a refit, what it leaves. */
   judged: number;
+  /** The series that the comparison's tests are about. */
+  tested: number;
   /** What is between before and after: the causes, first the one that is looked at; none for a mere refit. */
   causes: EffectAt[];
   /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
@@ -96,6 +98,7 @@ function ofDiagnosis(document: DiagnoseDocument): ReadingErrors {
     series,
     joints: document.joints.map((joint) => joint.name),
     judged: 0,
+    tested: 0,
     causes: explanation && isEnough(explanation) ? explanation.effects : [],
     sigmas: [
       before,
@@ -130,6 +133,7 @@ function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model
     ],
     joints: jointsOf(now),
     judged: 0,
+    tested: 1,
     causes: model.effects.filter((own) => !had.has(`${own.effect}@${own.at}`)),
     sigmas: [
       now.readings.map(({id}) => known.get(id)?.sigmas_after),
@@ -157,6 +161,7 @@ function ofComparison(document: CompareDocument): ReadingErrors {
     ],
     joints: jointsOf(document),
     judged: 1,
+    tested: 1,
     causes: [],
     sigmas: [
       document.readings.map((reading) => reading.sigmas_before),
