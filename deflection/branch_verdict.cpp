@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 namespace tubeplan::deflection {
 
@@ -10,6 +12,13 @@ namespace {
 
 using Eigen::VectorXd;
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr const char* kStretched = "the arm is stretched or folded: smallest singular value below the floor";
+
+std::string degrees(double angle) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << angle * 360 / kTurn;
+  return text.str();
+}
 
 int severity(BranchStatus status) {
   switch (status) {
@@ -17,12 +26,14 @@ int severity(BranchStatus status) {
       return 0;
     case BranchStatus::kPastJointLimit:
       return 1;
-    case BranchStatus::kSingular:
+    case BranchStatus::kTiltTooLarge:
       return 2;
-    case BranchStatus::kNotConverged:
+    case BranchStatus::kSingular:
       return 3;
-    default:
+    case BranchStatus::kNotConverged:
       return 4;
+    default:
+      return 5;
   }
 }
 
@@ -44,24 +55,24 @@ std::string wrapIntoLimits(const Arm& arm, VectorXd& q) {
   return {};
 }
 
-void judge(const Arm& arm, bool exact, const InverseKinematicsOptions& options, Branch& branch) {
+void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& branch) {
+  const bool flat = branch.smallest_singular_value < options.singular_floor;
   if (branch.status != BranchStatus::kConverged) {
-    const bool flat = branch.smallest_singular_value < options.singular_floor;
     branch.status = flat ? BranchStatus::kSingular : BranchStatus::kNotConverged;
-    branch.reason = flat ? "the arm is stretched or folded: smallest singular value below the floor"
-                         : "Newton's method did not reach the goal";
+    branch.reason = flat ? kStretched : "Newton's method did not reach the goal";
     return;
   }
   const std::string joint = wrapIntoLimits(arm, branch.q);
   if (!joint.empty()) {
     branch.status = BranchStatus::kPastJointLimit;
     branch.reason = "past the limit of joint " + joint;
-  } else if (exact && branch.smallest_singular_value < options.singular_floor) {
+  } else if (flat) {
     branch.status = BranchStatus::kSingular;
-    branch.reason = "the arm is stretched or folded: smallest singular value below the floor";
-  } else if (!exact && branch.position_error > 1e-6) {
-    branch.status = BranchStatus::kOutOfReach;
-    branch.reason = "the goal is out of reach of this branch";
+    branch.reason = kStretched;
+  } else if (branch.tilt > options.max_tilt) {
+    branch.status = BranchStatus::kTiltTooLarge;
+    branch.reason = "the tool leans by " + degrees(branch.tilt) + " deg at the least, more than the " +
+                    degrees(options.max_tilt) + " deg that are allowed";
   }
 }
 
@@ -95,6 +106,8 @@ const char* nameOf(BranchStatus status) {
       return "singular";
     case BranchStatus::kNotConverged:
       return "not-converged";
+    case BranchStatus::kTiltTooLarge:
+      return "tilt-too-large";
   }
   return "";
 }

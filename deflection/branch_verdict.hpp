@@ -8,8 +8,8 @@ namespace tubeplan::deflection {
 /// Brings each revolute reading into its limits by whole turns where that is possible, and names the one that is not.
 std::string wrapIntoLimits(const Arm& arm, Eigen::VectorXd& q);
 
-/// Status and reason of a branch as it was found; `exact`: the arm can meet every goal in reach.
-void judge(const Arm& arm, bool exact, const InverseKinematicsOptions& options, Branch& branch);
+/// Status and reason of a branch as it was found.
+void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& branch);
 
 /// Whether two postures are the same but for whole turns.
 [[nodiscard]] bool isSameBranch(const Eigen::VectorXd& a, const Eigen::VectorXd& b);

@@ -10,7 +10,8 @@
 #include "deflection/hinges/hinge_chain.hpp"
 #include "deflection/hinges/kernels.hpp"
 #include "deflection/inverse_solver.hpp"
-#include "deflection/turret_branches.hpp"
+#include "deflection/prepared_arm.hpp"
+#include "deflection/start_postures.hpp"
 
 namespace tubeplan::deflection {
 
@@ -52,7 +53,7 @@ Branch branchOf(const hinges::Reached& reached, std::size_t lane) {
 class InverseSolver::Parts {
  public:
   Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
-      : options(asked), branches(arm), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
+      : options(asked), branches(arm, options), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
 
   /// Each start led to its goal.
   std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
@@ -64,12 +65,12 @@ class InverseSolver::Parts {
     if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
     for (const std::size_t k : open) found[k] = leadAlone(goals[k], starts[k]);
-    for (Branch& branch : found) judge(arm_, branches.isTurret(), options, branch);
+    for (Branch& branch : found) judge(arm_, options, branch);
     return found;
   }
 
   const InverseKinematicsOptions options;
-  const RigidBranches branches;
+  StartPostures branches;
 
  private:
   /// Those of `which` that a kernel leads to their goals or as near as they come; returns the others.
@@ -131,13 +132,14 @@ hinges::Goals InverseSolver::Parts::goalsFor(const hinges::HingeArm& numbers, bo
 }
 
 Branch InverseSolver::Parts::leadAlone(const ToolGoal& goal, const VectorXd& start) {
-  if (!problem_) problem_.emplace(arm_, branches.isTurret(), load_, gravity_B_, options);
-  Branch branch = dampedNewton(*problem_, goal, start, options);
+  if (!problem_)
+    problem_.emplace(arm_, branches.isTurret(), deflectedTip(arm_, load_, gravity_B_, options.kinematics), options);
+  Branch branch = leadToGoal(*problem_, goal, start);
   if (arm_.effects.empty() || branch.status != BranchStatus::kConverged) return branch;
   // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
   VectorXd wrapped = branch.q;
   wrapIntoLimits(arm_, wrapped);
-  return wrapped == branch.q ? branch : dampedNewton(*problem_, goal, wrapped, options);
+  return wrapped == branch.q ? branch : leadToGoal(*problem_, goal, wrapped);
 }
 
 InverseSolver::InverseSolver(const Arm& arm, double load, const Vector3d& gravity_B,
@@ -155,7 +157,7 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
   std::vector<VectorXd> starts;
   std::vector<std::size_t> ends;
   for (const ToolGoal& goal : goals) {
-    parts_->branches.addStarts(goal, parts_->options.lattice_starts, starts);
+    parts_->branches.addStarts(goal, starts);
     goal_of.resize(starts.size(), goal);
     ends.push_back(starts.size());
   }
@@ -168,7 +170,8 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
       Branch& branch = found[k];
       const bool known = std::any_of(branches.begin(), branches.end(),
                                      [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
-      if (!known && (parts_->branches.isTurret() || branch.status != BranchStatus::kNotConverged))
+      // What a search found near the goal and the bent arm does not reach is no branch.
+      if (!known && (parts_->branches.isTurret() || branch.position_error < parts_->options.position_tolerance))
         branches.push_back(std::move(branch));
     }
     summarise(results[g]);

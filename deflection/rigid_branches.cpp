@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "deflection/flexible_kinematics.hpp"
 #include "deflection/turret_branches.hpp"
 
 namespace tubeplan::deflection {
@@ -14,25 +13,6 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kPi = std::numbers::pi;
 constexpr double kLastReach = 1.1;  ///< of the elbow's cosine: goals beyond it are out of reach of any deflection
-
-/// Joint axes and tip at zero readings, in the base frame.
-struct AxesAtZero {
-  std::vector<Vector3d> point, direction;
-  Vector3d tip, tool_axis;
-};
-
-AxesAtZero axesAtZero(const Arm& arm) {
-  const auto active = activeRows(arm);
-  const auto zero = solveFlexibleKinematics(rigidCopy(arm), {VectorXd::Zero(active.size())});
-  AxesAtZero axes;
-  for (int row : active) {
-    axes.point.push_back(zero.rows[row].X_BL_rigid.p);
-    axes.direction.push_back(zero.rows[row].X_BL_rigid.R.col(2));
-  }
-  axes.tip = zero.X_BT.p;
-  axes.tool_axis = zero.X_BT.R * arm.tool_axis_L;
-  return axes;
-}
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
@@ -77,8 +57,6 @@ std::vector<Vector2d> solveTwoLinks(const Vector2d& elbow, const Vector2d& wrist
 
 }  // namespace
 
-namespace {
-
 bool carriesPlane(const Arm& arm, const AxesAtZero& axes) {
   const auto active = activeRows(arm);
   if (active.size() != 4) return false;
@@ -117,32 +95,12 @@ void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector
   }
 }
 
-}  // namespace
-
 bool isTurretArm(const Arm& arm) { return carriesPlane(arm, axesAtZero(arm)); }
 
 std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
   std::vector<VectorXd> branches;
   addTurretBranches(axesAtZero(arm), goal, branches);
   return branches;
-}
-
-RigidBranches::RigidBranches(const Arm& arm) : arm_(arm) {
-  const AxesAtZero axes = axesAtZero(arm);
-  is_turret_ = carriesPlane(arm, axes);
-  points_ = axes.point;
-  directions_ = axes.direction;
-  tip_ = axes.tip;
-  tool_axis_ = axes.tool_axis;
-}
-
-void RigidBranches::addStarts(const ToolGoal& goal, int lattice_starts, std::vector<VectorXd>& starts) const {
-  if (is_turret_) {
-    addTurretBranches({points_, directions_, tip_, tool_axis_}, goal, starts);
-    return;
-  }
-  const std::vector<VectorXd> lattice = latticeStarts(arm_, lattice_starts);
-  starts.insert(starts.end(), lattice.begin(), lattice.end());
 }
 
 std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {

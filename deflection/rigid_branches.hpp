@@ -22,8 +22,7 @@ bool isTurretArm(const Arm& arm);
 /// (-pi, pi]. Empty: out of reach. Calkins' Cobra is such an arm.
 std::vector<Eigen::VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal);
 
-/// Starts for any other arm: a deterministic low-discrepancy lattice over the joint limits (one turn where there are
-/// none).
+/// A deterministic low-discrepancy lattice over the joint limits (one turn where there are none).
 std::vector<Eigen::VectorXd> latticeStarts(const Arm& arm, int count);
 
 }  // namespace tubeplan::deflection

@@ -23,6 +23,12 @@ constexpr std::array kModes{CompensationRow{Compensation::kNone, "none"},
                             CompensationRow{Compensation::kGoalPoint, "goal-point"},
                             CompensationRow{Compensation::kViaPoint, "via-point"}};
 
+deflection::InverseKinematicsOptions withinTilt(const tubesheets::SteppedTool& tool,
+                                                deflection::InverseKinematicsOptions options) {
+  options.max_tilt = std::min(options.max_tilt, toleratedTilt(tool));
+  return options;
+}
+
 /// Inverse kinematics of one model of the cell (the arm as it is, or rigid), goals given in the world.
 class ToolPlacer {
  public:
@@ -30,7 +36,7 @@ class ToolPlacer {
       : cell_(cell),
         joints_(static_cast<Eigen::Index>(deflection::activeRows(arm).size())),
         gravity_B_(deflection::gravityInBase(arm, cell.X_WB)),
-        solver_(arm, cell.load, gravity_B_, options),
+        solver_(arm, cell.load, gravity_B_, withinTilt(cell.tool, options)),
         kinematics_(arm) {}
 
   std::vector<deflection::Branch> allBranches(const Vector3d& tip_W) {
@@ -205,20 +211,6 @@ void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::
   }
 }
 
-}  // namespace
-
-std::string_view nameOf(Compensation mode) {
-  return std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; })->name;
-}
-
-std::optional<Compensation> findCompensation(std::string_view name) {
-  for (const auto& row : kModes)
-    if (row.name == name) return row.mode;
-  return std::nullopt;
-}
-
-namespace {
-
 /// The two models that a mode works with: one for the goal, one for the way up to it. Either is made when asked for.
 class Modes {
  public:
@@ -275,6 +267,22 @@ class Modes {
 };
 
 }  // namespace
+
+std::string_view nameOf(Compensation mode) {
+  return std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; })->name;
+}
+
+std::optional<Compensation> findCompensation(std::string_view name) {
+  for (const auto& row : kModes)
+    if (row.name == name) return row.mode;
+  return std::nullopt;
+}
+
+double toleratedTilt(const tubesheets::SteppedTool& tool) {
+  const bool is_stated = !tool.steps.empty() && !tool.lengths.empty();
+  return is_stated ? std::atan2(tool.steps.front().tolerance, tool.lengths.front())
+                   : std::numeric_limits<double>::infinity();
+}
 
 std::vector<TubeBranch> compensate(const Workcell& cell, const Vector3d& hole_W, const CompensationOptions& options) {
   Modes modes(cell, options);

@@ -1,5 +1,6 @@
 #include "planner/tube_reach.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "planner/side_by_side.hpp"
@@ -16,6 +17,16 @@ struct BranchVerdict {
   std::string reason;
   Clearance blocking;
 };
+
+constexpr double kSameTilt = 0.0044;  ///< rad; a quarter of a degree
+
+/// Where others stand the tool more upright, branches that lean more are left out. A turret arm's joints have no say in
+/// what stays of its tilt: all its branches are kept.
+void keepUpright(const deflection::Arm& arm, std::vector<TubeBranch>& branches) {
+  if (branches.size() < 2 || deflection::isTurretArm(arm)) return;
+  const double least = std::ranges::min_element(branches, {}, &TubeBranch::tilt)->tilt;
+  std::erase_if(branches, [&](const TubeBranch& branch) { return branch.tilt > least + kSameTilt; });
+}
 
 std::string inTheWay(const Clearance& clearance) {
   if (clearance.body.empty()) return clearance.other;
@@ -60,6 +71,7 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
     }
   }
   if (reach.branches.empty()) return reach;
+  keepUpright(clearance.cell().arm, reach.branches);
   reach.status = ReachStatus::kReachable;
   reach.reason.clear();
   return reach;
