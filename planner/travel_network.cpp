@@ -10,7 +10,14 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr std::size_t kRoadmapTubes = 600;
+constexpr int kRoadmapPostures = 2400;  ///< at holes, at most
+constexpr int kTurretBranches = 4;
+
+/// How many tubes, spread over the sheet, give the roadmap their postures.
+std::size_t roadmapTubes(const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options) {
+  const int branches = deflection::isTurretArm(arm) ? kTurretBranches : options.most_branches;
+  return static_cast<std::size_t>(std::max(1, kRoadmapPostures / std::max(1, branches)));
+}
 
 MotionPlan reversed(MotionPlan plan) {
   std::reverse(plan.waypoints.begin(), plan.waypoints.end());
@@ -48,7 +55,8 @@ MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOpti
 const Roadmap& TravelRoadmap::get() {
   if (roadmap_) return *roadmap_;
   const auto& tubes = clearance_.cell().sheet.tubes;
-  const std::size_t step = std::max<std::size_t>(1, tubes.size() / kRoadmapTubes);
+  const std::size_t wanted = roadmapTubes(clearance_.cell().arm, options_.reach.compensation.inverse);
+  const std::size_t step = std::max<std::size_t>(1, tubes.size() / wanted);
   std::vector<Eigen::VectorXd> postures;
   for (std::size_t tube = 0; tube < tubes.size(); tube += step)
     for (const auto& branch : compensate(clearance_.cell(), holeCentre(tubes[tube]), options_.reach.compensation))

@@ -19,6 +19,7 @@ namespace {
 constexpr int kTryEveryOrderUpTo = 4;
 constexpr double kTrialShare = 0.08;   // of all kicks, for each start tour ...
 constexpr double kFinishShare = 0.32;  // ... and for the best of them
+constexpr double kFewBranches = 4;     // for each visit, on the average: with more there are fewer kicks
 constexpr long kKicksBetweenStops = 1000;
 constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
 
@@ -103,11 +104,18 @@ struct Searched {
   double lower_bound = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// A kick tries every branch of the visits about it: with many, fewer are made in the same time.
+long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
+  const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
+                                      std::max(options.least_kicks, options.most_kicks));
+  const double branches = static_cast<double>(table.postures()) / table.visits();
+  return std::lround(static_cast<double>(kicks) * std::min(1., kFewBranches / branches));
+}
+
 /// The bound is found while the search goes on: a time near the best is all that it wants to know.
 Searched searched(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
   const auto neighbours = nearestNeighbours(table, options.neighbours);
-  const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
-                                      std::max(options.least_kicks, options.most_kicks));
+  const long kicks = kicksFor(table, options);
   Searched result;
   if (options.start.empty()) {
     result.best = bestOfTrials(table, neighbours, kicks, options);
