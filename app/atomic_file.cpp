@@ -1,5 +1,6 @@
 #include "app/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -94,6 +95,15 @@ void writeContent(const fs::path& path, const std::string& content, const std::s
   }
 }
 
+/// Waits until a file's content, or a folder's list of files, is on the disk: what was renamed over an older file
+/// before its content was there would be neither after a power cut. A file system that cannot is not waited for.
+void sync(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  (void)::fsync(file);
+  ::close(file);
+}
+
 void refuseFolder(const fs::path& path, const std::string& option) {
   std::error_code error;
   if (path.filename().empty() || fs::is_directory(path, error))
@@ -127,8 +137,9 @@ void writeFileAtomically(const fs::path& named, const std::string& content, cons
   makeFolders(folderOf(path), option);
   const fs::path temporary = temporaryBeside(path);
   writeContent(temporary, content, option);
+  sync(temporary);
   fs::rename(temporary, path, error);
-  if (!error) return;
+  if (!error) return sync(folderOf(path));
   std::error_code ignored;
   fs::remove(temporary, ignored);
   fail(option, path, error.message());
@@ -172,12 +183,14 @@ void OutputFolder::write(const std::string& name, const std::string& content) {
 void OutputFolder::remove(const std::string& name) { stale_.push_back(name); }
 
 void OutputFolder::commit() {
+  for (const std::string& name : names_) sync(scratch_ / name);
   for (const std::string& name : names_) {
     std::error_code error;
     fs::rename(scratch_ / name, path_ / name, error);
     if (error) fail(option_, path_ / name, error.message());
   }
   names_.clear();
+  sync(path_);
   std::error_code ignored;  // a stale file that stays does no harm beyond itself
   for (const std::string& name : stale_) fs::remove(path_ / name, ignored);
 }

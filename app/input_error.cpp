@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "app/utf8.hpp"
+
 namespace tubeplan::app {
 
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
+constexpr std::size_t kLongestPart = 4000;  // of a message; a file's name may be that long
 
 std::string sentence(const std::string& where, const std::string& found, const std::string& expected,
                      const std::string& advice) {
@@ -14,32 +17,22 @@ std::string sentence(const std::string& where, const std::string& found, const s
   return advice.empty() ? core : core + "; " + advice;
 }
 
-// Whatever came in, a message stays one line.
-std::string onOneLine(std::string text) {
+/// Whatever came in, a message stays one line of text.
+std::string part(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-  return text;
+  return printable(text, kLongestPart);
 }
 
 }  // namespace
 
 InputError::InputError(std::string where, std::string found, std::string expected, std::string advice)
-    : std::runtime_error(onOneLine(sentence(where, found, expected, advice))),
-      where_(std::move(where)),
-      found_(std::move(found)),
-      expected_(std::move(expected)),
-      advice_(std::move(advice)) {}
+    : std::runtime_error(sentence(part(where), part(found), part(expected), part(advice))),
+      where_(part(std::move(where))),
+      found_(part(std::move(found))),
+      expected_(part(std::move(expected))),
+      advice_(part(std::move(advice))) {}
 
-std::string inQuotes(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text.substr(0, kLongestQuote)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F)
-      out += fmt::format("\\x{:02X}", byte);
-    else
-      out += c;
-  }
-  return out + (text.size() > kLongestQuote ? "...'" : "'");
-}
+std::string inQuotes(std::string_view text) { return "'" + printable(text, kLongestQuote) + "'"; }
 
 }  // namespace tubeplan::app

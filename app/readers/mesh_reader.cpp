@@ -24,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFile = 256u << 20;
-constexpr std::size_t kMostCorners = 1000;  // of a polygon
+constexpr std::size_t kMostCorners = 1000;      // of a polygon
+constexpr std::size_t kLongestLine = 1u << 15;  // of an OBJ file: a face of the most corners, three numbers each
 constexpr std::array<std::string_view, 3> kKinds{"stl", "obj", "ply"};
 
 /// Files that a mesh names beside itself are none of its business.
@@ -58,6 +59,21 @@ std::string bytesOf(const std::string& path) {
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (bytes.empty()) throw InputError(path, "an empty file", "a mesh", "check that the file was written");
   return bytes;
+}
+
+/// The line that the library, which reads a long one in the square of its length, must not see; 0: none. A backslash
+/// before its end carries a line on.
+std::size_t findLongLine(std::string_view text) {
+  std::size_t line = 1, began = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (at - began > kLongestLine) return line;
+    if (text[at] != '\n') continue;
+    const std::size_t before = at > 0 && text[at - 1] == '\r' ? 2 : 1;
+    const bool goes_on = at >= before && text[at - before] == '\\';
+    ++line;
+    if (!goes_on) began = at + 1;
+  }
+  return 0;
 }
 
 using Triangle = std::array<int, 3>;
@@ -119,6 +135,9 @@ MeshFile readMeshFile(const std::string& path) {
   // Without the end of its header a PLY file keeps the library busy for ever.
   if (kind == "ply" && (!bytes.starts_with("ply") || bytes.find("end_header") == std::string::npos))
     throw InputError(path, "a PLY file without a whole header", "ply ... end_header", "export the part again");
+  if (const std::size_t line = kind == "obj" ? findLongLine(bytes) : 0; line > 0)
+    throw InputError(fmt::format("{}:{}", path, line), fmt::format("a line of more than {} bytes", kLongestLine),
+                     "a vertex or a face to a line", "export the part again");
   MeshFile file;
   file.fingerprint = fingerprintOf(bytes);
   Assimp::Importer importer;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/input_error.hpp"
+#include "app/utf8.hpp"
 
 namespace tubeplan::app {
 
@@ -18,30 +19,15 @@ namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;
 
-// The length of the UTF-8 sequence that starts at `at`, or 0 where there is none.
-std::size_t sequenceLength(std::string_view text, std::size_t at) {
-  const auto byte = static_cast<unsigned char>(text[at]);
-  const std::size_t length = byte < 0x80                   ? 1
-                             : byte >= 0xC2 && byte < 0xE0 ? 2
-                             : byte >= 0xE0 && byte < 0xF0 ? 3
-                             : byte >= 0xF0 && byte < 0xF5 ? 4
-                                                           : 0;
-  if (at + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((static_cast<unsigned char>(text[at + k]) & 0xC0) != 0x80) return 0;
-  return length;
-}
-
-bool isControl(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') || byte == 0x7F;
+bool isOfText(std::string_view sequence) {
+  return sequence == "\n" || sequence == "\r" || sequence == "\t" || !isControl(sequence);
 }
 
 // Where the first byte is that no text file has.
 std::optional<std::size_t> findNonText(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = isControl(text[at]) ? 0 : sequenceLength(text, at);
-    if (length == 0) return at;
+    const std::size_t length = sequenceLength(text, at);
+    if (length == 0 || !isOfText(text.substr(at, length))) return at;
     at += length;
   }
   return std::nullopt;

@@ -116,10 +116,8 @@ std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const st
   std::vector<TouchMade> made;
   if (entry.is_null()) return made;
   const auto touches = touchesOf(parseReadings(entry.at("csv"), file, cell), cell, file);
-  for (std::size_t k = 0; k < touches.size(); ++k) {
+  for (std::size_t k = 0; k < touches.size(); ++k)
     made.push_back({touches[k], entry.at("tubes").at(k), entry.at("simulated").at(k)});
-    made.back().touch.neighbours.clear();  // as when it was made
-  }
   return made;
 }
 

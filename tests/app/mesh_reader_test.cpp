@@ -62,6 +62,10 @@ TEST_F(MeshReader, WhatIsNoMeshIsRefused) {
   expectSays(message(write("words.stl", "here is no mesh at all, only words that go on for a while, on and on and on")),
              "words.stl");
   expectSays(message(write("nothing.stl", "solid nothing\nendsolid nothing\n")), "nothing.stl");
+  expectSays(message(write("long.obj", "v 0 0 0\nf" + std::string(200000, ' ') + "\n")), "long.obj:2: found a line of");
+  std::string carried_on = "f ";
+  for (int k = 0; k < 5000; ++k) carried_on += "1 2 3 \\\n";
+  expectSays(message(write("carried.obj", carried_on)), "a line of more than");
   expectSays(message(write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), "points.obj");
   expectSays(message(write("cut.stl", stlBytes(ballMesh(1, 8)).substr(0, 700))), "cut.stl");
   auto ball = ballMesh(1, 4);
