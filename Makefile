@@ -1,5 +1,6 @@
 # make demo   installs what is missing, builds, and plans the mock-up's tubes
 # make test   the same, and runs every test
+# make package  the same as demo's build, and a Debian package of it in build/
 # make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
 TUBES   ?= spread:60
 TOUCHES ?= auto
@@ -11,7 +12,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test bench program packages format clean
+.PHONY: demo test bench package program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -23,6 +24,9 @@ test: $(BUILD)/build.ninja
 
 bench: $(BENCH)/build.ninja
 	@cmake --build $(BENCH) -j $(JOBS) --target bench
+
+package: program
+	cd $(BUILD) && cpack -G DEB
 
 program: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) -j $(JOBS) --target tubeplan

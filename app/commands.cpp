@@ -58,6 +58,9 @@ constexpr Command kCommands[] = {
     {"serve", "the workbench: all of this in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},
+    {"completion", "a script that makes the shell complete commands and options",
+     "tubeplan completion bash > ~/.local/share/bash-completion/completions/tubeplan", configureCompletion},
+    {"man", "the manual page, to be shown by man", "tubeplan man > tubeplan.1 && man ./tubeplan.1", configureMan},
 };
 
 }  // namespace

@@ -1,0 +1,21 @@
+// `tubeplan completion SHELL`: what makes a shell complete its commands and options.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/command.hpp"
+#include "app/command_words.hpp"
+
+namespace tubeplan::app {
+
+Run configureCompletion(CLI::App& cli) {
+  const auto shell = std::make_shared<std::string>();
+  cli.add_option("SHELL", *shell, "bash, zsh or fish")->required();
+  return [shell] {
+    fmt::print("{}", completionScript(*shell));
+    return static_cast<int>(kDone);
+  };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,18 @@
+// `tubeplan man`: the manual page.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/command.hpp"
+#include "app/command_words.hpp"
+
+namespace tubeplan::app {
+
+Run configureMan(CLI::App&) {
+  return [] {
+    fmt::print("{}", manualPage());
+    return static_cast<int>(kDone);
+  };
+}
+
+}  // namespace tubeplan::app
