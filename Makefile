@@ -26,7 +26,7 @@ bench: $(BENCH)/build.ninja
 	@cmake --build $(BENCH) -j $(JOBS) --target bench
 
 package: program
-	cd $(BUILD) && cpack -G DEB
+	cd $(BUILD) && SOURCE_DATE_EPOCH=$$(git -C .. log -1 --format=%ct) cpack -G DEB
 
 program: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) -j $(JOBS) --target tubeplan
