@@ -39,7 +39,7 @@ Answer propose(Workbench& workbench, const Request& request) {
         beginStage(context, "proposals");
         const auto outcome =
             proposeTouches(asked, currentModel(began).cell,
-                           began.readings ? began.readings->readings : std::vector<calibration::Measurement>());
+                           began.readings ? readingsInUse(*began.readings) : std::vector<calibration::Measurement>());
         nlohmann::json figures = proposalsJson(outcome);
         figures["seed"] = asked.seed;
         figures["optimality"] = "D";
@@ -123,11 +123,11 @@ Answer touches(Workbench& workbench, const Request&) {
   return answerOf({{"units", unitsJson(cell.units)}, {"touches", list}});
 }
 
-/// Those of the list; where it is empty, those among the readings. Through the text of a measurement file, as the
-/// command takes them.
+/// Those of the list; where it is empty, those among the readings that are not set aside. Through the text of a
+/// measurement file, as the command takes them.
 std::vector<calibration::Measurement> touchesToUse(const Situation& situation, const Cell& cell) {
   if (situation.touches.empty() && situation.readings)
-    return touchesOf(situation.readings->readings, cell, situation.readings->name);
+    return touchesOf(readingsInUse(*situation.readings), cell, situation.readings->name);
   std::vector<calibration::Measurement> made;
   for (const auto& touch : situation.touches) made.push_back(touch.touch);
   if (made.empty()) throw InputError("touches", "none", "three or more touched holes", "touch some first");

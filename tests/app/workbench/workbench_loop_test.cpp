@@ -82,6 +82,19 @@ TEST_F(WorkbenchLoop, readingsSetAsideAreSeenByNoFitUntilTheyAreTakenBack) {
   EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", ids}}).status, 422);
 }
 
+TEST_F(WorkbenchLoop, aTouchThatIsSetAsidePlacesNoBase) {
+  serve("mockup.yaml");
+  done("/api/simulate", {{"design", "bowl"}, {"readings", 15}, {"loads", {0}}, {"seed", 3}});
+  done("/api/calibrate");
+  EXPECT_EQ(get("/api/results/calibrate").body["residuals"].size(), 15u);
+  EXPECT_EQ(post("/api/undo").body["model"], 0);
+  EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"1"}}}).status, 200);
+  done("/api/calibrate");
+  const json residuals = get("/api/results/calibrate").body["residuals"];
+  ASSERT_EQ(residuals.size(), 14u);
+  for (const auto& touch : residuals) EXPECT_NE(touch["id"], "1");
+}
+
 TEST_F(WorkbenchLoop, anEarlierModelsComparisonIsStillThere) {
   serve("bench.yaml");
   simulate();
