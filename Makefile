@@ -25,7 +25,7 @@ test: $(BUILD)/build.ninja
 bench: $(BENCH)/build.ninja
 	@cmake --build $(BENCH) -j $(JOBS) --target bench
 
-package: program
+package: program $(BUILD)/.packages-deb
 	cd $(BUILD) && SOURCE_DATE_EPOCH=$$(git -C .. log -1 --format=%ct) cpack -G DEB
 
 program: $(BUILD)/build.ninja
@@ -43,10 +43,11 @@ packages: $(BUILD)/.packages
 
 $(BUILD)/.packages: packages.txt
 $(BENCH)/.packages: packages.txt packages-bench.txt
+$(BUILD)/.packages-deb: packages-deb.txt
 
 # The stamp stands for "all of its lists is installed"; only what is missing is fetched. A package whose command is there
 # from elsewhere counts as installed: Node.js's own packages bring npm and do not go with Debian's.
-$(BUILD)/.packages $(BENCH)/.packages:
+$(BUILD)/.packages $(BENCH)/.packages $(BUILD)/.packages-deb:
 	@missing=; for package in $$(grep -hv '^#' $^); do \
 	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || command -v $$package >/dev/null || missing="$$missing $$package"; \
 	done; \
