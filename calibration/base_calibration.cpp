@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "calibration/fit.hpp"
-#include "calibration/reading_prediction.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
@@ -39,47 +38,28 @@ double pValueOf(const BaseFit& base) {
   return chiSquareTail(base.fit.solution.chi2, base.fit.weights.degrees_of_freedom - 6);
 }
 
-struct TouchedTip {
-  Prediction tip;
-  Matrix3d covariance;  ///< of the reading
-};
-
-std::vector<TouchedTip> tipsAt(const deflection::Arm& arm, const Isometry3d& X_WB,
-                               const std::vector<Measurement>& touches) {
-  std::vector<TouchedTip> tips;
-  ReadingPredictor predictor(arm);
-  PredictionRequest request;
-  request.by_joints = true;
-  for (const auto& touch : touches) {
-    TouchedTip touched{predictor.predict(X_WB, touch, request), {}};
-    touched.covariance = readingCovariance(arm, touch, touched.tip.by_joints);
-    tips.push_back(std::move(touched));
+void recordResiduals(const Fit& fit, const std::vector<Measurement>& touches, BaseCalibration& result) {
+  double sum = 0;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const Vector3d residual = fit.residual.error.segment<3>(fit.weights.first_row[k]);
+    const Vector3d sigma = fit.weights.noise[k].diagonal().cwiseSqrt();
+    result.residuals.push_back({touches[k].id, touches[k].point, residual, sigma});
+    sum += residual.squaredNorm();
   }
-  return tips;
+  result.rms = std::sqrt(sum / static_cast<double>(touches.size()));
 }
 
-void recordDistances(const std::vector<TouchedTip>& tips, const std::vector<Measurement>& touches,
-                     BaseCalibration& result) {
+/// Between the tips of every two touches, beside those of their holes.
+void recordDistances(const Fit& fit, const std::vector<Measurement>& touches, BaseCalibration& result) {
   for (std::size_t i = 0; i < touches.size(); ++i)
     for (std::size_t j = i + 1; j < touches.size(); ++j) {
       if (touches[i].point == touches[j].point) continue;
       const Vector3d between = *touches[j].p_W - *touches[i].p_W, along = between.normalized();
-      const Matrix3d both = tips[i].covariance + tips[j].covariance;
-      result.distances.push_back({touches[i].point, touches[j].point, (tips[j].tip.value - tips[i].tip.value).norm(),
-                                  between.norm(), std::sqrt(along.dot(both * along))});
+      const Vector3d measured = between + result.residuals[j].residual_W - result.residuals[i].residual_W;
+      const Matrix3d both = fit.weights.noise[i] + fit.weights.noise[j];
+      result.distances.push_back({touches[i].point, touches[j].point, measured.norm(), between.norm(),
+                                  std::sqrt(along.dot(both * along))});
     }
-}
-
-void recordResiduals(const deflection::Arm& arm, const std::vector<Measurement>& touches, BaseCalibration& result) {
-  const auto tips = tipsAt(arm, result.X_WB, touches);
-  double sum = 0;
-  for (std::size_t k = 0; k < touches.size(); ++k) {
-    const Vector3d residual = tips[k].tip.value - *touches[k].p_W;
-    result.residuals.push_back({touches[k].id, touches[k].point, residual, tips[k].covariance.diagonal().cwiseSqrt()});
-    sum += residual.squaredNorm();
-  }
-  result.rms = std::sqrt(sum / static_cast<double>(touches.size()));
-  recordDistances(tips, touches, result);
 }
 
 /// Each touch in turn is taken for each of its neighbours; those that make the touches fit are named, best first.
@@ -169,7 +149,8 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
     result.reason = base.fit.solution.reason;
     return result;
   }
-  recordResiduals(arm, touches, result);
+  recordResiduals(base.fit, touches, result);
+  recordDistances(base.fit, touches, result);
   if (isMistaken(arm, touches, options, result)) return result;
   result.covariance = ofStep(base.fit);
   result.status = CalibrationStatus::kDone;

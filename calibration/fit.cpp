@@ -103,7 +103,6 @@ class Fitting {
         unknowns_(unknowns),
         readings_(readings),
         options_(options),
-        alone_(start, unknowns, readings, fit_.weights, CampaignResidual::Priors::kNone, options.solver.stop),
         with_priors_(std::make_shared<CampaignResidual>(start, unknowns, readings, fit_.weights,
                                                         CampaignResidual::Priors::kAppended, options.solver.stop)) {
     fit_.solution.x = x;
@@ -152,10 +151,13 @@ class Fitting {
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  /// At the solution, by the weights as they are.
+  /// Of the readings alone, at the solution and by the weights as they are.
   WhitenedResidual residual(bool with_jacobian) {
     WhitenedResidual at;
-    at.ok = alone_.evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
+    at.ok = with_priors_->evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
+    if (!at.ok) return at;
+    at.r.conservativeResize(fit_.weights.rows);
+    if (with_jacobian) at.jacobian.conservativeResize(fit_.weights.rows, Eigen::NoChange);
     return at;
   }
 
@@ -211,8 +213,7 @@ class Fitting {
   const std::vector<Measurement>& readings_;
   const FitOptions& options_;
   Fit fit_;
-  CampaignResidual alone_;  ///< by the weights of `fit_`, whatever they become
-  std::shared_ptr<CampaignResidual> with_priors_;
+  std::shared_ptr<CampaignResidual> with_priors_;  ///< by the weights of `fit_`, whatever they become
 };
 
 }  // namespace
