@@ -41,9 +41,6 @@ std::string shrunkenArm(const Identification& result, const std::vector<Measurem
       per_degree);
 }
 
-}  // namespace
-
-namespace {
 
 void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
   const auto counts = [](const Measurement& reading) { return kindOf(reading).counts_steps; };

@@ -21,12 +21,6 @@ constexpr int kMostDraws = 1000;
 
 using Draw = DrawFrom<std::mt19937_64>;
 
-/// Touches of the first `count` holes by the true arm; empty when one is out of its reach.
-std::vector<calibration::Measurement> touch(const planner::Workcell& truth, const std::vector<TrialHole>& holes,
-                                            int count, double sigma, Draw& draw) {
-  return touchHoles(truth, holes, count, sigma, draw.seed());
-}
-
 std::vector<TrialHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
                                  double error_sigma, Draw& draw) {
   draw.shuffle(candidates);
@@ -47,7 +41,7 @@ double meanTouchError(const planner::Workcell& model, const TruthMaker& truths,
   for (int fit = 0; fit < kTouchFits; ++fit) {
     const auto drawn = truths.draw(draw);
     const auto holes = drawHoles(model, candidates, options.touch_fit_points, options.unmodelled_sigma, draw);
-    const auto touches = touch(drawn, holes, options.touch_fit_points, touchSigmaOf(model.tool), draw);
+    const auto touches = touchHoles(drawn, holes, options.touch_fit_points, touchSigmaOf(model.tool), draw.seed());
     if (touches.empty()) continue;
     calibration::BaseCalibrationOptions usual;
     usual.neighbours = neighboursOn(model.sheet);
@@ -83,7 +77,7 @@ std::string runOnce(const planner::Workcell& model, const TruthMaker& truths, co
     if (tries == kMostDraws) return "no three holes that lie well off a line were drawn: the sheet is too narrow";
     holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   }
-  const auto touches = touch(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw);
+  const auto touches = touchHoles(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw.seed());
   if (touches.empty()) return "the true arm cannot touch one of the calibration holes";
   const BothCalibrations base = calibrateBoth(model, touches);
   if (base.flexible.status != CalibrationStatus::kDone) return base.flexible.reason;

@@ -1,7 +1,7 @@
 #include "calibration/campaign_station.hpp"
 
 #include "calibration/measurement_posture.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/reading_prediction.hpp"
 #include "calibration/tip_placement.hpp"
 #include "deflection/effects/situation.hpp"
 
@@ -11,11 +11,8 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-std::optional<ToolPose> toolInWorld(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
-  constexpr deflection::FlexibleKinematicsOptions kExact{1e-13, 100};
-  const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, site.gravity_B), kExact);
-  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
-  return ToolPose{site.X_WB * shape.X_BD.p, site.X_WB.linear() * shape.X_BD.R};
+std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
+  return toolAt(arm, site.X_WB, reading, {1e-13, 100});
 }
 
 /// What the reading states beside what it measures.
@@ -45,7 +42,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
   if (kind.is_displacement) {
     Measurement unloaded = reading;
     unloaded.load = 0;
-    const auto rest = toolInWorld(arm, site, unloaded);
+    const auto rest = toolIn(arm, site, unloaded);
     if (!rest) return PostureRefusal::kUnsettled;
     tool.p_W -= rest->p_W;
   }
@@ -116,7 +113,7 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   Measurement first;
   first.q = q;
   first.load = design_.loads.front();
-  const auto tool = toolInWorld(arm_, site, first);
+  const auto tool = toolIn(arm_, site, first);
   if (!tool) return PostureRefusal::kUnsettled;
   taken.p_W = tool->p_W;
   const Vector3d up = -arm_.gravity_W;
@@ -173,7 +170,7 @@ std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, co
 
 TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& reading) const {
   TipTrial trial;
-  const auto tool = toolInWorld(arm_, site, reading);
+  const auto tool = toolIn(arm_, site, reading);
   if (!source_.isWithinLimits(reading.q))
     trial.refusal = PostureRefusal::kPastLimit;
   else if (!tool)

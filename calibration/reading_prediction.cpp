@@ -144,9 +144,9 @@ Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   return ReadingPredictor(arm).predictTip(X_WB, {q, load, deflection::gravityInBase(arm, X_WB)}, request);
 }
 
-std::optional<ToolPose> toolAt(const PlacedArm& placed, const Measurement& reading) {
-  const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
-  const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
+std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                               const deflection::FlexibleKinematicsOptions& options) {
+  const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, arm, X_WB), options);
   if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
   return ToolPose{X_WB * shape.X_BD.p, X_WB.linear() * shape.X_BD.R};
 }

@@ -62,7 +62,9 @@ class ReadingPredictor {
                                     double load);
 
 /// The tool where the reading was taken; nothing where the shape does not settle.
-[[nodiscard]] std::optional<ToolPose> toolAt(const PlacedArm& placed, const Measurement& reading);
+[[nodiscard]] std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                             const Measurement& reading,
+                                             const deflection::FlexibleKinematicsOptions& options = {});
 
 /// Covariance [m^2] of what the joints' readings alone leave open, through `by_joints` (rows x joints).
 [[nodiscard]] Eigen::MatrixXd encoderCovariance(const deflection::Arm& arm, const Eigen::MatrixXd& by_joints);

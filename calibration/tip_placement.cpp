@@ -84,12 +84,6 @@ class Search {
 
 }  // namespace
 
-std::optional<Vector3d> tipPlace(const Arm& arm, const Posture& posture) {
-  const auto shape = deflection::solveFlexibleKinematics(arm, posture, kExact);
-  if (shape.status != KinematicsStatus::kConverged) return std::nullopt;
-  return shape.X_BD.p;
-}
-
 TipPlacement placeTip(const Arm& arm, const Posture& start, const Vector3d& p_BT, const TipPlacementOptions& options) {
   TipPlacement placement{TipPlacementStatus::kNotConverged, start.q};
   Search search(arm, start, p_BT);

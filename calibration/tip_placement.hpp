@@ -1,14 +1,9 @@
 // Bringing the deflected tip to a place from a posture nearby, whatever way the tool then points.
 #pragma once
 
-#include <optional>
-
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {
-
-/// The deflected tip in the base frame [m]; nothing where the shape does not settle.
-[[nodiscard]] std::optional<Eigen::Vector3d> tipPlace(const deflection::Arm& arm, const deflection::Posture& posture);
 
 struct TipPlacementOptions {
   double tolerance = 1e-11;  ///< m

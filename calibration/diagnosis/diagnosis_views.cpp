@@ -30,6 +30,12 @@ WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
 }
 
+std::optional<ToolPose> toolOf(const DiagnosisBasis& basis, std::size_t k) {
+  const Measurement& reading = basis.readings[k];
+  const auto placing = static_cast<std::size_t>(placingOf(basis.fitted, reading));
+  return toolAt(basis.fitted.arm, basis.fitted.placings[placing].X_WB, reading);
+}
+
 /// Measured less predicted as a vector.
 Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
                 const WhitenedResidual& residual) {
@@ -47,7 +53,7 @@ std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::ve
   for (std::size_t k = 0; k < basis.readings.size(); ++k) {
     ReadingView view;
     view.reading = given[k];
-    const auto tool = toolAt(basis.fitted, basis.readings[k]);
+    const auto tool = toolOf(basis, k);
     view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     view.before = missAt(basis, k, tool, basis.residual);
     for (const auto& residual : after) view.after.push_back(missAt(basis, k, tool, residual));

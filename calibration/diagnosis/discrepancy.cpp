@@ -254,7 +254,7 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 9);
   displacements.leftCols(joints) = prediction.by_joints;
   if (kindOf(reading).is_displacement) return displacements;
-  const auto tool = toolAt(placed, reading);
+  const auto tool = toolAt(placed.arm, X_WB, reading);
   if (!tool) return {};
   const MeasuredSlope slope = predictedSlope(reading, *tool);
   displacements.middleCols(joints, 3) = slope.by_place * tool->R_WT;

@@ -49,7 +49,7 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   ASSERT_EQ(value(MeasurementKind::kAxis).size(), 1);
   EXPECT_NEAR(value(MeasurementKind::kAxis)[0], m.direction_W->dot(loaded - *m.p_W), 1e-9);
   EXPECT_GT((loaded - bare).norm(), 0.01);
-  const Eigen::Matrix3d R = toolAt(placed, m)->R_WT;
+  const Eigen::Matrix3d R = toolAt(placed.arm, placed.placings.front().X_WB, m)->R_WT;
   const Eigen::Vector3d up = -placed.arm.gravity_W;
   const Eigen::VectorXd pose = value(MeasurementKind::kPose), turn = value(MeasurementKind::kOrientation) / kTurnLever;
   EXPECT_LE((deflection::rotationFromVector<double>(Eigen::Vector3d(turn)) *

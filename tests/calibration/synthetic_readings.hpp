@@ -112,10 +112,11 @@ class ReadingMaker {
 
   /// The tool in the world; of a deflection the tip's displacement.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
-    ToolPose tool = *toolAt(truth_, m);
+    const auto& X_WB = truth_.placings[static_cast<std::size_t>(placingOf(truth_, m))].X_WB;
+    ToolPose tool = *toolAt(truth_.arm, X_WB, m);
     Measurement unloaded = m;
     unloaded.load = 0;
-    if (kindOf(m).is_displacement) tool.p_W -= toolAt(truth_, unloaded)->p_W;
+    if (kindOf(m).is_displacement) tool.p_W -= toolAt(truth_.arm, X_WB, unloaded)->p_W;
     return tool;
   }
 
