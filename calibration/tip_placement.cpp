@@ -1,5 +1,7 @@
 #include "calibration/tip_placement.hpp"
 
+#include "deflection/chain.hpp"
+
 namespace tubeplan::calibration {
 
 namespace {
@@ -20,6 +22,12 @@ Matrix3Xd stiffJacobian(const Arm& arm, const FlexibleKinematics& shape) {
     const bool slides = arm.rows[active[k]].joint.type == deflection::JointType::kPrismatic;
     columns.col(k) = slides ? axis : Vector3d(axis.cross(shape.X_BD.p - X_BL.p));
   }
+  for (std::size_t row = 0; row < arm.rows.size(); ++row)
+    for (const auto& followed : arm.rows[row].joint.follows) {
+      const auto& X_BL = shape.rows[row].X_BL;
+      const Vector3d axis = X_BL.R.col(2);
+      columns.col(deflection::jointIndexOf(arm, followed.row)) += followed.ratio * axis.cross(shape.X_BD.p - X_BL.p);
+    }
   return columns;
 }
 

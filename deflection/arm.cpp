@@ -30,12 +30,17 @@ std::vector<int> activeRows(const Arm& arm) {
   return active;
 }
 
+bool hasFollowers(const Arm& arm) {
+  return std::any_of(arm.rows.begin(), arm.rows.end(), [](const auto& row) { return !row.joint.follows.empty(); });
+}
+
 Arm rigidCopy(const Arm& arm) {
   Arm rigid = arm;
   for (auto& row : rigid.rows) {
     row.joint_stiffness.setConstant(kRigid);
     row.beam.reset();
   }
+  rigid.mountings.clear();
   std::erase_if(rigid.effects,
                 [](const Effect& effect) { return effectKinds().at(effect.kind).stage == EffectStage::kFlexibility; });
   return rigid;

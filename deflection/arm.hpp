@@ -38,6 +38,12 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
+/// A joint that another one takes along, and how far: so many times that joint's angle, its offset included.
+struct FollowedJoint {
+  int row = -1;
+  double ratio = 0;
+};
+
 /// Angles in rad (lengths in m for a prismatic joint). Limits, speed and acceleration are infinite where not stated.
 template <class S>
 struct Joint {
@@ -50,7 +56,16 @@ struct Joint {
   double max_acceleration = std::numeric_limits<double>::infinity();
   double encoder_sigma = 0;  ///< one standard deviation of a reading
   double gear_ratio = 0;     ///< turns of the drive's input for one of the joint; 0: not stated
+  /// Of a joint without a reading of its own (a parallel linkage, a belt): a passive row turns about its z by their sum
+  /// and its offset. All of them are revolute and active.
+  std::vector<FollowedJoint> follows = {};
 };
+
+/// Whether a row turns about its z, by a reading of its own or with others.
+template <class S>
+bool turns(const Joint<S>& joint) {
+  return joint.type == JointType::kRevolute || !joint.follows.empty();
+}
 
 /// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. An I of infinity does not bend;
 /// G J of infinity does not twist. `segments` splits it into equal elements.
@@ -110,6 +125,12 @@ struct TipLoad {
   S contact_force{0};                              ///< at the tip, against gravity [N]
 };
 
+/// Rows that are rigid in one set-up of the base: an arm that is taken off its flexible mounting and bolted to a bench.
+struct RigidMounting {
+  std::string setup;
+  std::vector<int> rows;
+};
+
 template <class S>
 struct ArmOf {
   std::string name;
@@ -119,6 +140,7 @@ struct ArmOf {
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
   double reference_temperature = 293.15;         ///< K, where lengths are nominal
   std::vector<EffectOf<S>> effects;              ///< what the arm does beyond the model above
+  std::vector<RigidMounting> mountings;          ///< one for each set-up that has rigid rows
   std::optional<TipLoad<S>> tip_load;
 };
 
@@ -126,6 +148,16 @@ using Arm = ArmOf<double>;
 
 /// Indices of the rows that carry a revolute or prismatic joint, in order: the order of every joint vector.
 std::vector<int> activeRows(const Arm& arm);
+
+/// Whether any row's joint follows others.
+bool hasFollowers(const Arm& arm);
+
+/// Whether the solver is given other numbers from posture to posture: by effects, or by rows that are rigid in a
+/// set-up.
+template <class S>
+bool dependsOnPosture(const ArmOf<S>& arm) {
+  return !arm.effects.empty() || !arm.mountings.empty();
+}
 
 /// The same arm without any flexibility, that of its effects included.
 Arm rigidCopy(const Arm& arm);

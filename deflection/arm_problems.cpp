@@ -54,6 +54,15 @@ void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
   if (!(joint.encoder_sigma >= 0)) out.push_back({path + ".encoder_sigma", text(joint.encoder_sigma), "zero or more"});
 }
 
+void checkFollower(const Arm& arm, const Row<double>& row, std::vector<ArmProblem>& out) {
+  const std::string path = row.name + ".joint.follows";
+  for (const auto& followed : row.joint.follows) {
+    if (followed.row < 0 || arm.rows.at(static_cast<std::size_t>(followed.row)).joint.type != JointType::kRevolute)
+      out.push_back({path, "a joint that does not turn by a reading of its own", "revolute joints with readings"});
+    if (!std::isfinite(followed.ratio)) out.push_back({path, text(followed.ratio), "a finite number"});
+  }
+}
+
 void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
   const Row<double>& row = arm.rows[index];
   if (!row.beam) return;
@@ -84,6 +93,7 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
       out.push_back({row.name + ".joint.name", "a second joint '" + row.joint.name + "'", "names that differ"});
     checkNumbers(row, out);
     if (row.joint.type != JointType::kPassive) checkJoint(row, out);
+    checkFollower(arm, row, out);
     checkBeam(arm, i, out);
   }
   if (!arm.p_LT.allFinite()) out.push_back({"tool.tip", "a number that is not finite", "three finite lengths"});

@@ -57,6 +57,23 @@ Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   return rotationFromFixedAngles<S>(std::get<Origin<S>>(row.placement).rpy);
 }
 
+/// Which entry of the joint vector belongs to a row with a joint.
+template <class S>
+int jointIndexOf(const ArmOf<S>& arm, int row) {
+  int index = 0;
+  for (int i = 0; i < row; ++i) index += arm.rows[i].joint.type != JointType::kPassive;
+  return index;
+}
+
+/// What the joints that a row follows turn it by, without its own offset.
+template <class S>
+S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
+  S angle(0);
+  for (const auto& followed : joint.follows)
+    angle += S(followed.ratio) * (q[jointIndexOf(arm, followed.row)] + arm.rows[followed.row].joint.offset);
+  return angle;
+}
+
 namespace chain_assembly {
 
 /// The components of a row at a place, `pieces` of them; none where nothing gives. One law per place.
@@ -173,8 +190,8 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 }  // namespace chain_assembly
 
 /// The links of one row. `values` is the row in plain numbers: which axes give decides the structure, the same for
-/// every scalar. `reading` is the joint's value with its offset (nothing on a passive row), `to_next` leads from the
-/// row's origin, or the end of its slide, to the next row's bearing or the tip.
+/// every scalar. `reading` is the joint's value with its offset (nothing on a row that neither moves nor follows),
+/// `to_next` leads from the row's origin, or the end of its slide, to the next row's bearing or the tip.
 template <class S>
 void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
                  const Vector3<S>& to_next) {
@@ -182,7 +199,7 @@ void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, 
   if (index == 0) chain.links.push_back({ChainLinkType::kOffset, 0, -1, offsetInPreviousAxes<S>(row)});
   ChainLink<S>& turn = chain.links.emplace_back(ChainLink<S>{ChainLinkType::kTurn, index});
   turn.R = rotationFromPrevious<S>(row);
-  if (row.joint.type == JointType::kRevolute) turn.R = turn.R * rotationZ<S>(reading);
+  if (turns(values.joint)) turn.R = turn.R * rotationZ<S>(reading);
   addJoint<S>(chain, values, index);
   if (row.joint.type == JointType::kPrismatic) {
     addSlide<S>(chain, row, values, index, Vector3<S>::UnitZ() * reading);
@@ -210,7 +227,9 @@ Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matr
     const Row<S>& row = arm.rows[i];
     const bool active = row.joint.type != JointType::kPassive;
     assert(!active || joint < q.size());
-    const S reading = active ? S(q[joint++] + row.joint.offset) : S(0);
+    S reading(0);
+    if (active) reading = q[joint++] + row.joint.offset;
+    if (!row.joint.follows.empty()) reading = followedAngle<S>(arm, row.joint, q) + row.joint.offset;
     assembleRow<S>(chain, row, values.rows[i], static_cast<int>(i), reading, offsetToNext<S>(arm, i));
   }
   assert(joint == q.size());

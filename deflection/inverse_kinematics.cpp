@@ -135,7 +135,7 @@ Branch InverseSolver::Parts::leadAlone(const ToolGoal& goal, const VectorXd& sta
   if (!problem_)
     problem_.emplace(arm_, branches.isTurret(), deflectedTip(arm_, load_, gravity_B_, options.kinematics), options);
   Branch branch = leadToGoal(*problem_, goal, start);
-  if (arm_.effects.empty() || branch.status != BranchStatus::kConverged) return branch;
+  if (!dependsOnPosture(arm_) || branch.status != BranchStatus::kConverged) return branch;
   // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
   VectorXd wrapped = branch.q;
   wrapIntoLimits(arm_, wrapped);

@@ -41,7 +41,7 @@ Origin<S>* originOf(Row<S>& row) {
 }
 template <class S>
 bool moves(const Row<S>& row) {
-  return row.joint.type != JointType::kPassive;
+  return row.joint.type != JointType::kPassive || !row.joint.follows.empty();
 }
 
 }  // namespace
@@ -182,8 +182,9 @@ Row<To> castRow(const Row<From>& row) {
     out.placement = Origin<To>{castVector<To>(origin.position), castVector<To>(origin.rpy)};
   }
   const auto& j = row.joint;
-  out.joint = {j.name,      j.type,           castScalar<To>(j.offset), j.lower,     j.upper,
-               j.max_speed, j.max_acceleration, j.encoder_sigma,        j.gear_ratio};
+  out.joint = {j.name,       j.type,      castScalar<To>(j.offset), j.lower,
+               j.upper,      j.max_speed, j.max_acceleration,       j.encoder_sigma,
+               j.gear_ratio, j.follows};
   out.joint_stiffness = castVector<To>(row.joint_stiffness);
   if (row.beam)
     out.beam = Beam<To>{castScalar<To>(row.beam->E), castVector<To>(row.beam->I), castScalar<To>(row.beam->G),
@@ -246,6 +247,7 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
   out.reference_temperature = arm.reference_temperature;
   for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
+  out.mountings = arm.mountings;
   if (arm.tip_load)
     out.tip_load =
         TipLoad<To>{castVector<To>(arm.tip_load->payload_offset), castScalar<To>(arm.tip_load->contact_force)};

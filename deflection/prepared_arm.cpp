@@ -45,7 +45,7 @@ int hingeOf(const FlexibleElement& element) {
 
 }  // namespace
 
-PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(arm.effects.empty() && !hasSlide(arm)) {
+PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(!dependsOnPosture(arm) && !hasSlide(arm)) {
   if (is_fixed_) prepare(arm, turnsUndone(arm, VectorXd::Zero(static_cast<Eigen::Index>(activeRows(arm).size()))));
   if (is_fixed_) findHinges(arm);
 }
@@ -81,9 +81,9 @@ void PreparedArm::addLink(const Arm& arm, const std::vector<int>& joints, std::s
     case ChainLinkType::kTurn:
       part.has_rotation = true;
       rigid.far.R = rigid.far.R * link.R;
-      if (row.joint.type != JointType::kRevolute) return;
+      if (!turns(row.joint)) return;
       part.turn = static_cast<int>(turns_.size());
-      turns_.push_back({k, joints[static_cast<std::size_t>(link.row)], row.joint.offset});
+      turns_.push_back({k, joints[static_cast<std::size_t>(link.row)], row.joint.offset, link.row});
       parts_.emplace_back();
       return;
     case ChainLinkType::kLump:
@@ -120,6 +120,13 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   equilibrium_.bodies.assign(part_ends_.size(), {});
 }
 
+/// From where the chain was assembled: a joint that follows others has its offset there already.
+double PreparedArm::angleOf(const JointTurn& turn, const VectorXd& q) const {
+  if (turn.joint >= 0) return q[turn.joint] + turn.offset;
+  const Arm& arm = effective();
+  return followedAngle<double>(arm, arm.rows[static_cast<std::size_t>(turn.row)].joint, q);
+}
+
 void PreparedArm::pose(const VectorXd& q) const {
   std::size_t p = 0;
   auto hanging = hanging_.begin();
@@ -135,7 +142,7 @@ void PreparedArm::pose(const VectorXd& q) const {
       if (part.has_rotation) body.far.R = body.far.R * part.rigid.far.R;
       if (part.turn < 0) continue;
       const JointTurn& turn = turns_[static_cast<std::size_t>(part.turn)];
-      turnAboutZ(q[turn.joint] + turn.offset, body.far.R);
+      turnAboutZ(angleOf(turn, q), body.far.R);
     }
     equilibrium_.bodies[b] = body;
   }
@@ -153,7 +160,7 @@ void PreparedArm::load(const Arm& arm, const Posture& posture) const {
 
 KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinematicsOptions& options) {
   asked_ = posture;
-  if (!arm_.effects.empty()) {
+  if (dependsOnPosture(arm_)) {
     if (!situation_) situation_.emplace(arm_, asked_);
     applyEffects(*situation_);
     if (!situation_->undefined.empty()) {
@@ -211,7 +218,7 @@ void PreparedArm::walkLinks(bool rigid, Visit&& visit) const {
       if (link.type == ChainLinkType::kTurn) X.R = X.R * link.R;
     }
     if (turn == turns_.end() || turn->link != k) continue;
-    turnAboutZ(q[turn->joint] + turn->offset, X.R);
+    turnAboutZ(angleOf(*turn, q), X.R);
     ++turn;
   }
   visit(chain_.links.size(), X);

@@ -67,8 +67,9 @@ class PreparedArm {
   /// The turn of a joint, by a link of the chain.
   struct JointTurn {
     std::size_t link;
-    int joint;
+    int joint;      ///< -1 where it follows others
     double offset;  ///< of the joint's reading [rad]
+    int row;
   };
   /// A rigid part of a body, then the turn of a joint (-1: none).
   struct RigidPart {
@@ -86,6 +87,7 @@ class PreparedArm {
   [[nodiscard]] const Arm& effective() const { return situation_ ? situation_->arm : arm_; }
   [[nodiscard]] const Posture& effectivePosture() const { return situation_ ? situation_->posture : asked_; }
   void prepare(const Arm& arm, const Eigen::VectorXd& q);
+  [[nodiscard]] double angleOf(const JointTurn& turn, const Eigen::VectorXd& q) const;
   void findHinges(const Arm& arm);
   KinematicsStatus solveHinges(const FlexibleKinematicsOptions& options, hinges::Shapes out);
   void tellElements() const;
@@ -102,16 +104,16 @@ class PreparedArm {
   const Arm& arm_;
   Posture asked_;
   std::optional<Situation<double>> situation_;  ///< where the arm has effects
-  bool is_fixed_;                               ///< neither effects nor slides: the same links at every posture
+  bool is_fixed_;                               ///< no slides, nothing that depends on the posture: the same links
   Chain<double> chain_;                         ///< with the turning joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< of each body
   std::vector<Hanging> hanging_;
   mutable Equilibrium equilibrium_;  ///< where a kernel has solved the shape, told by tellElements() when asked for
-  std::unique_ptr<const hinges::HingeChain> hinges_;  ///< the same arm for the kernels, where it is one for them
-  std::vector<double> gives_;                         ///< what a kernel has found of each turn
-  std::vector<Variable> kernel_asked_;                ///< of kernelFor(), the last ones
+  std::unique_ptr<const hinges::HingeChain> hinges_;      ///< the same arm for the kernels, where it is one for them
+  std::vector<double> gives_;                             ///< what a kernel has found of each turn
+  std::vector<Variable> kernel_asked_;                    ///< of kernelFor(), the last ones
   std::unique_ptr<const hinges::HingeVariables> kernel_;  ///< of those, null where there is none
   mutable bool is_told_ = true;
   int iterations_ = 0;

@@ -13,6 +13,7 @@ void PreparedArm::findHinges(const Arm& arm) {
   hinges_.reset();
   const auto& tip = arm.tip_load;
   const bool tip_pulls = tip && !(tip->contact_force == 0 && tip->payload_offset.isZero(0));
+  if (hasFollowers(arm)) return;
   if (equilibrium_.loads.size() > 1 || equilibrium_.clearances > 0 || tip_pulls) return;
   std::vector<int> joint_of(chain_.links.size(), -1);
   for (const JointTurn& turn : turns_) joint_of[turn.link] = turn.joint;

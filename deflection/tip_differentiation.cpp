@@ -59,7 +59,9 @@ TipDifferentiation::TipDifferentiation(const Arm& arm) : given_(arm), arm_(arm),
 }
 
 Dual TipDifferentiation::readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const {
-  return joints_[row] < 0 ? Dual(0) : q[joints_[row]];
+  if (joints_[row] >= 0) return q[joints_[row]];
+  const Joint<Dual>& joint = dual_arm_.rows[row].joint;
+  return joint.follows.empty() ? Dual(0) : followedAngle<Dual>(dual_arm_, joint, q);
 }
 
 void TipDifferentiation::seed(const Variable& variable, int slot, double size) {
@@ -99,6 +101,15 @@ bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, c
   return changed.placement;
 }
 
+/// What turns the joints that follow others, of all rows but one.
+void TipDifferentiation::differentiateFollowers(std::size_t but, TipColumns& tip) {
+  for (std::size_t i = 0; i < dual_arm_.rows.size(); ++i) {
+    if (i == but || dual_arm_.rows[i].joint.follows.empty()) continue;
+    const Dual angle = readingOf(i, dual_posture_.q);
+    if (changes(angle)) direct_.addTurn(i, angle, tip);
+  }
+}
+
 void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>& variables) {
   const int rows = static_cast<int>(given_.rows.size());
   order_.clear();
@@ -118,6 +129,7 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
     if (row < rows) leads_elsewhere = differentiateRow(index, dual_arm_, readingOf(index, dual_posture_.q), false, tip);
     if (leads_elsewhere && row > 0)
       differentiateRow(index - 1, dual_arm_, readingOf(index - 1, dual_posture_.q), true, tip);
+    differentiateFollowers(index, tip);
     direct_.addTipLoad(dual_posture_.load, {}, tip);
     direct_.addGravity(gravity_turn_.cross(dual_posture_.gravity_B), tip);
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
@@ -205,7 +217,7 @@ KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::ve
   direct_.begin();
   if (dual_arm_.rows.empty()) dual_arm_ = castArm<Dual>(given_);
   castPosture(posture);
-  if (given_.effects.empty())
+  if (!dependsOnPosture(given_))
     differentiateWithoutEffects(variables);
   else
     differentiateWithEffects(variables);

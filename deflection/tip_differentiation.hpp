@@ -37,6 +37,7 @@ class TipDifferentiation {
                                  const FlexibleKinematicsOptions& options);
   void castPosture(const Posture& posture);
   void seed(const Variable& variable, int slot, double size);
+  void differentiateFollowers(std::size_t but, TipColumns& tip);
   void differentiateWithoutEffects(const std::vector<Variable>& variables);
   bool differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere, TipColumns& tip);
   void differentiateWithEffects(const std::vector<Variable>& variables);

@@ -168,8 +168,8 @@ DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<doub
     travel.reason = std::move(reason);
     return travel;
   };
-  if (!cell.arm.effects.empty()) travel.jump = jumpOf(cell, body_reach);
-  if (!cell.arm.effects.empty()) return refuse("the arm has effects beyond its elements");
+  if (dependsOnPosture(cell.arm)) travel.jump = jumpOf(cell, body_reach);
+  if (dependsOnPosture(cell.arm)) return refuse("the arm has effects beyond its elements");
   for (const auto& row : cell.arm.rows)
     if (row.joint.type == deflection::JointType::kPrismatic) return refuse("the arm has a sliding joint");
   const Bound bound(cell, body_reach);

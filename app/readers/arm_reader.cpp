@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -29,9 +30,21 @@ JointType readJointType(const YamlNode& node) {
   node.fail("revolute or prismatic", "leave `joint` out for a row that does not move");
 }
 
+/// A joint that others drive has no reading, and so none of what belongs to one; `follows` is read once all rows are.
+Joint<double> readFollower(const YamlNode& node, const Units& units) {
+  node.expectKeys({"name", "type", "follows"}, {"offset"});
+  if (readJointType(node.at("type")) != JointType::kRevolute) node.at("type").fail("revolute, of a joint that follows");
+  Joint<double> joint;
+  joint.name = node.at("name").text();
+  joint.offset = readQuantityOr(node, "offset", units, dimension::kAngle, 0);
+  return joint;
+}
+
 // Speeds and accelerations are per second in every file.
 Joint<double> readJoint(const YamlNode& node, const Units& units) {
-  node.expectKeys({"name", "type"}, {"offset", "limits", "max_speed", "max_acceleration", "encoder_sigma", "gear_ratio"});
+  if (node.find("follows")) return readFollower(node, units);
+  node.expectKeys({"name", "type"},
+                  {"offset", "limits", "max_speed", "max_acceleration", "encoder_sigma", "gear_ratio"});
   Joint<double> joint;
   joint.name = node.at("name").text();
   joint.type = readJointType(node.at("type"));
@@ -143,6 +156,22 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
   return row;
 }
 
+/// Which rows' joints a row follows, by the names of the joints.
+std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, const Arm& arm) {
+  if (follows.kind != YamlNode::Kind::kMap || follows.keys.empty())
+    follows.fail("one JOINT: RATIO or more, as {theta1: -1}");
+  std::vector<deflection::FollowedJoint> followed;
+  for (std::size_t k = 0; k < follows.keys.size(); ++k) {
+    const auto row = std::find_if(arm.rows.begin(), arm.rows.end(), [&](const ArmRow& candidate) {
+      return candidate.joint.type == JointType::kRevolute && candidate.joint.name == follows.keys[k];
+    });
+    if (row == arm.rows.end())
+      follows.items[k].fail("joints that turn by readings of their own", "write JOINT: RATIO, as {theta1: -1}");
+    followed.push_back({static_cast<int>(row - arm.rows.begin()), follows.items[k].number()});
+  }
+  return followed;
+}
+
 void readTool(const YamlNode& node, ArmSource& source) {
   node.expectKeys({"tip"}, {"axis"});
   source.arm.p_LT = readVector(node.at("tip"), source.units, dimension::kLength);
@@ -198,6 +227,11 @@ ArmSource readArm(const YamlNode& node) {
   if (const YamlNode* reference = node.find("reference_temperature"))
     arm.reference_temperature = source.units.temperatureToInternal(reference->number());
   for (const YamlNode& row : node.at("links").list()) arm.rows.push_back(readRow(row, source.units));
+  for (std::size_t k = 0; k < arm.rows.size(); ++k) {
+    const YamlNode* joint = node.at("links").items[k].find("joint");
+    if (const YamlNode* follows = joint ? joint->find("follows") : nullptr)
+      arm.rows[k].joint.follows = readFollowed(*follows, arm);
+  }
   readTool(node.at("tool"), source);
   checkArm(node, arm);
   return source;

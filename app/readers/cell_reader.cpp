@@ -91,6 +91,25 @@ void readPark(const YamlNode& node, Cell& cell) {
   }
 }
 
+// What stands otherwise in a set-up of the base than in the arm's file: rows that are as rigid as a bench.
+void readSetups(const YamlNode& node, deflection::Arm& arm) {
+  if (node.kind != YamlNode::Kind::kMap) node.fail("SETUP: {rigid: [rows]} for each set-up");
+  std::vector<std::string> rows;
+  for (const auto& row : arm.rows) rows.push_back(row.name);
+  for (std::size_t k = 0; k < node.items.size(); ++k) {
+    const YamlNode& setup = node.items[k];
+    setup.expectKeys({"rigid"}, {});
+    deflection::RigidMounting mounting{node.keys[k], {}};
+    for (const YamlNode& item : setup.at("rigid").list()) {
+      const auto row = std::find(rows.begin(), rows.end(), item.text());
+      if (row == rows.end())
+        item.fail("the unknown row '" + item.text() + "'", "a row of the arm file", suggestion(item.text(), rows));
+      mounting.rows.push_back(static_cast<int>(row - rows.begin()));
+    }
+    arm.mountings.push_back(std::move(mounting));
+  }
+}
+
 void readIdentify(const YamlNode& node, Cell& cell) {
   const auto known = calibration::freeableNames(cell.arm);
   for (const YamlNode& item : node.list()) {
@@ -142,13 +161,14 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance", "park", "gravity", "prior", "model_error"});
+                                    "link_shapes", "clearance", "park", "gravity", "prior", "model_error", "setups"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   cell.arm = source.arm;
   cell.units = source.units;
   if (const YamlNode* gravity = root.find("gravity")) cell.arm.gravity_W = readDirection(*gravity);
   readBase(root.at("base"), cell);
+  if (const YamlNode* setups = root.find("setups")) readSetups(*setups, cell.arm);
   if (const YamlNode* effects = root.find("effects")) cell.arm.effects = readEffects(*effects, cell.arm, cell.units);
   if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);
   if (const YamlNode* prior = root.find("prior")) readPriors(*prior, cell);

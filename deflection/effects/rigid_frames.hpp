@@ -20,6 +20,7 @@ RigidFrames<S> rigidFramesOf(const ArmOf<S>& arm, const Eigen::Matrix<S, Eigen::
   for (const Row<S>& row : arm.rows) {
     at.p = at.p + at.R * offsetInPreviousAxes<S>(row);
     at.R = at.R * rotationFromPrevious<S>(row);
+    if (!row.joint.follows.empty()) at.R = at.R * rotationZ<S>(followedAngle<S>(arm, row.joint, q) + row.joint.offset);
     if (row.joint.type != JointType::kPassive) {
       const S value = q[joint++] + row.joint.offset;
       if (row.joint.type == JointType::kRevolute)

@@ -25,6 +25,20 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.tip_load = from.tip_load;
 }
 
+/// An arm that is bolted to a bench leaves the rows of its mounting as rigid as that.
+template <class S>
+void makeMountingRigid(Situation<S>& situation) {
+  for (const RigidMounting& mounting : situation.given.mountings) {
+    if (mounting.setup != situation.asked.setup) continue;
+    for (const int index : mounting.rows) {
+      Row<S>& row = situation.arm.rows[static_cast<std::size_t>(index)];
+      row.joint_stiffness.setConstant(S(kRigid));
+      row.beam.reset();
+      row.addition.reset();
+    }
+  }
+}
+
 template <class S>
 S scaleOf(const ArmOf<S>& arm) {
   const PostureOf<S> nowhere;
@@ -49,6 +63,7 @@ void applyEffects(Situation<S>& situation) {
   situation.undefined.clear();
   const auto& kinds = effectKinds();
   for (const auto& effect : situation.given.effects) applyOne(kinds.at(effect.kind), effect, situation);
+  makeMountingRigid(situation);
   const Vector3<S> gravity_B = rotationFromVector<S>(situation.gravity_turn) * situation.asked.gravity_B;
   situation.posture.gravity_B = situation.X_BM.R.transpose() * gravity_B;
 }

@@ -54,14 +54,6 @@ const Vector3<S>& rigidMomentOf(Situation<S>& situation, int row) {
   return (*situation.rigid_moments)[static_cast<std::size_t>(row)];
 }
 
-/// Which entry of the joint vector belongs to a row with a joint.
-template <class S>
-int jointIndexOf(const ArmOf<S>& arm, int row) {
-  int index = 0;
-  for (int i = 0; i < row; ++i) index += arm.rows[i].joint.type != JointType::kPassive;
-  return index;
-}
-
 /// The additions of a row, begun where there are none.
 template <class S>
 Addition<S>& additionOf(Situation<S>& situation, int row) {

@@ -42,6 +42,26 @@ TEST(ArmReader, takesSpeedsPerSecondWhateverTheUnitOfTime) {
   EXPECT_DOUBLE_EQ(joint.max_acceleration, 12 * kDegree);
 }
 
+TEST(ArmReader, readsJointsThatFollowOthers) {
+  const std::string own =
+      "{name: theta3, type: revolute, limits: [-155, 155], max_speed: 6, max_acceleration: 12, encoder_sigma: 0.002}";
+  const std::string linked = "{name: theta3, type: revolute, follows: {theta1: 0.5, theta2: -1}, offset: 90}";
+  const auto arm = armOf(changed(cobraText(), own, linked)).arm;
+  EXPECT_EQ(deflection::activeRows(arm), (std::vector<int>{2, 3, 5}));
+  ASSERT_EQ(arm.rows[4].joint.follows.size(), 2u);
+  EXPECT_EQ(arm.rows[4].joint.follows[1].row, 3);
+  EXPECT_EQ(arm.rows[4].joint.follows[1].ratio, -1);
+  EXPECT_TRUE(deflection::findParameter(arm, "forearm.joint.offset").has_value());
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return refusal(own, changed(linked, from, to));
+  };
+  expectSays(with("theta1: 0.5", "theta9: 0.5"), "joints that turn by readings of their own");
+  expectSays(with("theta1: 0.5", "theta3: 0.5"), "joints that turn by readings of their own");
+  expectSays(with("theta1: 0.5", "theta1: half"), "number");
+  expectSays(with("{theta1: 0.5, theta2: -1}", "{}"), "JOINT: RATIO");
+  expectSays(with("offset: 90", "limits: [-1, 1]"), "limits");
+}
+
 TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
   const auto arm = armOf(
                        "units: {length: mm, angle: deg, force: N}\nlinks:\n"

@@ -120,6 +120,20 @@ Eigen::Isometry3d randomPose(std::mt19937_64& random) {
   return X;
 }
 
+TEST_F(CellReader, readsRowsThatAreRigidInASetUp) {
+  const std::string known = "known: false}";
+  const auto with = [&](const std::string& setups) { return known + "\nsetups: " + setups; };
+  write("mockup.yaml", changed(contentOf(shippedCells() / "mockup.yaml"), known,
+                               with("{bench: {rigid: [mezzanine-beam, mezzanine-platform]}}")));
+  const auto& mountings = readCell((folder / "mockup.yaml").string()).arm.mountings;
+  ASSERT_EQ(mountings.size(), 1u);
+  EXPECT_EQ(mountings[0].setup, "bench");
+  EXPECT_EQ(mountings[0].rows, (std::vector<int>{0, 1}));
+  expectSays(refusal(known, with("{bench: {rigid: [mezzanine-beem]}}")), "did you mean 'mezzanine-beam'?");
+  expectSays(refusal(known, with("{bench: {stiff: [mezzanine-beam]}}")), "'stiff'");
+  expectSays(refusal(known, with("[bench]")), "SETUP: {rigid: [rows]}");
+}
+
 TEST_F(CellReader, writesTheBaseBack) {
   const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
   std::mt19937_64 random(11);
