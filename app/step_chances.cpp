@@ -5,11 +5,11 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/workcell.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::app {
 
@@ -133,7 +133,7 @@ nlohmann::json modelErrorJson(const ModelError& error, const Units& units) {
 std::optional<ModelError> modelErrorByTouches(const calibration::TipError& error, std::size_t touches) {
   if (error.source != ModelErrorSource::kTouches) return std::nullopt;
   const int freedom = 3 * static_cast<int>(touches) - 6;
-  const double middle = boost::math::median(boost::math::chi_squared(freedom));
+  const double middle = calibration::chiSquareQuantile(0.5, freedom);
   return ModelError{error.model_error * std::sqrt(middle / freedom), freedom, kByTouches};
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "app/monte_carlo/true_touches.hpp"
 #include "app/touch_input.hpp"
@@ -19,7 +18,7 @@ constexpr int kCandidates = 80;
 constexpr int kTouchFits = 20;
 constexpr int kMostDraws = 1000;
 
-using Draw = DrawFrom<std::mt19937_64>;
+using Draw = calibration::RandomStream;
 
 std::vector<TrialHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
                                  double error_sigma, Draw& draw) {

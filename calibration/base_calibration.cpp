@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calibration/fit.hpp"
+#include "calibration/statistics.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
@@ -57,8 +58,8 @@ void recordDistances(const Fit& fit, const std::vector<Measurement>& touches, Ba
       const Vector3d between = *touches[j].p_W - *touches[i].p_W, along = between.normalized();
       const Vector3d measured = between + result.residuals[j].residual_W - result.residuals[i].residual_W;
       const Matrix3d both = fit.weights.noise[i] + fit.weights.noise[j];
-      result.distances.push_back({touches[i].point, touches[j].point, measured.norm(), between.norm(),
-                                  std::sqrt(along.dot(both * along))});
+      result.distances.push_back(
+          {touches[i].point, touches[j].point, measured.norm(), between.norm(), std::sqrt(along.dot(both * along))});
     }
 }
 

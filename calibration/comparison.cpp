@@ -7,6 +7,7 @@
 #include "calibration/fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 

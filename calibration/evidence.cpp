@@ -1,11 +1,11 @@
 #include "calibration/evidence.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <cstdio>
 
 #include "calibration/held_out.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -36,8 +36,7 @@ std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_f
   if (degrees_of_freedom <= 0 || !std::isfinite(chi2)) return std::nullopt;
   const double ratio = std::sqrt(std::max(0., chi2) / degrees_of_freedom);
   if (ratio > kFarTooGood) return std::nullopt;
-  if (boost::math::cdf(boost::math::chi_squared(degrees_of_freedom), std::max(0., chi2)) > kTooGood)
-    return std::nullopt;
+  if (chiSquareLowerTail(chi2, degrees_of_freedom) > kTooGood) return std::nullopt;
   char text[160];
   std::snprintf(text, sizeof text, "the readings agree with the model %.3g times better than their stated noise allows",
                 1 / std::max(ratio, 1e-9));

@@ -1,7 +1,6 @@
 #include "calibration/fit.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <memory>
 
@@ -48,13 +47,8 @@ VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWe
 
 /// Mean square of a reading's three whitened rows that none of so many exceeds but by chance.
 double grossErrorLimit(std::size_t readings) {
-  const boost::math::chi_squared chance(3);
-  return boost::math::quantile(boost::math::complement(chance, kGrossErrorLevel / static_cast<double>(readings))) / 3;
+  return chiSquareQuantile(kGrossErrorLevel / static_cast<double>(readings), 3) / 3;
 }
-
-}  // namespace
-
-namespace {
 
 LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
                               const VectorXd& x) {
@@ -328,12 +322,6 @@ ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeigh
   size.mean = lengths.mean();
   size.max = lengths.maxCoeff();
   return size;
-}
-
-double chiSquareTail(double chi2, double degrees_of_freedom) {
-  if (degrees_of_freedom <= 0 || std::isnan(chi2)) return std::numeric_limits<double>::quiet_NaN();
-  if (std::isinf(chi2)) return 0;
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), std::max(chi2, 0.)));
 }
 
 }  // namespace tubeplan::calibration

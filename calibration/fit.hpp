@@ -61,7 +61,4 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings);
 [[nodiscard]] double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error, int degrees_of_freedom);
 
-/// Upper tail of chi-square; NaN where there is no freedom.
-[[nodiscard]] double chiSquareTail(double chi2, double degrees_of_freedom);
-
 }  // namespace tubeplan::calibration

@@ -1,7 +1,6 @@
 #include "calibration/outliers.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "calibration/reading_prediction.hpp"
@@ -70,9 +69,7 @@ std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, cons
   if (all.empty()) return outliers;
   const double usual = usualSquare(readings, all);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const boost::math::chi_squared chance(static_cast<double>(rowsOf(readings[k])));
-    const double limit =
-        boost::math::quantile(boost::math::complement(chance, level / static_cast<double>(all.size())));
+    const double limit = chiSquareQuantile(level / static_cast<double>(all.size()), rowsOf(readings[k]));
     if (all[k].square > limit * usual)
       outliers.push_back({static_cast<int>(k), all[k].error.norm(), std::sqrt(all[k].square)});
   }

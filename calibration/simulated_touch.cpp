@@ -1,25 +1,16 @@
 #include "calibration/simulated_touch.hpp"
 
-#include <random>
-
+#include "calibration/random_stream.hpp"
 #include "deflection/inverse_solver.hpp"
 
 namespace tubeplan::calibration {
 
 namespace {
 
-Eigen::Vector3d gaussian(std::mt19937_64& random, double sigma) {
-  std::normal_distribution<double> normal(0, 1);
-  Eigen::Vector3d v;
-  for (int k = 0; k < 3; ++k) v[k] = sigma * normal(random);
-  return v;
-}
-
-Eigen::VectorXd encoderNoise(const deflection::Arm& arm, std::mt19937_64& random) {
-  std::normal_distribution<double> normal(0, 1);
+Eigen::VectorXd encoderNoise(const deflection::Arm& arm, RandomStream& random) {
   const auto active = deflection::activeRows(arm);
   Eigen::VectorXd noise(active.size());
-  for (int k = 0; k < noise.size(); ++k) noise[k] = arm.rows[active[k]].joint.encoder_sigma * normal(random);
+  for (int k = 0; k < noise.size(); ++k) noise[k] = random.normal(arm.rows[active[k]].joint.encoder_sigma);
   return noise;
 }
 
@@ -50,11 +41,12 @@ Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double
 TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                 const std::vector<TouchPlan>& plans, const TouchSimulationOptions& options) {
   TouchSimulation result;
-  std::mt19937_64 random(options.seed);
+  RandomStream random(options.seed);
   std::vector<Eigen::Vector3d> tips_W;
   std::vector<Eigen::VectorXd> starts, reading_noise;
   for (const auto& plan : plans) {
-    tips_W.push_back(plan.p_WH + gaussian(random, options.sigma) + gaussian(random, options.model_error_sigma));
+    const Eigen::Vector3d touch = random.vector(options.sigma), beyond = random.vector(options.model_error_sigma);
+    tips_W.push_back(plan.p_WH + touch + beyond);
     starts.push_back(plan.q_start);
     reading_noise.push_back(encoderNoise(truth, random));
   }

@@ -1,18 +1,23 @@
-// What several estimators ask of a sample.
+// What several estimators ask of a sample and of the distributions of its squares.
 #pragma once
 
-#include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace tubeplan::calibration {
 
 /// Of an even number the upper of the two in the middle; NaN of none.
-[[nodiscard]] inline double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+[[nodiscard]] double median(std::vector<double> values);
+
+/// Upper tail of chi-square; NaN where there is no freedom.
+[[nodiscard]] double chiSquareTail(double chi2, double degrees_of_freedom);
+
+/// The lower tail: how often noise alone leaves as little.
+[[nodiscard]] double chiSquareLowerTail(double chi2, double degrees_of_freedom);
+
+/// The value that chi-square exceeds with probability `tail`, between 0 and 1; there must be freedom.
+[[nodiscard]] double chiSquareQuantile(double tail, double degrees_of_freedom);
+
+/// Upper tail of Fisher's F; there must be freedom above and below.
+[[nodiscard]] double fisherTail(double F, double freedom_above, double freedom_below);
 
 }  // namespace tubeplan::calibration

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::CalibrationStatus, calibration::TouchPlan;
-using Draw = DrawFrom<SplitMix>;
+using Draw = calibration::RandomStreamFrom<SplitMix>;
 
 constexpr int kMostDraws = 1000;
 constexpr double kLeastWeighingSigma = 1e-6;  // m: without any noise all weights would be infinite

@@ -12,7 +12,7 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::Verdict;
-using Draw = DrawFrom<SplitMix>;
+using Draw = calibration::RandomStreamFrom<SplitMix>;
 
 enum Purpose : std::uint64_t { kHiddenKey = 101, kReadingsKey, kDiagnosisKey };
 

@@ -1,13 +1,11 @@
-// Random numbers of one run: normal values and shuffles from any source of random bits.
+// The source of random bits of one run of many, by its key.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
-#include <random>
-#include <utility>
-#include <vector>
+
+#include "calibration/random_stream.hpp"
 
 namespace tubeplan::app {
 
@@ -38,32 +36,5 @@ inline std::uint64_t keyOf(std::initializer_list<std::uint64_t> numbers) {
   for (const std::uint64_t number : numbers) key = SplitMix::mixed(SplitMix(key ^ SplitMix::mixed(number + 1))());
   return key;
 }
-
-template <class Source>
-class DrawFrom {
- public:
-  explicit DrawFrom(std::uint64_t seed) : random_(seed) {}
-  double normal(double sigma) { return sigma * normal_(random_); }
-  Eigen::Vector3d vector(double sigma) {
-    const double x = normal(sigma), y = normal(sigma), z = normal(sigma);
-    return {x, y, z};
-  }
-  std::uint64_t seed() { return random_(); }
-
-  template <class T>
-  void shuffle(std::vector<T>& items) {
-    for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[random_() % k]);
-  }
-
-  /// The first `count` items become a random choice in random order; the others are left in some order.
-  template <class T>
-  void choose(std::vector<T>& items, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) std::swap(items[k], items[k + random_() % (items.size() - k)]);
-  }
-
- private:
-  Source random_;
-  std::normal_distribution<double> normal_{0, 1};
-};
 
 }  // namespace tubeplan::app

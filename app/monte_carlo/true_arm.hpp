@@ -33,7 +33,7 @@ class TruthMaker {
   }
 
   template <class Source>
-  [[nodiscard]] planner::Workcell draw(DrawFrom<Source>& draw) const {
+  [[nodiscard]] planner::Workcell draw(calibration::RandomStreamFrom<Source>& draw) const {
     planner::Workcell truth = about_;
     calibration::BaseStep step;
     step << draw.vector(spread_.base_shift_sigma), draw.vector(spread_.base_turn_sigma);

@@ -12,6 +12,7 @@
 #include "calibration/held_out.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 

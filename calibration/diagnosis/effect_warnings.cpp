@@ -8,6 +8,7 @@
 
 #include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/held_out.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 

@@ -7,6 +7,7 @@
 #include "calibration/diagnosis/noise_hypotheses.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 

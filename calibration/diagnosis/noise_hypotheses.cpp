@@ -9,6 +9,7 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/prior.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 

@@ -3,12 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <set>
 
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -138,7 +138,7 @@ void describeTrend(const Variable& variable, const Eigen::Matrix3Xd& errors, Pat
 
 double tailOfF(double F, int numbers, int rest) {
   if (!std::isfinite(F)) return 0;
-  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(numbers, rest), F));
+  return fisherTail(F, numbers, rest);
 }
 
 /// A variable in one frame, and what it is asked beside.

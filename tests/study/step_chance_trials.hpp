@@ -90,7 +90,7 @@ class StepChanceTrials {
   }
 
  private:
-  using Draw = app::DrawFrom<app::SplitMix>;
+  using Draw = calibration::RandomStreamFrom<app::SplitMix>;
 
   /// A smooth error over the sheet and one of every hole's own.
   struct Field {
