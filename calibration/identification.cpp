@@ -13,6 +13,7 @@
 #include "calibration/outliers.hpp"
 #include "calibration/reading_prediction.hpp"
 #include "calibration/reading_problems.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -76,6 +77,16 @@ VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns)
   return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
 }
 
+/// Errors [m] at the solution as anybody would find them there: of touches from their points' estimates by the noise,
+/// not by what a robust loss made of it.
+VectorXd errorsOf(const FittedModel& model) {
+  if (model.fit.factors.size() == 0) return model.fit.residual.error;
+  const ReadingWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
+  return whitenedResidual(model.start, model.unknowns, model.fitted, plain, model.fit.solution.x, false,
+                          model.options.hooks.stop)
+      .error;
+}
+
 void summarize(const FittedModel& model, Identification& result) {
   const Fit& fit = model.fit;
   result.fitted = applied(model.start, model.unknowns, fit.solution.x);
@@ -85,8 +96,9 @@ void summarize(const FittedModel& model, Identification& result) {
   result.model_error = fit.weights.model_error;
   result.covariance = fit.covariance;
   result.singular_values = singularValues(fit.residual.jacobian, model.unknowns);
-  result.after = errorSize(model.fitted, fit.weights, fit.residual.error);
-  result.errors = errorLengths(model.fitted, fit.weights, fit.residual.error);
+  const VectorXd errors = errorsOf(model);
+  result.after = errorSize(model.fitted, fit.weights, errors);
+  result.errors = errorLengths(model.fitted, fit.weights, errors);
   result.noise_floor = noiseFloor(model.fitted, fit.weights);
   describeNumbers(model, result);
   listCorrelations(result);

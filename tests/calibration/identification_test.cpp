@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "calibration/held_out.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -235,6 +236,18 @@ TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
     // Of eight sigmas one is stated: the rest, root of 63 of them, is taken for the model's own error.
     EXPECT_NEAR(result.model_error / maker.readings.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
   }
+}
+
+// Where touches of unknown points are weakened, the error is still from the estimates that the noise alone makes.
+TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
+  ReadingMaker maker(cobra(), 5, Noise::kStated);
+  maker.addTouches(15, {0, 30 * kPound}, false);
+  for (std::size_t k = 0; k < maker.readings.size(); k += 7) maker.readings[k].q[1] += 0.2 * kDegree;
+  IdentificationOptions options = freeing(kSoft);
+  options.loss = RobustLoss::kCauchy;
+  const auto result = identify(cobra(), maker.readings, options);
+  ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
+  EXPECT_NEAR(judge(result.fitted, maker.readings).rms, result.after.rms, 1e-3 * result.after.rms);
 }
 
 TEST(RobustLoss, HoldsAgainstGrossErrorsInOneReadingOfTwenty) {
