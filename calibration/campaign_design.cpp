@@ -54,7 +54,8 @@ std::string findLoadProblem(const CampaignDesign& design) {
   if (loads.empty()) return "no loads";
   if (!std::all_of(loads.begin(), loads.end(), [](double load) { return std::isfinite(load) && load >= 0; }))
     return "a load that is negative or not finite";
-  if (kindOf(design.kind).is_displacement && *std::min_element(loads.begin(), loads.end()) <= 0)
+  if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading &&
+      *std::min_element(loads.begin(), loads.end()) <= 0)
     return "a deflection under no load, which is nothing";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes looked at under a load";

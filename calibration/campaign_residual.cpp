@@ -120,7 +120,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
 
 /// False where a shape does not settle; nothing is done where the arm is none for a kernel.
 bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
-  if (!placed_.arm.effects.empty() || readings_.empty()) return true;
+  if (dependsOnPosture(placed_.arm) || readings_.empty()) return true;
   static const std::vector<deflection::Variable> kNone;
   if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
   if (!batch_->isFastFor(to.jacobian ? variables_ : kNone)) return true;

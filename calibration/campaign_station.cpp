@@ -39,7 +39,7 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
                        ToolPose tool, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
-  if (kind.is_displacement) {
+  if (kind.is_displacement && !kind.is_from_reading) {
     Measurement unloaded = reading;
     unloaded.load = 0;
     const auto rest = toolIn(arm, site, unloaded);
@@ -47,7 +47,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
     tool.p_W -= rest->p_W;
   }
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
-  return kind.is_above_zero && !(reading.own[0] > 0) ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
+  return kind.is_above_zero && reading.own[0] <= 0 ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
 }
 
 Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
@@ -87,10 +87,12 @@ StationReadings CampaignStation::read(const CampaignSite& site, int number,
     Measurement reading = readingUnder(design_, site, k, conditions[k]);
     reading.point = taken.name;
     reading.q = q;
-    taken.refusal = take(site, conditions[k], taken, here, reading);
+    Vector3d tip_W;
+    taken.refusal = take(site, conditions[k], taken, here, reading, tip_W);
     if (taken.refusal != PostureRefusal::kNone) return taken;
     here = q = reading.q;
     reading.q += conditions[k].encoder_noise;
+    taken.tips_W.push_back(tip_W);
     taken.readings.push_back(std::move(reading));
   }
   here_ = here;
@@ -134,7 +136,8 @@ PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationRea
 }
 
 PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingConditions& conditions,
-                                     const StationReadings& taken, const VectorXd& here, Measurement& reading) const {
+                                     const StationReadings& taken, const VectorXd& here, Measurement& reading,
+                                     Vector3d& tip_W) const {
   reading.senses = conditions.senses(here, reading.q);
   if (const auto goal_W = goalOf(taken, conditions.coordinate_noise)) {
     const auto refusal = bringTip(site, conditions, *goal_W, here, reading);
@@ -143,6 +146,7 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   const TipTrial trial = check(site, reading);
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
   stateConditions(arm_, design_, taken.p_W, reading);
+  tip_W = trial.tool.p_W;
   return measure(arm_, site, conditions, trial.tool, reading);
 }
 

@@ -18,6 +18,7 @@ struct StationReadings {
   std::string name;                    ///< of the point or posture: P1, H1, R10C20
   std::optional<Eigen::Vector3d> p_W;  ///< m, the point that is touched or looked at
   std::vector<Measurement> readings;
+  std::vector<Eigen::Vector3d> tips_W;  ///< m, of each reading, without noise
 };
 
 /// Where the tool is in a posture, if that is of use.
@@ -53,8 +54,8 @@ class CampaignStation {
 
   /// Brings the arm from `here` to the reading's place and reads it there, without the encoders' noise.
   [[nodiscard]] PostureRefusal take(const CampaignSite& site, const ReadingConditions& conditions,
-                                    const StationReadings& taken, const Eigen::VectorXd& here,
-                                    Measurement& reading) const;
+                                    const StationReadings& taken, const Eigen::VectorXd& here, Measurement& reading,
+                                    Eigen::Vector3d& tip_W) const;
   [[nodiscard]] PostureRefusal bringTip(const CampaignSite& site, const ReadingConditions& conditions,
                                         const Eigen::Vector3d& goal_W, const Eigen::VectorXd& here,
                                         Measurement& reading) const;

@@ -4,6 +4,7 @@
 
 #include "calibration/fit.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -61,7 +62,8 @@ JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Mea
     const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
     const Prediction prediction = predictReading(placed.arm, X_WB, readings[k], request);
     if (!prediction.ok) return result;
-    const Turned one = turned(prediction.by_joints, weight, error.segment(row, rowsOf(readings[k])));
+    const Turned one =
+        turned(prediction.by_joints.leftCols(weight.size()), weight, error.segment(row, rowsOf(readings[k])));
     result.corrections.col(static_cast<Index>(k)) = one.correction;
     chi2 += one.chi2;
     result.degrees_of_freedom += one.rank;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ enum class MeasurementKind {
   kOffset,       ///< p_W is a hole or mark, own its centre from the tip along the tool frame's axes [m]
   kTilt,         ///< own is how far the tool frame's axes rise above the horizontal [rad]
   kSteps,        ///< p_W is a hole, own how many steps of the tool went in, and what that says of the centring error
+  kRelative,     ///< p_W is the way that the tip has come from where it was at `reference`, or own[0] its length [m]
 };
 
 struct Measurement {
@@ -31,14 +33,16 @@ struct Measurement {
   std::string setup;  ///< readings with the same set-up share a base pose; empty where there is one for all
   double load = 0;    ///< N, hung from the tip
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows, rad (m for a prismatic joint)
-  std::optional<Eigen::Vector3d> p_W;          ///< m, in the world frame
-  std::optional<Eigen::Vector3d> direction_W;  ///< a unit vector, of kinds that measure along one
+  std::optional<Eigen::Vector3d> p_W;            ///< m, in the world frame
+  std::optional<Eigen::Vector3d> direction_W;    ///< a unit vector, of kinds that measure along one
+  std::shared_ptr<const Measurement> reference;  ///< the reading whose tip this one is taken from; none of most kinds
   std::optional<Eigen::Vector3d> p_TQ;  ///< m, the measured point from the tip in the tool frame; none: the tip itself
   /// Numbers of its kind's own columns, in their order; NaN = not stated.
   Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< rad, one standard deviation of a measured angle
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, one standard deviation of each measured coordinate;
                                                             ///< NaN = not stated
+  std::optional<Eigen::Vector3d> sigma_W;                   ///< m, the same of x, y and z apart, where they differ
   std::vector<int> senses;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN = not stated
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN = not stated

@@ -1,7 +1,9 @@
 // From a reading to the posture that the model is asked about.
 #pragma once
 
-#include "calibration/measurement.hpp"
+#include <optional>
+
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {
@@ -15,6 +17,16 @@ namespace tubeplan::calibration {
   posture.time = reading.time;
   posture.setup = reading.setup;
   return posture;
+}
+
+/// Of a displacement, the posture that it is taken from: the same without its load, or that of another reading.
+[[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& reading,
+                                                                           const Eigen::Vector3d& gravity_B) {
+  if (!kindOf(reading).is_displacement) return std::nullopt;
+  if (reading.reference) return postureOf(*reading.reference, gravity_B);
+  deflection::Posture unloaded = postureOf(reading, gravity_B);
+  unloaded.load = 0;
+  return unloaded;
 }
 
 }  // namespace tubeplan::calibration

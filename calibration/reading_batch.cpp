@@ -19,16 +19,18 @@ bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector
                          const std::vector<deflection::Variable>& variables) {
   std::vector<Vector3d> gravity_B;
   for (const auto& placing : placings) gravity_B.push_back(deflection::gravityInBase(arm_, placing.X_WB));
-  unloaded_.assign(count, -1);
+  from_.assign(count, -1);
   auto postures = static_cast<Index>(count);
   for (std::size_t k = 0; k < count; ++k)
-    if (kindOf(readings[first + k]).is_displacement) unloaded_[k] = postures++;
+    if (kindOf(readings[first + k]).is_displacement) from_[k] = postures++;
   postures_.resize(readings[first].q.size(), postures);
   for (std::size_t k = 0; k < count; ++k) {
     const Measurement& reading = readings[first + k];
     const Vector3d& gravity = gravity_B[static_cast<std::size_t>(placing_of[first + k])];
     place(reading, reading.load, gravity, static_cast<Index>(k));
-    if (unloaded_[k] >= 0) place(reading, 0, gravity, unloaded_[k]);
+    if (from_[k] < 0) continue;
+    const bool is_elsewhere = reading.reference != nullptr;
+    place(is_elsewhere ? *reading.reference : reading, is_elsewhere ? reading.reference->load : 0, gravity, from_[k]);
   }
   kinematics_.solveWithDerivatives(postures_, variables, tips_);
   return std::all_of(tips_.status.begin(), tips_.status.end(),
@@ -37,14 +39,13 @@ bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector
 
 Vector3d ReadingBatch::tip(std::size_t k) const {
   Vector3d p = tips_.poses.col(static_cast<Index>(k)).head<3>();
-  if (unloaded_[k] >= 0) p -= tips_.poses.col(unloaded_[k]).head<3>();
+  if (from_[k] >= 0) p -= tips_.poses.col(from_[k]).head<3>();
   return p;
 }
 
 Vector3d ReadingBatch::column(std::size_t k, std::size_t variable) const {
-  const Index row = 6 * static_cast<Index>(variable);
-  Vector3d by = tips_.jacobian.col(static_cast<Index>(k)).segment<3>(row);
-  if (unloaded_[k] >= 0) by -= tips_.jacobian.col(unloaded_[k]).segment<3>(row);
+  Vector3d by = ownColumn(k, variable);
+  if (from_[k] >= 0) by -= referenceColumn(k, variable);
   return by;
 }
 

@@ -26,9 +26,18 @@ class ReadingBatch {
              const std::vector<int>& placing_of, std::size_t first, std::size_t count,
              const std::vector<deflection::Variable>& variables);
 
-  /// The tip as seen from the base [m], base axes; of a deflection less the unloaded one, as are its derivatives.
+  /// The tip as seen from the base [m], base axes; of a displacement less what it is taken from, as are its
+  /// derivatives.
   [[nodiscard]] Eigen::Vector3d tip(std::size_t k) const;
   [[nodiscard]] Eigen::Vector3d column(std::size_t k, std::size_t variable) const;
+
+  /// The derivative at the reading's own posture alone, or at the one that its displacement is taken from.
+  [[nodiscard]] Eigen::Vector3d ownColumn(std::size_t k, std::size_t variable) const {
+    return columnAt(static_cast<Eigen::Index>(k), variable);
+  }
+  [[nodiscard]] Eigen::Vector3d referenceColumn(std::size_t k, std::size_t variable) const {
+    return columnAt(from_[k], variable);
+  }
 
   /// The tool frame as seen from the base, and how it turns [rad], base axes; not of a deflection.
   [[nodiscard]] Eigen::Matrix3d turn(std::size_t k) const { return tips_.X_BD(static_cast<Eigen::Index>(k)).R; }
@@ -38,12 +47,15 @@ class ReadingBatch {
 
  private:
   void place(const Measurement& reading, double load, const Eigen::Vector3d& gravity_B, Eigen::Index at);
+  [[nodiscard]] Eigen::Vector3d columnAt(Eigen::Index posture, std::size_t variable) const {
+    return tips_.jacobian.col(posture).segment<3>(6 * static_cast<Eigen::Index>(variable));
+  }
 
   const deflection::Arm& arm_;
   deflection::BatchKinematics kinematics_;
   deflection::PostureBatch postures_;
   deflection::TipBatch tips_;
-  std::vector<Eigen::Index> unloaded_;  ///< the posture to take off, -1 where there is none
+  std::vector<Eigen::Index> from_;  ///< the posture to take off, -1 where there is none
 };
 
 /// The tool of a reading in the world; of a deflection the tip's displacement.

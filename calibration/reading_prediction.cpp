@@ -91,12 +91,20 @@ Prediction measured(const Measurement& reading, const ToolPrediction& tool) {
   return {tool.ok, predictedValue(reading, tool.pose), seen(tool.by_numbers), seen(tool.by_base), seen(tool.by_joints)};
 }
 
-void subtract(ToolPrediction& a, const ToolPrediction& b) {
+/// `shares_joints` where both stand at the same joint readings, and so share the encoders' noise.
+void subtract(ToolPrediction& a, const ToolPrediction& b, bool shares_joints) {
   a.ok = a.ok && b.ok;
   a.pose.p_W -= b.pose.p_W;
   if (a.by_numbers.size()) a.by_numbers -= b.by_numbers;
   if (a.by_base.size()) a.by_base -= b.by_base;
-  if (a.by_joints.size()) a.by_joints -= b.by_joints;
+  if (!a.by_joints.size()) return;
+  if (shares_joints) {
+    a.by_joints -= b.by_joints;
+    return;
+  }
+  const MatrixXd own = a.by_joints;
+  a.by_joints.resize(6, 2 * own.cols());
+  a.by_joints << own, -b.by_joints;
 }
 
 }  // namespace
@@ -126,14 +134,11 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
 
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
-  deflection::Posture posture = postureOf(reading, arm_, X_WB);
-  ToolPrediction tool = predictTool(*tip_, X_WB, posture, request);
-  if (kindOf(reading).is_displacement) {
-    posture.load = 0;
-    subtract(tool, predictTool(*tip_, X_WB, posture, request));
-  }
+  ToolPrediction tool = predictTool(*tip_, X_WB, postureOf(reading, arm_, X_WB), request);
+  if (const auto from = referencePostureOf(reading, deflection::gravityInBase(arm_, X_WB)))
+    subtract(tool, predictTool(*tip_, X_WB, *from, request), !reading.reference);
   Prediction prediction = measured(reading, tool);
-  if (reading.p_W) scaleCoordinates(arm_, reading, request, prediction);
+  if (!touchesUnknownPoint(reading)) scaleCoordinates(arm_, reading, request, prediction);
   return prediction;
 }
 
@@ -154,10 +159,11 @@ std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry
 MatrixXd encoderCovariance(const deflection::Arm& arm, const MatrixXd& by_joints) {
   MatrixXd covariance = MatrixXd::Zero(by_joints.rows(), by_joints.rows());
   const auto active = deflection::activeRows(arm);
-  assert(by_joints.cols() == static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const Eigen::VectorXd column =
-        by_joints.col(static_cast<Eigen::Index>(k)) * arm.rows[static_cast<std::size_t>(active[k])].joint.encoder_sigma;
+  const auto joints = static_cast<Eigen::Index>(active.size());
+  assert(by_joints.cols() % joints == 0);
+  for (Eigen::Index k = 0; k < by_joints.cols(); ++k) {
+    const auto row = static_cast<std::size_t>(active[static_cast<std::size_t>(k % joints)]);
+    const Eigen::VectorXd column = by_joints.col(k) * arm.rows[row].joint.encoder_sigma;
     covariance += column * column.transpose();
   }
   return covariance;

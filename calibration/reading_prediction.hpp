@@ -26,7 +26,8 @@ struct PredictionRequest {
 struct Prediction {
   bool ok = false;  ///< whether the deflected shape settled; the rest is not to be used otherwise
   Eigen::VectorXd value;
-  Eigen::MatrixXd by_numbers, by_base, by_joints;  ///< rows x numbers; rows x 6, at a zero step; rows x joints
+  Eigen::MatrixXd by_numbers, by_base, by_joints;  ///< rows x numbers; rows x 6, at a zero step; rows x joints,
+                                                   ///< of a way from another reading those of that one after its own
 };
 
 /// The posture of a reading at a placing.

@@ -1,8 +1,6 @@
 #include "calibration/repeats.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +8,7 @@
 
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -22,8 +21,9 @@ constexpr double kSameLoad = 1e-6;   // N
 
 bool areAlike(const Measurement& a, const Measurement& b) {
   const bool same_anchor = kindOf(a).is_place || (a.p_W == b.p_W && a.direction_W == b.direction_W);
-  return a.kind == b.kind && a.setup == b.setup && a.point == b.point && a.senses == b.senses && same_anchor &&
-         std::abs(a.load - b.load) <= kSameLoad && (a.q - b.q).cwiseAbs().maxCoeff() <= kSameJoint;
+  return a.kind == b.kind && a.setup == b.setup && a.point == b.point && a.senses == b.senses &&
+         a.reference == b.reference && same_anchor && std::abs(a.load - b.load) <= kSameLoad &&
+         (a.q - b.q).cwiseAbs().maxCoeff() <= kSameJoint;
 }
 
 /// Chi-square of some readings' errors about their own weighted mean.
@@ -85,14 +85,12 @@ Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeig
   if (result.groups == 0) return result;
   result.pure_error = scatter;
   result.noise_ratio = std::sqrt(scatter / result.pure_freedom);
-  const boost::math::chi_squared pure(result.pure_freedom);
   result.noise_p_value = std::min(
-      1., 2 * std::min(boost::math::cdf(pure, scatter), boost::math::cdf(boost::math::complement(pure, scatter))));
+      1., 2 * std::min(chiSquareLowerTail(scatter, result.pure_freedom), chiSquareTail(scatter, result.pure_freedom)));
   result.lack_freedom = freedom - result.pure_freedom;
   if (result.lack_freedom < 1 || scatter <= 0) return result;
   result.lack_of_fit_F = std::max(0., chi2 - scatter) / result.lack_freedom / (scatter / result.pure_freedom);
-  const boost::math::fisher_f lack(result.lack_freedom, result.pure_freedom);
-  result.lack_of_fit_p_value = boost::math::cdf(boost::math::complement(lack, result.lack_of_fit_F));
+  result.lack_of_fit_p_value = fisherTail(result.lack_of_fit_F, result.lack_freedom, result.pure_freedom);
   return result;
 }
 

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "calibration/campaign_station.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
+#include "deflection/effects/situation.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {
@@ -66,6 +68,7 @@ class CampaignMaker {
       goes_on = addPoint(sites_[site], point + 1);
     }
     if (!goes_on) return std::move(result_);
+    relate();
     holdOut();
     result_.status = CampaignStatus::kDone;
     return std::move(result_);
@@ -122,11 +125,28 @@ class CampaignMaker {
   void keep(StationReadings taken) {
     const bool is_new = names_.insert(taken.name).second;
     if (taken.p_W && is_new) result_.points.push_back({taken.name, *taken.p_W});
+    tips_W_.insert(tips_W_.end(), taken.tips_W.begin(), taken.tips_W.end());
     for (auto& reading : taken.readings) {
       reading.id = std::to_string(result_.readings.size() + 1);
       result_.readings.push_back(std::move(reading));
     }
     if (hooks_.progress) hooks_.progress(result_.readings.size(), static_cast<std::size_t>(options_.readings));
+  }
+
+  /// Ways from the reading before, in each set-up; to its first reading from its last.
+  void relate() {
+    auto& readings = result_.readings;
+    if (!kindOf(design_.kind).is_from_reading) return;
+    const double scale = deflection::measurementScale(arm_);
+    for (std::size_t first = 0, end = 0; first < readings.size(); first = end) {
+      while (end < readings.size() && readings[end].setup == readings[first].setup) ++end;
+      for (std::size_t k = first; k < end; ++k) {
+        const std::size_t from = k > first ? k - 1 : end - 1;
+        *readings[k].p_W -= scale * tips_W_[from];
+        readings[k].reference = std::make_shared<Measurement>(readings[from]);
+      }
+    }
+    linkReferences(readings);
   }
 
   /// Whole points or postures: readings of the same one would not judge each other.
@@ -148,7 +168,8 @@ class CampaignMaker {
   std::vector<CampaignSite> sites_;
   ConditionSeries series_;
   CampaignStation station_;
-  std::set<std::string> names_;  ///< of points and postures
+  std::vector<Eigen::Vector3d> tips_W_;  ///< of the readings, without noise
+  std::set<std::string> names_;          ///< of points and postures
   SimulatedCampaign result_;
 };
 

@@ -53,6 +53,14 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
   const Eigen::Matrix3d R = X_WB.linear();
   const MeasuredSlope slope = predictedSlope(reading, toolOf(batch, k, X_WB, reading));
   MatrixXd slopes(slope.by_place.rows(), static_cast<Index>(joints));
+  if (reading.reference) {  // two postures, each with the encoders' noise of its own
+    slopes.resize(Eigen::NoChange, 2 * static_cast<Index>(joints));
+    for (std::size_t j = 0; j < joints; ++j) {
+      slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.ownColumn(k, j));
+      slopes.col(static_cast<Index>(joints + j)) = -slope.by_place * (R * batch.referenceColumn(k, j));
+    }
+    return slopes;
+  }
   for (std::size_t j = 0; j < joints; ++j) {
     slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.column(k, j));
     if (slope.by_turn.size()) slopes.col(static_cast<Index>(j)) += slope.by_turn * (R * batch.turnColumn(k, j));
@@ -66,7 +74,7 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
   by_joints.resize(readings.size());
   const auto placing_of = placingsOf(placed, readings);
   const auto joints = deflection::jointVariables(placed.arm);
-  if (placed.arm.effects.empty() && !readings.empty()) {
+  if (!dependsOnPosture(placed.arm) && !readings.empty()) {
     ReadingBatch batch(placed.arm);
     if (batch.isFastFor(joints)) {
       if (!batch.solve(placed.placings, readings, placing_of, 0, readings.size(), joints)) return false;

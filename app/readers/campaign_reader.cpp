@@ -95,7 +95,8 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
   design.loads = calibration::usualLoads();
   if (!kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles) design.loads = {0};
-  if (kindOf(design.kind).is_displacement) design.loads.erase(design.loads.begin());
+  if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading)
+    design.loads.erase(design.loads.begin());
   design.sigma = is_touch ? calibration::kTouchSigma : calibration::kPositionSigma;
   if (kindOf(design.kind).counts_steps) design.sigma = calibration::kVisitSigma;
   if (kindOf(design.kind).turn_rows > 0) design.turn_sigma = calibration::kAngleSigma;

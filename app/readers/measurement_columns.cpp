@@ -131,6 +131,7 @@ MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::str
   columns.point = header.take("point");
   columns.setup = header.take("setup");
   columns.split = header.take("split");
+  columns.from = header.take("from");
   takeJoints(header, arm, columns);
   columns.load = header.takeNumber("load", UnitKind::kForce);
   columns.x = header.takeNumber("x", UnitKind::kLength);
@@ -143,6 +144,9 @@ MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::str
   columns.dx = header.take("dx");
   columns.dy = header.take("dy");
   columns.dz = header.take("dz");
+  columns.sigma_x = header.takeNumber("sigma_x", UnitKind::kLength);
+  columns.sigma_y = header.takeNumber("sigma_y", UnitKind::kLength);
+  columns.sigma_z = header.takeNumber("sigma_z", UnitKind::kLength);
   columns.sigma = header.takeNumber("sigma", UnitKind::kLength);
   columns.turn_sigma = header.takeNumber("turn_sigma", UnitKind::kAngle);
   columns.temperature = header.takeNumber("temperature", UnitKind::kTemperature);

@@ -21,8 +21,9 @@ struct NumberColumn {
 
 struct MeasurementColumns {
   std::size_t id = 0, kind = 0;
-  std::optional<std::size_t> point, setup, split;
-  std::optional<NumberColumn> load, x, y, z, tool_x, tool_y, tool_z, sigma, turn_sigma, temperature, time;
+  std::optional<std::size_t> point, setup, split, from;
+  std::optional<NumberColumn> load, x, y, z, tool_x, tool_y, tool_z, sigma, sigma_x, sigma_y, sigma_z,
+      turn_sigma, temperature, time;
   std::optional<std::size_t> dx, dy, dz;
   std::vector<NumberColumn> joints;         ///< one for each active row
   std::vector<std::size_t> senses;          ///< one for each active row, or none

@@ -108,6 +108,21 @@ std::optional<Eigen::Vector3d> readToolPoint(const RowReader& row, const Measure
                    "measured point's tool_x, tool_y, tool_z");
 }
 
+/// Standard deviations of the coordinates apart, of kinds that measure them.
+std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
+                                          const MeasurementKindRow& kind) {
+  const auto sigmas = allOrNone(
+      row, {row.numberOrNaN(columns.sigma_x), row.numberOrNaN(columns.sigma_y), row.numberOrNaN(columns.sigma_z)},
+      "coordinates' sigma_x, sigma_y, sigma_z");
+  if (!sigmas) return std::nullopt;
+  if (!(sigmas->minCoeff() > 0))
+    row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
+  if (!kind.has_coordinates)
+    row.failRow(fmt::format("sigma_x, sigma_y, sigma_z of a reading of kind {}", kind.name),
+                "its one `sigma`: it measures no x, y, z");
+  return sigmas;
+}
+
 std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
   const auto direction =
       allOrNone(row, {row.numberOrNaN(columns.dx), row.numberOrNaN(columns.dy), row.numberOrNaN(columns.dz)},
@@ -175,8 +190,9 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   const auto count = static_cast<Eigen::Index>(kind.columns.size());
   const Eigen::Index stated = count - m.own.head(count).array().isNaN().count();
-  const bool is_enough = kind.is_partly_seen ? stated > 0 : stated == count;
-  const bool is_right = !kind.is_above_zero || m.own[0] > 0;
+  const bool is_by_place = kind.is_from_reading && m.p_W;
+  const bool is_enough = is_by_place ? stated == 0 : kind.is_partly_seen ? stated > 0 : stated == count;
+  const bool is_right = is_by_place || !kind.is_above_zero || m.own[0] > 0;
   if (is_enough && is_right) return;
   std::vector<std::string> names, columns;
   for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
@@ -191,7 +207,7 @@ void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measur
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (kind.is_touch && m.point.empty())
     row.failRow("a touch without a point", "the point's name in the column 'point'");
-  if (!kind.is_touch && !kind.is_without_place && !m.p_W)
+  if (!kind.is_touch && !kind.is_without_place && !kind.is_from_reading && !m.p_W)
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
   checkOwn(row, kind, m);
   if (kind.has_direction && !m.direction_W)
@@ -222,6 +238,8 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
   m.p_TQ = readToolPoint(row, columns);
   m.direction_W = kind.is_to_gravity ? std::optional<Eigen::Vector3d>(-arm.gravity_W) : readDirection(row, columns);
   m.sigma = row.numberOrNaN(columns.sigma);
+  m.sigma_W = readSigmas(row, columns, kind);
+  if (m.sigma_W) m.sigma = std::sqrt(m.sigma_W->squaredNorm() / 3);
   m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
   m.senses = readSenses(row, columns);
   m.temperature = row.numberOrNaN(columns.temperature);
@@ -229,6 +247,26 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
   m.is_held_out = readSplit(row, columns.split);
   checkKind(row, kind, m);
   return m;
+}
+
+/// The reading that a relative one is taken from, by its id: any other of the same set-up, whatever its kind.
+std::shared_ptr<const Measurement> readReference(const RowReader& row, const MeasurementColumns& columns,
+                                                 const std::map<std::string, std::size_t>& index,
+                                                 const std::vector<Measurement>& readings, const Measurement& m) {
+  const std::string id = row.textOr(columns.from);
+  if (id.empty())
+    row.failRow("a reading of kind relative without the one that it is taken from",
+                "another reading's id in the column 'from'");
+  const auto found = index.find(id);
+  if (found == index.end() || id == m.id)
+    row.fail(*columns.from, id == m.id ? "the reading's own id" : "the unknown id " + inQuotes(id),
+             "the id of another reading");
+  const Measurement& other = readings[found->second];
+  if (other.setup != m.setup)
+    row.fail(*columns.from, fmt::format("the reading {} of another set-up", inQuotes(id)), "one of the same set-up");
+  auto reference = std::make_shared<Measurement>(other);
+  reference->reference = nullptr;
+  return reference;
 }
 
 }  // namespace
@@ -320,15 +358,18 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   for (const auto& joint : columns.joints)
     read.joints.push_back({joint.name, std::string(joint.unit->name), joint.unit->factor});
   std::vector<Measurement>& out = read.readings;
-  std::map<std::string, int> lines;
+  std::map<std::string, std::size_t> index;
   for (const auto& row : table.rows) {
     const RowReader reader(table, row, file);
     out.push_back(readRow(reader, columns, arm, sheet));
-    const auto [first, is_new] = lines.emplace(out.back().id, row.line);
+    const auto [first, is_new] = index.emplace(out.back().id, out.size() - 1);
     if (!is_new)
       reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
-                  fmt::format("it stands at line {} already", first->second));
+                  fmt::format("it stands at line {} already", out[first->second].line));
   }
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (kindOf(out[k]).is_from_reading)
+      out[k].reference = readReference(RowReader(table, table.rows[k], file), columns, index, out, out[k]);
   return read;
 }
 

@@ -52,6 +52,8 @@ class Table {
     addNames();
     addJoints();
     addCoordinates();
+    if (anyHas(readings_, [](const auto& m) { return m.reference != nullptr; }))
+      add("from", [](const auto& m) { return m.reference ? quoted(m.reference->id) : std::string(); });
     addConditions();
     std::vector<std::string> names;
     for (const Column& column : columns_) names.push_back(column.name);
@@ -110,6 +112,10 @@ class Table {
           return numberOrNothing(calibration::kindOf(m).has_direction ? (*m.direction_W)[k] : kNothing);
         });
     addLength("sigma", [](const auto& m) { return m.sigma; });
+    if (anyHas(readings_, [](const auto& m) { return m.sigma_W.has_value(); }))
+      for (Eigen::Index k = 0; k < 3; ++k)
+        addLength(std::string("sigma_") + "xyz"[k],
+                  [k](const auto& m) { return m.sigma_W ? (*m.sigma_W)[k] : kNothing; });
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.turn_sigma); }))
       add("turn_sigma_" + std::string(units_.angle().name),
           [this](const auto& m) { return numberOrNothing(units_.toFile(m.turn_sigma, dimension::kAngle)); });

@@ -30,8 +30,7 @@ WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
 }
 
-std::optional<ToolPose> toolOf(const DiagnosisBasis& basis, std::size_t k) {
-  const Measurement& reading = basis.readings[k];
+std::optional<ToolPose> toolOf(const DiagnosisBasis& basis, const Measurement& reading) {
   const auto placing = static_cast<std::size_t>(placingOf(basis.fitted, reading));
   return toolAt(basis.fitted.arm, basis.fitted.placings[placing].X_WB, reading);
 }
@@ -41,8 +40,11 @@ Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const std::optional<
                 const WhitenedResidual& residual) {
   if (!residual.ok || !tool) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Measurement& reading = basis.readings[k];
+  ToolPose seen = *tool;
+  if (reading.reference)
+    if (const auto from = toolOf(basis, *reading.reference)) seen.p_W -= from->p_W;
   const Index row = basis.weights.first_row[k];
-  return -predictedSlope(reading, *tool).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
+  return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
 }
 
 std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::vector<Explanation>& shown,
@@ -53,7 +55,7 @@ std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::ve
   for (std::size_t k = 0; k < basis.readings.size(); ++k) {
     ReadingView view;
     view.reading = given[k];
-    const auto tool = toolOf(basis, k);
+    const auto tool = toolOf(basis, basis.readings[k]);
     view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     view.before = missAt(basis, k, tool, basis.residual);
     for (const auto& residual : after) view.after.push_back(missAt(basis, k, tool, residual));

@@ -250,9 +250,9 @@ MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, c
   request.by_joints = true;
   const Prediction prediction = predictor.predict(X_WB, reading, request);
   if (!prediction.ok) return {};
-  const Index joints = prediction.by_joints.cols();
+  const Index joints = reading.q.size();
   MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 9);
-  displacements.leftCols(joints) = prediction.by_joints;
+  displacements.leftCols(joints) = prediction.by_joints.leftCols(joints);
   if (kindOf(reading).is_displacement) return displacements;
   const auto tool = toolAt(placed.arm, X_WB, reading);
   if (!tool) return {};

@@ -36,8 +36,10 @@ inline bool areWritten(const CheckedReadings& checked) {
 
 /// Of what is written and what the sheet tells alike: both are the places that were measured.
 inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
-  for (auto& reading : readings)
+  for (auto& reading : readings) {
     if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
+    if (reading.sigma_W) *reading.sigma_W = (to_world * *reading.sigma_W).cwiseAbs();
+  }
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {

@@ -195,6 +195,7 @@ class Checking {
   std::vector<Measurement> mended(const Mend& mend, Depth depth) const {
     auto readings = pool_.readings;
     mend.apply(readings);
+    linkReferences(readings);
     return only(std::move(readings), depth == Depth::kOpen ? pool_.counted : pool_.counted_quickly);
   }
 

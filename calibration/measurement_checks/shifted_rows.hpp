@@ -18,7 +18,9 @@ inline void takeMeasured(const Measurement& from, Measurement& to) {
   to.point = from.point;
   to.p_W = from.p_W;
   to.own = from.own;
+  to.reference = from.reference;
   to.sigma = from.sigma;
+  to.sigma_W = from.sigma_W;
   to.turn_sigma = from.turn_sigma;
 }
 

@@ -13,7 +13,10 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"sigma", value, "sigma is in " + value + ", not in " + checked.units.sigma.name + " as its column says"};
   mend.apply = [factor = *factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.sigma *= factor;
+    for (auto& reading : readings) {
+      reading.sigma *= factor;
+      if (reading.sigma_W) *reading.sigma_W *= factor;
+    }
   };
   return mend;
 }

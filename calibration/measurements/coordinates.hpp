@@ -15,7 +15,13 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
 }
 
 inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
-  return {.kind = kind, .name = name, .value = value, .slope = slope, .measured = measured, .record = record};
+  return {.kind = kind,
+          .name = name,
+          .has_coordinates = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
 }
 
 }  // namespace tubeplan::calibration::coordinates

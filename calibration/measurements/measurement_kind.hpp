@@ -41,9 +41,11 @@ struct MeasurementKindRow {
   int (*rows_of)(const Measurement& reading) = nullptr;  ///< where they differ from reading to reading
   std::span<const MeasuredColumn> columns = {};          ///< of Measurement::own, up to three
 
+  bool has_coordinates = false;   ///< the first rows, where there are three, are x, y, z in the world
   bool is_touch = false;          ///< the tip rests centred at `point`, whose place may be unknown
   bool is_place = false;          ///< p_W is where the tip is
-  bool is_displacement = false;   ///< of the loaded tip from its unloaded place at the same joint readings
+  bool is_displacement = false;   ///< of the tip from its unloaded place at the same joint readings ...
+  bool is_from_reading = false;   ///< ... or from its place at another reading; p_W or else its own numbers state it
   bool is_without_place = false;  ///< states no p_W
   bool is_partly_seen = false;    ///< of its own numbers those that are stated count, one at least
   bool names_hole = false;        ///< `point` may name a hole, whose centre is p_W

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "calibration/measurements/axis.hpp"
 #include "calibration/measurements/deflection.hpp"
@@ -10,6 +11,7 @@
 #include "calibration/measurements/orientation.hpp"
 #include "calibration/measurements/pose.hpp"
 #include "calibration/measurements/position.hpp"
+#include "calibration/measurements/relative.hpp"
 #include "calibration/measurements/steps.hpp"
 #include "calibration/measurements/tilt.hpp"
 #include "calibration/measurements/touch.hpp"
@@ -17,10 +19,10 @@
 namespace tubeplan::calibration {
 
 std::span<const MeasurementKindRow> measurementKinds() {
-  static const std::array kKinds{position::kind(), touch::kind(),  deflection_reading::kind(),
-                                 distance::kind(), axis::kind(),   orientation::kind(),
-                                 pose::kind(),     offset::kind(), tilt::kind(),
-                                 steps::kind()};
+  static const std::array kKinds{position::kind(), touch::kind(),   deflection_reading::kind(),
+                                 distance::kind(), axis::kind(),    orientation::kind(),
+                                 pose::kind(),     offset::kind(),  tilt::kind(),
+                                 steps::kind(),    relative::kind()};
   return kKinds;
 }
 
@@ -62,9 +64,24 @@ double ownNumber(const Measurement& reading, std::string_view name) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+void linkReferences(std::vector<Measurement>& readings) {
+  const auto isLinked = [](const Measurement& reading) { return reading.reference != nullptr; };
+  if (std::none_of(readings.begin(), readings.end(), isLinked)) return;
+  std::map<std::string, std::shared_ptr<const Measurement>> by_id;
+  for (const auto& reading : readings) {
+    auto alone = std::make_shared<Measurement>(reading);
+    alone->reference = nullptr;
+    by_id.emplace(reading.id, std::move(alone));
+  }
+  for (auto& reading : readings)
+    if (reading.reference)
+      if (const auto found = by_id.find(reading.reference->id); found != by_id.end()) reading.reference = found->second;
+}
+
 MeasuredValue rowSigmas(const Measurement& reading) {
   const int rows = rowsOf(reading), turns = std::min(rows, kindOf(reading).turn_rows);
   MeasuredValue sigmas = MeasuredValue::Constant(rows, reading.sigma);
+  if (reading.sigma_W && kindOf(reading).has_coordinates && rows >= 3) sigmas.head<3>() = *reading.sigma_W;
   sigmas.tail(turns).setConstant(kTurnLever * reading.turn_sigma);
   return sigmas;
 }

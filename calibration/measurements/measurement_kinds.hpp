@@ -38,6 +38,10 @@ namespace tubeplan::calibration {
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
 
+/// Takes every reading's reference as it stands among these readings now; one that is not there any more stays as it
+/// is.
+void linkReferences(std::vector<Measurement>& readings);
+
 /// Of each row [m]: what the reading states; not numbers where it states nothing.
 [[nodiscard]] MeasuredValue rowSigmas(const Measurement& reading);
 

@@ -32,6 +32,7 @@ inline MeasurementKindRow kind() {
           .rows = 6,
           .turn_rows = 3,
           .columns = orientation::kColumns,
+          .has_coordinates = true,
           .is_place = true,
           .sees_turn = true,
           .value = value,

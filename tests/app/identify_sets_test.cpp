@@ -2,8 +2,12 @@
 // model is right, and measured robots, judged on poses that were not fitted.
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/readers/cell_reader.hpp"
+#include "app/readers/measurements_reader.hpp"
+#include "app/readers/measurements_writer.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {
@@ -11,6 +15,49 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+using calibration::Measurement;
+
+/// A row for each pair of touches of two sockets that are 50 mm apart, fitted and held-out ones apart.
+std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
+  std::map<std::pair<std::string, bool>, std::vector<Measurement>> touches;
+  for (const auto& reading : readings) touches[{reading.point, reading.is_held_out}].push_back(reading);
+  for (const auto& [socket, first] : touches) {
+    if (!socket.first.ends_with("-0")) continue;
+    const std::string other = socket.first.substr(0, socket.first.size() - 1) + "1";
+    const auto& second = touches[{other, socket.second}];
+    for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k) {
+      Measurement spacing = first[k];
+      spacing.id += "-spacing";
+      spacing.point.clear();
+      spacing.kind = calibration::MeasurementKind::kRelative;
+      spacing.own[0] = 0.05;
+      spacing.reference = std::make_shared<Measurement>(second[k]);
+      readings.push_back(std::move(spacing));
+    }
+  }
+  return readings;
+}
+
+/// Mean distance between what the touches make of the spacings and 50 mm [mm].
+double socketsOff(const json& readings) {
+  std::map<std::string, std::pair<Eigen::Vector3d, int>> sockets;
+  for (const auto& reading : readings) {
+    if (reading["kind"] != "touch") continue;
+    auto& [sum, count] = sockets.try_emplace(reading["point"], Eigen::Vector3d::Zero(), 0).first->second;
+    for (int k = 0; k < 3; ++k) sum[k] += reading["position_before"][static_cast<std::size_t>(k)].get<double>();
+    ++count;
+  }
+  double off = 0;
+  int pairs = 0;
+  for (const auto& [name, first] : sockets) {
+    if (!name.ends_with("-0")) continue;
+    const auto& second = sockets.at(name.substr(0, name.size() - 1) + "1");
+    off += std::abs((first.first / first.second - second.first / second.second).norm() - 50);
+    ++pairs;
+  }
+  return off / pairs;
+}
 
 class IdentifySets : public ProgramTest {
  protected:
@@ -111,6 +158,21 @@ TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   EXPECT_LT(foretold, 0.5);
   EXPECT_LT(foretold, 1.1 * own);
   EXPECT_LT(foretold, 0.4 * rigid);
+}
+
+// Touches alone make the arm shrink: without the spacings the sockets come out 27 mm off.
+TEST_F(IdentifySets, SocketsAKnownDistanceApartTellTheScale) {
+  SKIP_WITHOUT("real/panda-touch");
+  for (const char* name : {"arm.yaml", "cell.yaml"})
+    write(name, contentOf(shared("real/panda-touch") / name));
+  const Cell cell = readCell((folder / "cell.yaml").string());
+  const auto readings = readMeasurements(shared("real/panda-touch/measurements.csv").string(), cell.arm, nullptr);
+  write("spacings.csv", measurementsCsv(withSpacings(readings), cell.arm, cell.units));
+  const Outcome outcome =
+      run("identify cell.yaml spacings.csv --free tool.tip,geometry --folds 0 --out fitted.yaml --json -");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome compared = run("compare fitted.yaml spacings.csv --assume as-is --json -");
+  EXPECT_LE(socketsOff(json::parse(compared.out)["readings"]), 0.2);
 }
 
 }  // namespace

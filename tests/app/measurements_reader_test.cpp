@@ -138,6 +138,47 @@ TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
   expectSays(refusal(changed(header, "tilt_x_deg", "tilt_x_in") + tilted), "unknown unit 'in'");
 }
 
+TEST_F(MeasurementsReader, readsTheNoiseOfEachCoordinate) {
+  const std::string header =
+      "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_x_in,sigma_y_in,"
+      "sigma_z_in\n";
+  const std::string good = "a,position,,10,90,-20,5,1,2,3,,0.001,0.002,0.002\n";
+  const auto m = read(header + good).at(0);
+  EXPECT_NEAR(m.sigma, 0.0254 * std::sqrt(0.000003), 1e-12);
+  const auto rows = calibration::rowSigmas(m);
+  EXPECT_NEAR(rows[0], 0.001 * 0.0254, 1e-15);
+  EXPECT_NEAR(rows[2], 0.002 * 0.0254, 1e-15);
+  expectSays(refusal(header + changed(good, "0.001,", ",")), "some of the coordinates' sigma_x");
+  expectSays(refusal(header + changed(good, "0.001,", "-0.001,")), "not above zero");
+  expectSays(refusal(header + "a,distance,,10,90,-20,5,1,2,3,4,0.001,0.002,0.002\n"), "it measures no x, y, z");
+}
+
+TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
+  const std::string header =
+      "id,kind,point,setup,from,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_in\n";
+  const std::string first = "a,touch,P1,A,,10,90,-20,5,,,,,0.003\n", second = "b,touch,P1,A,,11,90,-20,5,,,,,0.003\n";
+  const std::string length = "c,relative,,A,a,20,90,-20,5,,,,2,0.003\n",
+                    way = "d,relative,,A,c,30,90,-20,5,1,2,3,,0.003\n";
+  const auto readings = read(header + length + way + first + second);
+  ASSERT_EQ(readings.size(), 4u);
+  ASSERT_TRUE(readings[0].reference && readings[1].reference && !readings[2].reference);
+  EXPECT_EQ(readings[0].reference->q, readings[2].q);
+  EXPECT_EQ(readings[1].reference->id, "c");
+  EXPECT_FALSE(readings[1].reference->reference);
+  EXPECT_EQ(calibration::rowsOf(readings[0]), 1);
+  EXPECT_EQ(calibration::rowsOf(readings[1]), 3);
+  const auto with = [&](const std::string& row, const std::string& from, const std::string& to) {
+    return refusal(header + first + second + changed(row, from, to));
+  };
+  expectSays(with(length, ",A,a,", ",A,,"), "another reading's id in the column 'from'");
+  expectSays(with(length, ",A,a,", ",A,z,"), "m.csv:4 (column from): found the unknown id 'z'");
+  expectSays(with(length, ",A,a,", ",A,c,"), "own id");
+  expectSays(with(length, ",A,a,", ",B,a,"), "of another set-up");
+  expectSays(with(length, ",,,2,", ",,,-2,"), "above zero");
+  expectSays(with(length, ",,,2,", ",,,,"), "without its distance");
+  expectSays(with(length, ",,,2,", ",1,2,3,2,"), "without its distance");
+}
+
 TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {
   const std::string header =
       "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,tool_x_in,tool_y_in,tool_z_in,sigma_in\n";

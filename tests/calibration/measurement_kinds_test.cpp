@@ -30,6 +30,10 @@ std::vector<Measurement> readingsOfEveryKind() {
     readings.push_back(anyReading(row));
     readings.push_back(anyReading(row));
     readings.back().p_TQ = Eigen::Vector3d(0.02, -0.05, 0.03);
+    if (row.is_from_reading) {
+      readings.push_back(anyReading(row));
+      readings.back().p_W.reset();
+    }
     if (!row.counts_steps) continue;
     readings.push_back(anyReading(row));
     readings.back().own[1] = 0;

@@ -57,7 +57,12 @@ class ReadingMaker {
         m.direction_W = Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
       if (row.is_to_gravity) m.direction_W = -truth_.arm.gravity_W;
       if (row.turn_rows > 0) m.turn_sigma = 0.01 * kDegree;
-      const ToolPose tool = toolOf(m);
+      if (row.is_from_reading) m.reference = anotherReading(setup);
+      ToolPose tool = toolOf(m);
+      if (row.is_from_reading) {
+        tool.p_W -= toolOf(*m.reference).p_W;
+        m.reference = withEncoderNoise(*m.reference);
+      }
       if (row.names_hole) m.p_W = tool.p_W + besideTheTip(row);
       MeasuredValue noise_of_rows(row.rows);
       for (int i = 0; i < row.rows; ++i)
@@ -116,8 +121,20 @@ class ReadingMaker {
     ToolPose tool = *toolAt(truth_.arm, X_WB, m);
     Measurement unloaded = m;
     unloaded.load = 0;
-    if (kindOf(m).is_displacement) tool.p_W -= toolAt(truth_.arm, X_WB, unloaded)->p_W;
+    if (kindOf(m).is_displacement && !kindOf(m).is_from_reading) tool.p_W -= toolAt(truth_.arm, X_WB, unloaded)->p_W;
     return tool;
+  }
+
+  [[nodiscard]] std::shared_ptr<const Measurement> anotherReading(const std::string& setup) {
+    auto other = std::make_shared<Measurement>(blank(MeasurementKind::kPosition, setup));
+    other->q = drawPosture();
+    other->load = uniform(10, 40) * kPound;
+    return other;
+  }
+  [[nodiscard]] std::shared_ptr<const Measurement> withEncoderNoise(const Measurement& reading) {
+    auto noisy = std::make_shared<Measurement>(reading);
+    noisy->q += encoderNoise();
+    return noisy;
   }
 
   /// Of a hole from a tip that looks for it, or looks at it.

@@ -1,0 +1,37 @@
+// How far the tip has come from where it was at another reading, `reference`: x, y, z of the way in the world, or its
+// length alone. A known spacing is used by it without a known place: two sockets of a jig, two holes a pitch apart, the
+// travel on a slide's scale.
+#pragma once
+
+#include "calibration/measurements/coordinates.hpp"
+#include "calibration/measurements/distance.hpp"
+
+namespace tubeplan::calibration::relative {
+
+inline int rowsOf(const Measurement& reading) { return reading.p_W ? 3 : 1; }
+
+/// `tool.p_W` is the way from the reference.
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  if (reading.p_W) return tool.p_W;
+  return MeasuredValue::Constant(1, tool.p_W.norm());
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  if (reading.p_W) return {Eigen::Matrix3d::Identity(), {}};
+  return {tool.p_W.normalized().transpose(), {}};
+}
+inline MeasuredValue measured(const Measurement& reading) {
+  return reading.p_W ? MeasuredValue(*reading.p_W) : distance::measured(reading);
+}
+
+inline MeasurementKindRow kind() {
+  MeasurementKindRow row = coordinates::row(MeasurementKind::kRelative, "relative");
+  row.rows_of = rowsOf;
+  row.columns = distance::kColumns;
+  row.is_displacement = row.is_from_reading = row.is_above_zero = true;
+  row.value = value;
+  row.slope = slope;
+  row.measured = measured;
+  return row;
+}
+
+}  // namespace tubeplan::calibration::relative
