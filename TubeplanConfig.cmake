@@ -1,0 +1,12 @@
+# What the libraries link to is looked for where they were installed from: Debian's packages of the same names.
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4)
+find_dependency(fmt)
+find_dependency(TBB)
+find_dependency(ompl)
+find_dependency(fcl)
+find_dependency(PkgConfig)
+pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
+pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
+include(${CMAKE_CURRENT_LIST_DIR}/ompl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/TubeplanTargets.cmake)

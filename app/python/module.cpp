@@ -1,0 +1,214 @@
+// `import tubeplan`: an arm posed in batches as NumPy arrays, and what the commands do with cells and readings, as
+// dictionaries with the keys that their --json writes. Arrays are in metres, radians and newtons; dictionaries in the
+// cell's own units.
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/atomic_file.hpp"
+#include "app/comparison_job.hpp"
+#include "app/diagnosis_job.hpp"
+#include "app/identification_job.hpp"
+#include "app/input_error.hpp"
+#include "app/job_steps.hpp"
+#include "app/plan_files.hpp"
+#include "app/plan_job.hpp"
+#include "app/reading_input.hpp"
+#include "app/readers/cell_writer.hpp"
+#include "app/version.hpp"
+#include "deflection/posture_batch.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+namespace py = pybind11;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+py::object toPython(const nlohmann::json& json) { return py::module_::import("json").attr("loads")(json.dump()); }
+
+/// Ctrl-C ends long work, as in the terminal: once the thread that called has seen it, all of them stop.
+class Interruption {
+ public:
+  bool operator()() const {
+    if (std::this_thread::get_id() != caller_ || *is_seen_) return *is_seen_;
+    const py::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0) *is_seen_ = true;
+    return *is_seen_;
+  }
+
+ private:
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::shared_ptr<std::atomic<bool>> is_seen_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+/// Work that Python's other threads need not wait for.
+template <class Work>
+auto withoutLock(Work&& work) {
+  const py::gil_scoped_release released;
+  return work();
+}
+
+/// Rotations as one array of N x 3 x 3.
+py::array_t<double> stacked(const std::vector<Eigen::Matrix3d>& rotations) {
+  py::array_t<double> out({static_cast<py::ssize_t>(rotations.size()), py::ssize_t{3}, py::ssize_t{3}});
+  auto at = out.mutable_unchecked<3>();
+  for (std::size_t k = 0; k < rotations.size(); ++k)
+    for (py::ssize_t i = 0; i < 3; ++i)
+      for (py::ssize_t j = 0; j < 3; ++j) at(static_cast<py::ssize_t>(k), i, j) = rotations[k](i, j);
+  return out;
+}
+
+class PythonCell {
+ public:
+  explicit PythonCell(const std::string& path) : path_(path), cell_(readCell(path)) {}
+
+  [[nodiscard]] std::string name() const { return cell_.name; }
+  [[nodiscard]] Eigen::Matrix4d base() const { return cell_.X_WB.matrix(); }
+
+  [[nodiscard]] std::vector<std::string> joints() const {
+    std::vector<std::string> names;
+    for (const int row : deflection::activeRows(cell_.arm))
+      names.push_back(cell_.arm.rows[static_cast<std::size_t>(row)].joint.name);
+    return names;
+  }
+
+  [[nodiscard]] Rows limits() const {
+    const auto active = deflection::activeRows(cell_.arm);
+    Rows limits(static_cast<Eigen::Index>(active.size()), 2);
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      const auto& joint = cell_.arm.rows[static_cast<std::size_t>(active[k])].joint;
+      limits.row(static_cast<Eigen::Index>(k)) << joint.lower, joint.upper;
+    }
+    return limits;
+  }
+
+  /// Deflected tips in the world: N x 3 places, N x 3 x 3 tool frames, and whether each shape converged.
+  [[nodiscard]] py::tuple poses(const Rows& q, double load) const {
+    const auto joints = static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size());
+    if (q.cols() != joints)
+      throw py::value_error("q has " + std::to_string(q.cols()) + " columns, expected one for each of the " +
+                            std::to_string(joints) + " joints");
+    deflection::PostureBatch postures;
+    postures.resize(joints, q.rows(), load, deflection::gravityInBase(cell_.arm, cell_.X_WB));
+    postures.q = q.transpose();
+    deflection::TipBatch tips;
+    withoutLock([&] { deflection::BatchKinematics(cell_.arm).solve(postures, tips); });
+    Rows places(q.rows(), 3);
+    std::vector<Eigen::Matrix3d> turns;
+    std::vector<bool> converged;
+    for (Eigen::Index k = 0; k < q.rows(); ++k) {
+      const auto X_BD = tips.X_BD(k);
+      places.row(k) = (cell_.X_WB * X_BD.p).transpose();
+      turns.emplace_back(cell_.X_WB.linear() * X_BD.R);
+      converged.push_back(tips.status[static_cast<std::size_t>(k)] == deflection::KinematicsStatus::kConverged);
+    }
+    return py::make_tuple(places, stacked(turns), py::array(py::cast(converged)));
+  }
+
+  [[nodiscard]] py::object identify(const ReadingFiles& files, const std::vector<std::string>& free,
+                                    const std::string& robust, int folds, std::uint64_t seed,
+                                    const std::string& out) const {
+    IdentificationRequest request;
+    request.free = free;
+    request.robust = robust;
+    request.folds = folds;
+    request.seed = seed;
+    const auto outcome = run([&] {
+      const CellReadings input = readCellReadings(path_, files);
+      auto identified = identifyModel(input, request, hooks());
+      if (!out.empty() && identified.fit.status == calibration::IdentificationStatus::kDone)
+        for (const auto& written : identifiedCell(input.cell, identified.fit, input.readings, out).inOrder())
+          writeFileAtomically(written.path, written.text, "out");
+      return identified.figures;
+    });
+    return toPython(outcome);
+  }
+
+  [[nodiscard]] py::object diagnose(const ReadingFiles& files, std::uint64_t seed) const {
+    DiagnosisRequest request;
+    request.seed = seed;
+    return toPython(run([&] { return diagnoseModel(readCellReadings(path_, files), request, hooks()).figures; }));
+  }
+
+  [[nodiscard]] py::object compare(const ReadingFiles& files, std::uint64_t seed) const {
+    ComparisonRequest request;
+    request.seed = seed;
+    return toPython(run([&] { return compareModel(readCellReadings(path_, files), request, hooks()).figures; }));
+  }
+
+  [[nodiscard]] py::object plan(const std::string& tubes, const std::string& compensation, double load,
+                                std::uint64_t seed) const {
+    PlanRequest request;
+    request.cell = path_;
+    request.tubes = tubes;
+    request.compensation = compensation;
+    request.load = load;
+    request.seed = seed;
+    planner::PlanHooks asked;
+    asked.stop = Interruption();
+    return toPython(run([&] { return planJson(request, planCell(cell_, request, asked)); }));
+  }
+
+ private:
+  static calibration::WorkHooks hooks() {
+    calibration::WorkHooks asked;
+    asked.stop = Interruption();
+    return asked;
+  }
+
+  /// Work that Ctrl-C has ended leaves Python's own KeyboardInterrupt behind.
+  template <class Work>
+  static auto run(Work&& work) {
+    auto result = withoutLock(work);
+    if (PyErr_Occurred()) throw py::error_already_set();
+    return result;
+  }
+
+  std::string path_;
+  Cell cell_;
+};
+
+}  // namespace
+
+}  // namespace tubeplan::app
+
+PYBIND11_MODULE(tubeplan, module) {
+  using tubeplan::app::PythonCell;
+  namespace py = pybind11;
+  module.doc() = "Flexible robot arms under tube sheets: posed, identified, diagnosed, planned.";
+  module.attr("__version__") = tubeplan::app::kVersion;
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const tubeplan::app::InputError& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
+    } catch (const tubeplan::app::JobStopped&) {
+      if (!PyErr_Occurred()) PyErr_SetNone(PyExc_KeyboardInterrupt);
+    }
+  });
+  py::class_<PythonCell>(module, "Cell", "A cell's file and the arm's beside it. A wrong file raises ValueError.")
+      .def(py::init<const std::string&>(), py::arg("path"))
+      .def_property_readonly("name", &PythonCell::name)
+      .def_property_readonly("joints", &PythonCell::joints, "Names of the joints, in the order of every q.")
+      .def_property_readonly("limits", &PythonCell::limits, "Lowest and highest reading of each joint [rad, m].")
+      .def_property_readonly("base", &PythonCell::base, "Pose of the base in the world, 4 x 4 [m].")
+      .def("poses", &PythonCell::poses, py::arg("q"), py::arg("load") = 0.0,
+           "Deflected tips of N postures q (N x joints) [rad, m] under a hung load [N]: places (N x 3) [m] and tool "
+           "frames (N x 3 x 3) in the world, and whether each shape converged.")
+      .def("identify", &PythonCell::identify, py::arg("measurements"), py::arg("free") = std::vector<std::string>{},
+           py::arg("robust") = "none", py::arg("folds") = 5, py::arg("seed") = 1, py::arg("out") = "",
+           "Fits the freed numbers to files of readings; `out` writes the cell with what was found.")
+      .def("diagnose", &PythonCell::diagnose, py::arg("measurements"), py::arg("seed") = 1,
+           "Which physical effect is missing, and what to read next.")
+      .def("compare", &PythonCell::compare, py::arg("measurements"), py::arg("seed") = 1,
+           "Where the model fails, and what its error follows.")
+      .def("plan", &PythonCell::plan, py::arg("tubes") = "all", py::arg("compensation") = "via-point",
+           py::arg("load") = 0.0, py::arg("seed") = 1, "Plans the visits of tubes, the base where the cell has it.");
+}
