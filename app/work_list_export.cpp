@@ -2,20 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "tubesheets/csv_table.hpp"
 #include "tubesheets/length_unit.hpp"
 
 namespace tubeplan::app {
-
-namespace {
-
-/// In double quotes, where "" is a quote.
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
-  return field + "\"";
-}
-
-}  // namespace
 
 std::string workListCsv(const PlanOutcome& outcome) {
   const auto& sheet = outcome.model.sheet;
@@ -31,7 +21,8 @@ std::string workListCsv(const PlanOutcome& outcome) {
   };
   for (std::size_t k = 0; k < outcome.plan.visits.size(); ++k)
     add(outcome.plan.visits[k].tube, std::to_string(k + 1), "");
-  for (const auto& missed : outcome.plan.unreachable) add(missed.tube, "", quoted("unreachable: " + missed.reason));
+  for (const auto& missed : outcome.plan.unreachable)
+    add(missed.tube, "", tubesheets::csvQuoted("unreachable: " + missed.reason));
   return text;
 }
 

@@ -126,6 +126,18 @@ std::optional<int> parseInteger(std::string_view field) {
   return number;
 }
 
+std::string csvField(std::string_view text) {
+  const bool is_plain = text.find_first_of(",\"\n\r#") == std::string_view::npos &&
+                        (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  return is_plain ? std::string(text) : csvQuoted(text);
+}
+
+std::string csvQuoted(std::string_view text) {
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + "\"";
+}
+
 std::string_view trimBlanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};

@@ -35,6 +35,12 @@ struct CsvTable {
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);
 
+/// A text as a field: in double quotes where it could be taken for two fields or lose its blanks.
+[[nodiscard]] std::string csvField(std::string_view text);
+
+/// In double quotes whatever it is, where "" is a quote.
+[[nodiscard]] std::string csvQuoted(std::string_view text);
+
 /// Without blanks at both ends.
 [[nodiscard]] std::string_view trimBlanks(std::string_view text);
 

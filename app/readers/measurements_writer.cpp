@@ -11,6 +11,7 @@
 
 #include "app/command_inputs.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -25,16 +26,6 @@ struct Column {
 };
 
 std::string numberOrNothing(double value) { return std::isnan(value) ? "" : formatNumber(value); }
-
-// A name that could be taken for two fields, or lose its blanks, goes in quotes.
-std::string quoted(const std::string& text) {
-  const bool is_plain = text.find_first_of(",\"\n\r#") == std::string::npos &&
-                        (text.empty() || (text.front() != ' ' && text.back() != ' '));
-  if (is_plain) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
 
 template <class Has>
 bool anyHas(const std::vector<Measurement>& readings, Has has) {
@@ -72,11 +63,11 @@ class Table {
   }
 
   void addNames() {
-    add("id", [](const auto& m) { return quoted(m.id); });
+    add("id", [](const auto& m) { return tubesheets::csvField(m.id); });
     add("kind", [](const auto& m) { return std::string(calibration::kindOf(m).name); });
-    add("point", [](const auto& m) { return quoted(m.point); });
+    add("point", [](const auto& m) { return tubesheets::csvField(m.point); });
     if (anyHas(readings_, [](const auto& m) { return !m.setup.empty(); }))
-      add("setup", [](const auto& m) { return quoted(m.setup); });
+      add("setup", [](const auto& m) { return tubesheets::csvField(m.setup); });
   }
 
   [[nodiscard]] const deflection::Joint<double>& joint(std::size_t k) const {
