@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <fstream>
 #include <sstream>
 
 #include "app/plan_conditions.hpp"
 #include "app/version.hpp"
+#include "tubesheets/fingerprint.hpp"
 
 namespace tubeplan::app {
 
@@ -72,9 +72,9 @@ std::string clearanceText(const QuestionInputs& inputs) {
 }  // namespace
 
 std::string fingerprintOf(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-  for (const char c : bytes) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
+  tubesheets::Fingerprint fingerprint;
+  fingerprint.addBytes(bytes);
+  return fingerprint.text();
 }
 
 std::string programText() {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "tubesheets/fingerprint.hpp"
 #include "tubesheets/hole_grid.hpp"
 #include "tubesheets/layouts.hpp"
 #include "tubesheets/length_unit.hpp"
@@ -18,28 +19,6 @@ namespace {
 constexpr double kNeighbourReach = 1.05;  // pitches: room for drilling tolerance, far from the diagonal's 1.41
 
 bool isBefore(const Tube& a, const Tube& b) { return std::tie(a.row, a.column) < std::tie(b.row, b.column); }
-
-// FNV-1a, 64 bits, fed byte by byte from the low end: the same on every machine.
-class Fingerprint {
- public:
-  void add(std::int64_t number) {
-    for (int byte = 0; byte < 8; ++byte)
-      addByte(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
-  }
-  void add(std::string_view text) {
-    for (const char c : text) addByte(static_cast<std::uint8_t>(c));
-    addByte(0);
-  }
-  void addLength(double metres) {
-    add(std::isfinite(metres) ? std::llround(std::clamp(metres, -1e6, 1e6) * 1e9) : INT64_MIN);
-  }
-  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", hash_); }
-
- private:
-  void addByte(std::uint8_t byte) { hash_ = (hash_ ^ byte) * 0x100000001b3ULL; }
-
-  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
-};
 
 }  // namespace
 

@@ -1,0 +1,42 @@
+// A hash by which the same numbers and texts are known again.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tubeplan::tubesheets {
+
+/// FNV-1a, 64 bits, fed byte by byte from the low end: the same on every machine.
+class Fingerprint {
+ public:
+  void add(std::int64_t number) {
+    for (int byte = 0; byte < 8; ++byte)
+      addByte(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
+  }
+  void add(std::string_view text) {
+    addBytes(text);
+    addByte(0);
+  }
+  /// Without an end: "ab" and "c" are as "a" and "bc".
+  void addBytes(std::string_view bytes) {
+    for (const char c : bytes) addByte(static_cast<std::uint8_t>(c));
+  }
+  void addLength(double metres) {
+    add(std::isfinite(metres) ? std::llround(std::clamp(metres, -1e6, 1e6) * 1e9) : INT64_MIN);
+  }
+
+  /// 16 hexadecimal digits.
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  void addByte(std::uint8_t byte) { hash_ = (hash_ ^ byte) * 0x100000001b3ULL; }
+
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace tubeplan::tubesheets
