@@ -36,7 +36,8 @@ std::vector<calibration::Measurement> rehearsedTouches(const PlanOutcome& outcom
   if (!outcome.truth)
     throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
                      "name a true cell, or a file of touches");
-  const auto plans = bestTouches(outcome.nominal, touchCandidates(outcome.nominal, kTouchCandidates), kTouchCount);
+  const auto plans =
+      requireTouches(bestTouches(outcome.nominal, touchCandidates(outcome.nominal, kTouchCandidates), kTouchCount));
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(outcome.nominal.tool);
   options.load = outcome.truth->load;

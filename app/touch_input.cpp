@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "app/input_error.hpp"
@@ -27,7 +26,7 @@ double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& 
 
 /// A touch that names a hole and gives its place must mean the same hole by both.
 void requireNamedHole(const Measurement& reading, const Cell& cell, const std::string& file) {
-  const auto name = parseHoleName(reading.point);
+  const auto name = tubesheets::parseTubeName(reading.point);
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
   if (!tube || (*reading.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
   throw InputError(fmt::format("{}:{}", file, reading.line), "coordinates that are not those of " + reading.point,
@@ -64,18 +63,10 @@ void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTo
   }
 }
 
-std::optional<HoleName> parseHoleName(const std::string& name) {
-  HoleName hole;
-  int used = 0;
-  if (std::sscanf(name.c_str(), "R%dC%d%n", &hole.row, &hole.column, &used) != 2) return std::nullopt;
-  if (used != static_cast<int>(name.size())) return std::nullopt;
-  return hole;
-}
-
 calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet) {
   return [&sheet](const Measurement& touch) {
     std::vector<calibration::NeighbourHole> neighbours;
-    const auto name = parseHoleName(touch.point);
+    const auto name = tubesheets::parseTubeName(touch.point);
     const auto index = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
     if (!index) return neighbours;
     for (const int neighbour : sheet.neighbours(*index)) {
@@ -100,6 +91,13 @@ std::vector<Measurement> touchesOf(const std::vector<Measurement>& readings, con
   if (touches.empty())
     throw InputError(file, "no touch of a known hole", "rows of kind touch with a hole's name (R10C20) or x, y, z");
   return touches;
+}
+
+std::vector<calibration::TouchPlan> requireTouches(BestTouches touches) {
+  if (!touches.reason.empty())
+    throw InputError("--touches auto", touches.reason, "holes to touch",
+                     "check base, scene and joint limits of the cell");
+  return std::move(touches.plans);
 }
 
 std::string touchesCsv(const std::vector<Measurement>& touches, const Cell& cell) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/readers/cell_reader.hpp"
+#include "app/touch_rehearsal.hpp"
 #include "calibration/base_calibration.hpp"
 #include "calibration/measurement.hpp"
 
@@ -28,13 +29,10 @@ namespace tubeplan::app {
 void settleSteps(std::vector<calibration::Measurement>& readings, const tubesheets::SteppedTool& tool,
                  const std::string& file);
 
+/// The holes chosen, or InputError that none could be.
+[[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
+
 /// Touches as a measurement file that `calibrate` reads.
 [[nodiscard]] std::string touchesCsv(const std::vector<calibration::Measurement>& touches, const Cell& cell);
-
-/// Row and column of a name such as R10C20.
-struct HoleName {
-  int row = 0, column = 0;
-};
-[[nodiscard]] std::optional<HoleName> parseHoleName(const std::string& name);
 
 }  // namespace tubeplan::app

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/input_error.hpp"
 #include "app/touch_input.hpp"
 #include "calibration/touch_reserve.hpp"
 #include "planner/tube_reach.hpp"
@@ -33,27 +32,25 @@ std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cel
 }
 
 int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet) {
-  const auto name = parseHoleName(candidate.hole);
+  const auto name = tubesheets::parseTubeName(candidate.hole);
   return *sheet.indexOf(name->row, name->column);
 }
 
-std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
-                                                const std::vector<calibration::TouchPlan>& candidates, int count) {
+BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates,
+                        int count) {
   std::vector<Eigen::VectorXd> work;
   for (const auto& candidate : candidates) work.push_back(candidate.q_start);
   auto touchable = calibration::keepTouchable(cell.arm, cell.X_WB, candidates);
   if (static_cast<int>(touchable.size()) < count) touchable = candidates;
   const auto choice =
       calibration::chooseTouches(cell.arm, cell.X_WB, touchable, work, {count, touchSigmaOf(cell.tool)});
-  if (choice.status != calibration::TouchChoiceStatus::kDone)
-    throw InputError("--touches auto", choice.reason, "holes to touch",
-                     "check base, scene and joint limits of the cell");
+  if (choice.status != calibration::TouchChoiceStatus::kDone) return {{}, choice.reason};
   std::vector<calibration::TouchPlan> plans;
   for (int index : choice.chosen) {
     plans.push_back(touchable[static_cast<std::size_t>(index)]);
     plans.back().id = "T" + std::to_string(plans.size());
   }
-  return plans;
+  return {std::move(plans), {}};
 }
 
 BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<calibration::Measurement>& touches) {

@@ -20,9 +20,12 @@ namespace tubeplan::app {
 
 /// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ... Those that
 /// could be out of reach from where the base really stands are taken only where there are too few others.
-[[nodiscard]] std::vector<calibration::TouchPlan> bestTouches(const planner::Workcell& cell,
-                                                              const std::vector<calibration::TouchPlan>& candidates,
-                                                              int count);
+struct BestTouches {
+  std::vector<calibration::TouchPlan> plans;
+  std::string reason;  ///< why there are none; empty where there are
+};
+[[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
+                                      const std::vector<calibration::TouchPlan>& candidates, int count);
 
 /// The tube whose hole a candidate names, by its index in the sheet.
 [[nodiscard]] int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet);

@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "tubesheets/csv_table.hpp"
+
 namespace tubeplan::tubesheets {
 namespace {
 
@@ -52,6 +54,15 @@ std::string listNames(const Table& table) {
 }  // namespace
 
 std::string tubeName(int row, int column) { return fmt::format("R{}C{}", row, column); }
+
+std::optional<RowAndColumn> parseTubeName(std::string_view name) {
+  const std::size_t c = name.find('C');
+  if (!name.starts_with('R') || c == std::string_view::npos) return std::nullopt;
+  const auto row = parseInteger(name.substr(1, c - 1));
+  const auto column = parseInteger(name.substr(c + 1));
+  if (!row || !column) return std::nullopt;
+  return RowAndColumn{*row, *column};
+}
 
 std::string_view legName(Leg leg) { return nameOf(kLegs, leg); }
 std::string_view viewedFromName(ViewedFrom side) { return nameOf(kSides, side); }

@@ -36,6 +36,12 @@ struct Tube {
 /// "R12C7", as technicians say it.
 [[nodiscard]] std::string tubeName(int row, int column);
 
+/// Row and column by such a name; nothing where it is none.
+struct RowAndColumn {
+  int row = 0, column = 0;
+};
+[[nodiscard]] std::optional<RowAndColumn> parseTubeName(std::string_view name);
+
 [[nodiscard]] std::string_view legName(Leg leg);                 ///< hot, cold, full
 [[nodiscard]] std::string_view viewedFromName(ViewedFrom side);  ///< below, above
 [[nodiscard]] std::string_view tubeStateName(TubeState state);   ///< open, plugged, sleeved, ...

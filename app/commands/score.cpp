@@ -50,8 +50,8 @@ std::vector<calibration::Measurement> touchBy(const planner::Workcell& truth, co
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(model.tool);
   options.seed = seed;
-  auto simulation =
-      calibration::simulateTouches(truth.arm, truth.X_WB, bestTouches(model, touchCandidates(model, 24), 3), options);
+  const auto plans = requireTouches(bestTouches(model, touchCandidates(model, 24), 3));
+  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
     throw InputError("--truth", simulation.reason, "a true arm that can touch the holes");
   return simulation.touches;

@@ -1,5 +1,6 @@
 // The campaign of centring: its runs, and what is made of their tally.
 #include "app/monte_carlo/centring_figures.hpp"
+#include "app/touch_input.hpp"
 
 namespace tubeplan::app {
 
@@ -51,6 +52,7 @@ constexpr std::uint64_t kLargestChunk = 256;  // a tenth of a second or so
 Campaign makeCentringCampaign(const CampaignRequest& request) {
   const auto task = std::make_shared<const CentringTask>(centringTask(request));
   auto experiment = std::make_unique<CentringExperiment>(*task);
+  (void)requireTouches({{}, experiment->trials().problem()});
   Campaign campaign;
   campaign.question = centringQuestion(*task, request);
   campaign.largest_chunk = kLargestChunk;

@@ -101,8 +101,12 @@ std::vector<CentringTrials::Hole> CentringTrials::prepared(const std::vector<Tou
 }
 
 std::vector<CentringTrials::Hole> CentringTrials::fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
-                                                             const CentringSetting& setting) const {
-  if (setting.rule == TouchRule::kBest) return prepared(bestTouches(model, holes.touchable, setting.touches));
+                                                             const CentringSetting& setting) {
+  if (setting.rule == TouchRule::kBest) {
+    const BestTouches best = bestTouches(model, holes.touchable, setting.touches);
+    if (problem_.empty()) problem_ = best.reason;
+    return prepared(best.plans);
+  }
   if (setting.rule == TouchRule::kSpread) return prepared(furthestApart(holes.visited, setting.touches));
   return {};
 }

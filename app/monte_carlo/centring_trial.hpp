@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -72,6 +73,9 @@ class CentringTrials {
   CentringTrials(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
                  const CentringOptions& options);
 
+  /// Why no holes could be chosen for some setting, of whose runs there are none then; empty otherwise.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
   /// The run of that index under each setting. For any number of threads at once.
   [[nodiscard]] std::vector<Trial> run(std::uint64_t index) const;
 
@@ -90,7 +94,7 @@ class CentringTrials {
 
   [[nodiscard]] std::vector<Hole> prepared(const std::vector<calibration::TouchPlan>& plans) const;
   [[nodiscard]] std::vector<Hole> fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
-                                             const CentringSetting& setting) const;
+                                             const CentringSetting& setting);
   [[nodiscard]] TrialHole trialHole(const Hole& hole, std::uint64_t run) const;
   [[nodiscard]] std::vector<const Hole*> drawnHoles(std::uint64_t key, int count, int well_spread) const;
   [[nodiscard]] Trial runSetting(const Run& run, std::size_t index) const;
@@ -105,6 +109,7 @@ class CentringTrials {
   TruthMaker truths_;
   tubesheets::Sheet sheet_;
   std::vector<Hole> holes_;
+  std::string problem_;
   std::vector<std::vector<Hole>> fixed_;  ///< touched, by setting; empty where drawn
 };
 

@@ -148,22 +148,12 @@ bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
   return true;
 }
 
-// "R10C20" as row and column.
-std::optional<std::pair<int, int>> parseTubeName(std::string_view name) {
-  const std::size_t c = name.find('C');
-  if (!name.starts_with('R') || c == std::string_view::npos) return std::nullopt;
-  const auto row = tubesheets::parseInteger(name.substr(1, c - 1));
-  const auto column = tubesheets::parseInteger(name.substr(c + 1));
-  if (!row || !column) return std::nullopt;
-  return std::pair{*row, *column};
-}
-
 // The sheet's frame is the world's.
 std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns,
                                           const std::string& point, const tubesheets::Sheet* sheet) {
-  const auto name = parseTubeName(point);
+  const auto name = tubesheets::parseTubeName(point);
   if (!sheet || !name) return std::nullopt;
-  const tubesheets::Tube* tube = sheet->find(name->first, name->second);
+  const tubesheets::Tube* tube = sheet->find(name->row, name->column);
   if (!tube)
     row.fail(*columns.point, "the hole " + inQuotes(point),
              fmt::format("a hole of the sheet: rows 1 to {}, columns 1 to {}", sheet->rows, sheet->columns));

@@ -90,7 +90,7 @@ json touchesData(const PlanOutcome& outcome) {
   for (std::size_t k = 0; k < outcome.touches.size(); ++k) {
     const auto& touch = outcome.touches[k];
     const auto& residual = outcome.calibration->flexible.residuals[k];
-    const auto name = parseHoleName(touch.point);
+    const auto name = tubesheets::parseTubeName(touch.point);
     list.push_back({{"id", touch.id},
                     {"hole", touch.point},
                     {"row", name ? name->row : 0},

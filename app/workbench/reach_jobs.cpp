@@ -70,7 +70,7 @@ std::vector<double> residuals(const Situation& situation, const tubesheets::Shee
   const Cell& cell = currentModel(situation).cell;
   if (!situation.readings) throw InputError("measurements", "none loaded", "touches of holes");
   for (const auto& reading : situation.readings->readings) {
-    const auto name = parseHoleName(reading.point);
+    const auto name = tubesheets::parseTubeName(reading.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
     if (!hole || !calibration::touchesKnownPoint(reading)) continue;
     const auto tip = calibration::predictReading(cell.arm, cell.X_WB, reading);

@@ -19,8 +19,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 inline void move(const CheckedReadings& checked, int rows, int columns, std::vector<Measurement>& readings) {
   std::erase_if(readings, [&](Measurement& reading) {
     if (!isPlacedBySheet(checked, reading)) return false;
-    const auto hole = holeOf(reading.point);
-    const auto* tube = checked.sheet->find(hole->first + rows, hole->second + columns);
+    const auto hole = tubesheets::parseTubeName(reading.point);
+    const auto* tube = checked.sheet->find(hole->row + rows, hole->column + columns);
     if (!tube) return true;
     reading.point = "R" + std::to_string(tube->row) + "C" + std::to_string(tube->column);
     reading.p_W = Eigen::Vector3d(tube->x, tube->y, 0);

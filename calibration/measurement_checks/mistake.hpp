@@ -60,9 +60,6 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// A reading whose place is that of the hole it names: nobody has written its coordinates.
 [[nodiscard]] bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading);
 
-/// Row and column of a hole's name, "R10C20".
-[[nodiscard]] std::optional<std::pair<int, int>> holeOf(const std::string& point);
-
 /// Joint's index by its name; -1 where there is none.
 [[nodiscard]] int jointNamed(const deflection::Arm& arm, const std::string& name);
 

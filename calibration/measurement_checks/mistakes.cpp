@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/axes.hpp"
@@ -40,17 +39,10 @@ const MistakeKind* findMistakeKind(const std::string& name) {
   return nullptr;
 }
 
-std::optional<std::pair<int, int>> holeOf(const std::string& point) {
-  int row = 0, column = 0, used = 0;
-  if (std::sscanf(point.c_str(), "R%dC%d%n", &row, &column, &used) != 2) return std::nullopt;
-  if (used != static_cast<int>(point.size())) return std::nullopt;
-  return std::pair{row, column};
-}
-
 bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading) {
   if (!checked.sheet || !touchesKnownPoint(reading)) return false;
-  const auto hole = holeOf(reading.point);
-  const auto* tube = hole ? checked.sheet->find(hole->first, hole->second) : nullptr;
+  const auto hole = tubesheets::parseTubeName(reading.point);
+  const auto* tube = hole ? checked.sheet->find(hole->row, hole->column) : nullptr;
   constexpr double kRounding = 5e-5;  // m, of coordinates written with the hole's name
   return tube && (*reading.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
 }

@@ -9,8 +9,8 @@ inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto [id, name] = partedAtColon(value);
-  const auto hole = holeOf(name);
-  const auto* tube = hole && checked.sheet ? checked.sheet->find(hole->first, hole->second) : nullptr;
+  const auto hole = tubesheets::parseTubeName(name);
+  const auto* tube = hole && checked.sheet ? checked.sheet->find(hole->row, hole->column) : nullptr;
   if (!tube) return std::nullopt;
   Mend mend{"hole", value, "reading " + id + " touched " + name};
   mend.apply = [id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](std::vector<Measurement>& readings) {

@@ -211,7 +211,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
   if (!checked.sheet) return mistaken;
   std::size_t tried = 0;
   for (const auto& reading : checked.readings) {
-    const auto hole = holeOf(reading.point);
+    const auto hole = tubesheets::parseTubeName(reading.point);
     if (!hole || !touchesKnownPoint(reading) || ++tried > kMostTried) continue;
     const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
     const auto tip = predictReading(found.arm, X_WB, reading);
@@ -221,7 +221,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
     for (const auto& tube : checked.sheet->tubes)
       if (const double d = std::hypot(tube.x - tip.value[0], tube.y - tip.value[1]); d < least)
         least = d, nearest = &tube;
-    if (!nearest || (nearest->row == hole->first && nearest->column == hole->second)) continue;
+    if (!nearest || (nearest->row == hole->row && nearest->column == hole->column)) continue;
     const std::string name = "R" + std::to_string(nearest->row) + "C" + std::to_string(nearest->column);
     mistaken.push_back(
         {"hole",

@@ -15,9 +15,9 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 inline void turnRound(const CheckedReadings& checked, bool of_rows, std::vector<Measurement>& readings) {
   std::erase_if(readings, [&](Measurement& reading) {
     if (!isPlacedBySheet(checked, reading)) return false;
-    const auto hole = holeOf(reading.point);
-    const auto* tube = of_rows ? checked.sheet->find(checked.sheet->rows + 1 - hole->first, hole->second)
-                               : checked.sheet->find(hole->first, checked.sheet->columns + 1 - hole->second);
+    const auto hole = tubesheets::parseTubeName(reading.point);
+    const auto* tube = of_rows ? checked.sheet->find(checked.sheet->rows + 1 - hole->row, hole->column)
+                               : checked.sheet->find(hole->row, checked.sheet->columns + 1 - hole->column);
     if (!tube) return true;
     reading.point = "R" + std::to_string(tube->row) + "C" + std::to_string(tube->column);
     reading.p_W = Eigen::Vector3d(tube->x, tube->y, 0);

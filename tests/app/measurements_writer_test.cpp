@@ -141,7 +141,7 @@ TEST_F(MeasurementsWriter, WritesTouchesThatCalibrateReads) {
   const Eigen::Vector4d q(0.1, 1, -0.5, 0.2);
   const char* const holes[] = {"R10C20", "R12C70", "R30C57"};
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto name = *parseHoleName(holes[k]);
+    const auto name = *tubesheets::parseTubeName(holes[k]);
     const auto* tube = cell.sheet->find(name.row, name.column);
     const calibration::TouchPlan plan{"T" + std::to_string(k), holes[k], {tube->x, tube->y, 0}, {}};
     touches[k] = calibration::plannedTouch(plan, q * (1 + 0.1 * k), 10, 1e-4);
