@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/command.hpp"
-#include "app/command_line.hpp"
-#include "app/input_error.hpp"
-#include "app/job_steps.hpp"
-#include "app/stop_signal.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/files/input_error.hpp"
+#include "app/studies/job_steps.hpp"
 
 int main(int argc, char** argv) {
   try {

@@ -1,7 +1,7 @@
 // Ceres' Levenberg-Marquardt on the program's own least-squares problems: a yardstick for the methods of `calibration`.
 #pragma once
 
-#include "calibration/least_squares.hpp"
+#include "calibration/estimation/least_squares.hpp"
 
 namespace tubeplan::benchmarks {
 

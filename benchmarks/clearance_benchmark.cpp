@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/workcell.hpp"
+#include "app/files/workcell.hpp"
 #include "benchmarks/run_benchmarks.hpp"
 #include "deflection/prepared_arm.hpp"
-#include "planner/arm_clearance.hpp"
-#include "planner/frames_along_chords.hpp"
-#include "planner/motion_check.hpp"
-#include "planner/nearest_pairs.hpp"
-#include "planner/separation.hpp"
-#include "planner/side_by_side.hpp"
-#include "planner/tube_reach.hpp"
+#include "planner/collision/arm_clearance.hpp"
+#include "planner/collision/frames_along_chords.hpp"
+#include "planner/collision/nearest_pairs.hpp"
+#include "planner/motion/motion_check.hpp"
+#include "planner/motion/side_by_side.hpp"
+#include "planner/reach/tube_reach.hpp"
+#include "planner/scene/separation.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::benchmarks {

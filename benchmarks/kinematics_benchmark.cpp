@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "deflection/inverse_solver.hpp"
+#include "deflection/inverse/inverse_solver.hpp"
 #include "deflection/posture_batch.hpp"
 #include "tests/deflection/cobra.hpp"
 

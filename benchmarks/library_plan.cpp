@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-#include "planner/arm_clearance.hpp"
-#include "planner/compensation.hpp"
+#include "planner/collision/arm_clearance.hpp"
+#include "planner/reach/compensation.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::benchmarks {

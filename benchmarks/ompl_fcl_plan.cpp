@@ -9,10 +9,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/workcell.hpp"
+#include "app/files/workcell.hpp"
 #include "benchmarks/library_plan.hpp"
-#include "planner/arm_clearance.hpp"
-#include "planner/trapezoid_timing.hpp"
+#include "planner/collision/arm_clearance.hpp"
+#include "planner/timing/trapezoid_timing.hpp"
 #include "planner/visit_plan.hpp"
 #include "tubesheets/work_list.hpp"
 

@@ -2,11 +2,11 @@
 // of the mock-up's tubes and the whole sheet, straight moves.
 #include <benchmark/benchmark.h>
 
-#include "app/workcell.hpp"
+#include "app/files/workcell.hpp"
 #include "benchmarks/run_benchmarks.hpp"
+#include "planner/order/visit_order.hpp"
+#include "planner/reach/tube_reach.hpp"
 #include "planner/real_order.hpp"
-#include "planner/tube_reach.hpp"
-#include "planner/visit_order.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::benchmarks {

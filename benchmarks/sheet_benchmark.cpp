@@ -2,9 +2,9 @@
 // add to that, and the score of one visit to each.
 #include <benchmark/benchmark.h>
 
-#include "app/workcell.hpp"
-#include "planner/scoring.hpp"
-#include "planner/tube_reach.hpp"
+#include "app/files/workcell.hpp"
+#include "planner/reach/scoring.hpp"
+#include "planner/reach/tube_reach.hpp"
 
 namespace tubeplan::benchmarks {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/fit.hpp"
-#include "deflection/inverse_kinematics.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "deflection/inverse/inverse_kinematics.hpp"
+#include "deflection/inverse/rigid_branches.hpp"
 #include "deflection/posture_batch.hpp"
-#include "deflection/rigid_branches.hpp"
 
 namespace tubeplan::benchmarks {
 

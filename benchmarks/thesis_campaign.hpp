@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "calibration/identification.hpp"
-#include "calibration/least_squares.hpp"
+#include "calibration/estimation/identification.hpp"
+#include "calibration/estimation/least_squares.hpp"
 
 namespace tubeplan::benchmarks {
 

@@ -1,5 +1,5 @@
 // The path of a plan in time.
-#include "planner/flowing_timing.hpp"
+#include "planner/timing/flowing_timing.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::planner {

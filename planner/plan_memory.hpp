@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "planner/motion_planner.hpp"
-#include "planner/tube_reach.hpp"
-#include "planner/visit_order.hpp"
+#include "planner/motion/motion_planner.hpp"
+#include "planner/order/visit_order.hpp"
+#include "planner/reach/tube_reach.hpp"
 
 namespace tubeplan::planner {
 

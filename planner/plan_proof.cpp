@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-#include "planner/side_by_side.hpp"
+#include "planner/motion/side_by_side.hpp"
 
 namespace tubeplan::planner {
 

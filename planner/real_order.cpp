@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "planner/kept_order.hpp"
-#include "planner/posture_table.hpp"
-#include "planner/zoned_order.hpp"
+#include "planner/order/kept_order.hpp"
+#include "planner/order/posture_table.hpp"
+#include "planner/order/zoned_order.hpp"
 
 namespace tubeplan::planner {
 

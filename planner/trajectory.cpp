@@ -1,6 +1,6 @@
 #include "planner/trajectory.hpp"
 
-#include "planner/flowing_timing.hpp"
+#include "planner/timing/flowing_timing.hpp"
 
 namespace tubeplan::planner {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "planner/compensation.hpp"
-#include "planner/flowing_timing.hpp"
-#include "planner/side_by_side.hpp"
+#include "planner/motion/side_by_side.hpp"
+#include "planner/reach/compensation.hpp"
+#include "planner/timing/flowing_timing.hpp"
 
 namespace tubeplan::planner {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "planner/roadmap.hpp"
+#include "planner/motion/roadmap.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::planner {

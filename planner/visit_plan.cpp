@@ -9,9 +9,9 @@
 #include <mutex>
 #include <set>
 
+#include "planner/order/zoned_order.hpp"
 #include "planner/plan_proof.hpp"
 #include "planner/real_order.hpp"
-#include "planner/zoned_order.hpp"
 
 namespace tubeplan::planner {
 

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/motion_planner.hpp"
+#include "planner/motion/motion_planner.hpp"
+#include "planner/order/visit_order.hpp"
 #include "planner/plan_memory.hpp"
-#include "planner/trapezoid_timing.hpp"
-#include "planner/tube_reach.hpp"
+#include "planner/reach/tube_reach.hpp"
+#include "planner/timing/trapezoid_timing.hpp"
 #include "planner/visit_conditions.hpp"
-#include "planner/visit_order.hpp"
 
 namespace tubeplan::planner {
 

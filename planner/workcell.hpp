@@ -2,7 +2,7 @@
 #pragma once
 
 #include "deflection/arm.hpp"
-#include "planner/scene.hpp"
+#include "planner/scene/scene.hpp"
 #include "tubesheets/sheet.hpp"
 #include "tubesheets/stepped_tool.hpp"
 

@@ -5,12 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/effect_addition.hpp"
-#include "app/input_error.hpp"
-#include "app/readers/cell_writer.hpp"
-#include "app/readers/effects_reader.hpp"
+#include "app/cli/command.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/files/effects_reader.hpp"
+#include "app/files/input_error.hpp"
+#include "app/jobs/effect_addition.hpp"
 
 namespace tubeplan::app {
 

@@ -5,15 +5,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/calibration_job.hpp"
-#include "app/calibration_json.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/reading_input.hpp"
-#include "app/touch_input.hpp"
+#include "app/documents/calibration_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/touch_input.hpp"
+#include "app/jobs/calibration_job.hpp"
 
 namespace tubeplan::app {
 

@@ -1,22 +1,22 @@
 // tubeplan campaign: many calibrations or diagnoses over random truths.
-#include "app/monte_carlo/campaign.hpp"
+#include "app/commands/campaign/campaign.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/monte_carlo/centring_trial.hpp"
-#include "app/monte_carlo/repeat_runs.hpp"
-#include "app/monte_carlo/run_workers.hpp"
-#include "app/monte_carlo/tally_keeper.hpp"
-#include "app/progress.hpp"
-#include "app/stop_signal.hpp"
-#include "app/suggestion.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/checkpoint/tally_keeper.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/studies/monte_carlo/centring_trial.hpp"
+#include "app/studies/monte_carlo/repeat_runs.hpp"
+#include "app/studies/monte_carlo/run_workers.hpp"
 
 namespace tubeplan::app {
 

@@ -5,14 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/comparison_job.hpp"
-#include "app/comparison_json.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/planning_hooks.hpp"
+#include "app/documents/comparison_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/jobs/comparison_job.hpp"
 
 namespace tubeplan::app {
 

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/command.hpp"
-#include "app/command_words.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/command_words.hpp"
 
 namespace tubeplan::app {
 

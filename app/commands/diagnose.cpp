@@ -5,16 +5,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/diagnosis_job.hpp"
-#include "app/diagnosis_json.hpp"
-#include "app/effect_warnings_json.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/splitting_json.hpp"
+#include "app/documents/diagnosis_json.hpp"
+#include "app/documents/effect_warnings_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/splitting_json.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/jobs/diagnosis_job.hpp"
 
 namespace tubeplan::app {
 

@@ -5,13 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
-#include "app/effect_catalogue.hpp"
-#include "app/figures.hpp"
-#include "app/input_error.hpp"
-#include "app/readers/cell_reader.hpp"
-#include "app/suggestion.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/documents/effect_catalogue.hpp"
+#include "app/documents/figures.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {

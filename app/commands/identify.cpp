@@ -5,17 +5,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/effect_warnings_json.hpp"
-#include "app/identification_job.hpp"
-#include "app/identification_json.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/overlap_report.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/readers/cell_writer.hpp"
+#include "app/documents/effect_warnings_json.hpp"
+#include "app/documents/identification_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/overlap_report.hpp"
+#include "app/documents/predicted_centring_json.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/jobs/identification_job.hpp"
 
 namespace tubeplan::app {
 

@@ -9,16 +9,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/diagnosis_json.hpp"
-#include "app/figures.hpp"
-#include "app/improvement_job.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/readers/cell_writer.hpp"
+#include "app/documents/diagnosis_json.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/ladder_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/jobs/improvement_job.hpp"
 
 namespace tubeplan::app {
 

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/command.hpp"
-#include "app/command_words.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/command_words.hpp"
 
 namespace tubeplan::app {
 

@@ -7,12 +7,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
-#include "app/figures.hpp"
-#include "app/input_error.hpp"
-#include "app/readers/cell_reader.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/documents/figures.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/units_json.hpp"
 #include "tubesheets/hole_map_csv.hpp"
 
 namespace tubeplan::app {

@@ -1,6 +1,6 @@
 #include "app/commands/option_groups.hpp"
 
-#include "app/assumptions.hpp"
+#include "app/files/assumptions.hpp"
 
 namespace tubeplan::app {
 

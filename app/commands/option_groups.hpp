@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/reading_input.hpp"
+#include "app/files/reading_input.hpp"
 
 namespace tubeplan::app {
 

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/calibration_json.hpp"
-#include "app/command.hpp"
-#include "app/plan_files.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/stop_signal.hpp"
-#include "app/trajectory_yaml.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/planning_hooks.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/documents/calibration_json.hpp"
+#include "app/documents/plan_files.hpp"
+#include "app/documents/trajectory_yaml.hpp"
+#include "app/jobs/plan_job.hpp"
 
 namespace tubeplan::app {
 

@@ -5,11 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/pose_json.hpp"
-#include "app/workcell.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/units_json.hpp"
 #include "deflection/elements/element.hpp"
 #include "deflection/flexible_kinematics.hpp"
 

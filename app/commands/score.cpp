@@ -7,17 +7,21 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/calibration_json.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/step_experiment.hpp"
-#include "app/stop_signal.hpp"
-#include "app/touch_input.hpp"
-#include "app/touch_rehearsal.hpp"
-#include "app/workcell.hpp"
-#include "planner/tube_reach.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/planning_hooks.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/documents/calibration_json.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/touch_input.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/files/workcell.hpp"
+#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "app/studies/monte_carlo/step_experiment.hpp"
+#include "planner/reach/tube_reach.hpp"
 
 namespace tubeplan::app {
 

@@ -7,17 +7,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/cell_knowledge.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/input_error.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/reading_candidates.hpp"
-#include "app/sensitivity_report.hpp"
-#include "app/touch_input.hpp"
-#include "app/workcell.hpp"
-#include "calibration/touch_choice.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/sensitivity_report.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/workcell.hpp"
+#include "app/jobs/cell_knowledge.hpp"
+#include "app/studies/measurements/reading_candidates.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "calibration/design/touch_choice.hpp"
 
 namespace tubeplan::app {
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <thread>
 
-#include "app/command.hpp"
-#include "app/input_error.hpp"
-#include "app/stop_signal.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/files/input_error.hpp"
 #include "app/workbench/http_server.hpp"
 
 namespace tubeplan::app {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/progress.hpp"
-#include "app/readers/measurements_writer.hpp"
-#include "app/simulation_job.hpp"
-#include "app/stop_signal.hpp"
-#include "app/truth_file.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/truth_file.hpp"
+#include "app/jobs/simulation_job.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -5,12 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/measurement_checks_json.hpp"
-#include "app/touch_proposals.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/touch_proposals.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/jobs/touch_job.hpp"
 
 namespace tubeplan::app {
 

@@ -6,12 +6,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/command.hpp"
-#include "app/command_inputs.hpp"
-#include "app/plan_identity.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/readers/plan_reader.hpp"
-#include "app/workcell.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/cli/planning_hooks.hpp"
+#include "app/commands/plan_identity.hpp"
+#include "app/files/plan_reader.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/files/workcell.hpp"
 #include "deflection/parameters.hpp"
 
 namespace tubeplan::app {

@@ -11,16 +11,17 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/atomic_file.hpp"
-#include "app/comparison_job.hpp"
-#include "app/diagnosis_job.hpp"
-#include "app/identification_job.hpp"
-#include "app/input_error.hpp"
-#include "app/job_steps.hpp"
-#include "app/plan_files.hpp"
-#include "app/plan_job.hpp"
-#include "app/reading_input.hpp"
-#include "app/readers/cell_writer.hpp"
+#include "app/documents/plan_files.hpp"
+#include "app/documents/plan_outcome.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/jobs/comparison_job.hpp"
+#include "app/jobs/diagnosis_job.hpp"
+#include "app/jobs/identification_job.hpp"
+#include "app/jobs/plan_job.hpp"
+#include "app/studies/job_steps.hpp"
 #include "app/version.hpp"
 #include "deflection/posture_batch.hpp"
 

@@ -1,19 +1,23 @@
 // Touched holes: which to touch, the list of those made, and the base that follows.
 #include <fmt/format.h>
 
-#include "app/calibration_job.hpp"
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/touch_input.hpp"
-#include "app/touch_proposals.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/documents/touch_proposals.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/touch_input.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/files/workcell.hpp"
+#include "app/jobs/calibration_job.hpp"
+#include "app/jobs/touch_job.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
-#include "app/workcell.hpp"
-#include "calibration/simulated_touch.hpp"
-#include "planner/compensation.hpp"
+#include "calibration/simulation/simulated_touch.hpp"
+#include "planner/reach/compensation.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {

@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "app/atomic_file.hpp"
-#include "app/input_error.hpp"
-#include "app/reading_input.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/reading_input.hpp"
 #include "app/workbench/leverage_json.hpp"
 #include "app/workbench/moments_json.hpp"
 #include "app/workbench/project.hpp"

@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/command_inputs.hpp"
-#include "app/figures.hpp"
-#include "app/workcell.hpp"
-#include "planner/scene_shapes.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "planner/scene/scene_shapes.hpp"
 
 namespace tubeplan::app {
 

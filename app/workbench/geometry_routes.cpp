@@ -1,7 +1,6 @@
 // Sheet, scene, postures and the catalogue: what is answered at once.
-#include "app/command_inputs.hpp"
-#include "app/effect_catalogue.hpp"
-#include "app/input_error.hpp"
+#include "app/documents/effect_catalogue.hpp"
+#include "app/files/input_error.hpp"
 #include "app/workbench/geometry_json.hpp"
 #include "app/workbench/posture_answer.hpp"
 #include "app/workbench/request_body.hpp"

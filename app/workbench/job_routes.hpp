@@ -4,11 +4,12 @@
 #include <functional>
 #include <string>
 
-#include "app/job_steps.hpp"
-#include "app/planning_hooks.hpp"
-#include "app/reading_input.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/studies/job_steps.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/workbench.hpp"
+#include "calibration/hooks.hpp"
+#include "planner/visit_plan.hpp"
 
 namespace tubeplan::app {
 

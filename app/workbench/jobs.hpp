@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/job_steps.hpp"
+#include "app/studies/job_steps.hpp"
 #include "app/workbench/events.hpp"
 
 namespace tubeplan::app {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "app/documents/figures.hpp"
+#include "app/files/input_error.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::app {
 

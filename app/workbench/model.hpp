@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/readers/cell_reader.hpp"
-#include "planner/clearance.hpp"
+#include "app/files/cell_reader.hpp"
+#include "planner/collision/clearance.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {

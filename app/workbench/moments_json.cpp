@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/readers/effects_reader.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "app/files/effects_reader.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/user_formula.hpp"
 
 namespace tubeplan::app {

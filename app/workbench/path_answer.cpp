@@ -7,10 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/workcell.hpp"
-#include "planner/arm_clearance.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "planner/collision/arm_clearance.hpp"
 
 namespace tubeplan::app {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/plan_job.hpp"
+#include "app/documents/plan_outcome.hpp"
 
 namespace tubeplan::app {
 

@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/plan_files.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/plan_files.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/files/workcell.hpp"
+#include "app/jobs/plan_job.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/path_answer.hpp"
 #include "app/workbench/posture_answer.hpp"
@@ -14,7 +20,6 @@
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
-#include "app/workcell.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {

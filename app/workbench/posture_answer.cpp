@@ -6,11 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/pose_json.hpp"
-#include "app/workcell.hpp"
-#include "planner/arm_clearance.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "planner/collision/arm_clearance.hpp"
 
 namespace tubeplan::app {
 

@@ -7,12 +7,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/input_error.hpp"
-#include "app/kept_file.hpp"
-#include "app/readers/cell_writer.hpp"
-#include "app/readers/measurements_writer.hpp"
-#include "app/reading_input.hpp"
-#include "app/touch_input.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/files/checkpoint/kept_file.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/touch_input.hpp"
 #include "app/version.hpp"
 
 namespace tubeplan::app {

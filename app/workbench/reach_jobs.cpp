@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
-#include "app/touch_input.hpp"
-#include "app/workcell.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/files/workcell.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
-#include "planner/scoring.hpp"
-#include "planner/tube_reach.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "planner/reach/scoring.hpp"
+#include "planner/reach/tube_reach.hpp"
 
 namespace tubeplan::app {
 

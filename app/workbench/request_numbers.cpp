@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/command_inputs.hpp"
-#include "app/input_error.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
 #include "app/workbench/request_body.hpp"
 #include "tubesheets/work_list.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/readers/cell_reader.hpp"
+#include "app/files/cell_reader.hpp"
 
 namespace tubeplan::app {
 

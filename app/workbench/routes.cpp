@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "app/input_error.hpp"
+#include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
 

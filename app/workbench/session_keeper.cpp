@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/input_error.hpp"
-#include "app/plan_question.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/input_error.hpp"
 #include "app/workbench/project.hpp"
 
 namespace tubeplan::app {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "app/plan_job.hpp"
+#include "app/documents/plan_outcome.hpp"
 #include "app/workbench/model.hpp"
-#include "calibration/base_calibration.hpp"
+#include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurement.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 

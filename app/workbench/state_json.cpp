@@ -5,14 +5,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/command_inputs.hpp"
-#include "app/diagnosis_views_json.hpp"
-#include "app/measurement_checks_json.hpp"
+#include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
 #include "app/version.hpp"
 #include "app/workbench/project.hpp"
-#include "app/workcell.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::app {
 

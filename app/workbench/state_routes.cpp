@@ -1,5 +1,5 @@
 // The shared state, its results, undo and the jobs.
-#include "app/input_error.hpp"
+#include "app/files/input_error.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
 #include "tubesheets/csv_table.hpp"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/input_error.hpp"
-#include "app/readers/measurements_reader.hpp"
-#include "app/reading_input.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/reading_input.hpp"
 #include "app/workbench/project.hpp"
 
 namespace tubeplan::app {

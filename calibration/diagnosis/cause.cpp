@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 

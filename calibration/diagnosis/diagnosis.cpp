@@ -8,10 +8,10 @@
 #include "calibration/diagnosis/model_fit.hpp"
 #include "calibration/diagnosis/noise_hypotheses.hpp"
 #include "calibration/diagnosis/posterior.hpp"
-#include "calibration/evidence.hpp"
-#include "calibration/held_out.hpp"
+#include "calibration/estimation/evidence.hpp"
+#include "calibration/estimation/held_out.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

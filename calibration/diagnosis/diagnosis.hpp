@@ -13,7 +13,7 @@
 
 #include "calibration/diagnosis/cause.hpp"
 #include "calibration/diagnosis/diagnosis_views.hpp"
-#include "calibration/identification.hpp"
+#include "calibration/estimation/identification.hpp"
 
 namespace tubeplan::calibration {
 

@@ -6,7 +6,7 @@
 
 #include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 

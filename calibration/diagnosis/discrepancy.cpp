@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {

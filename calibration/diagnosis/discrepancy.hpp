@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/whitened_residual.hpp"
+#include "calibration/estimation/whitened_residual.hpp"
 
 namespace tubeplan::calibration {
 

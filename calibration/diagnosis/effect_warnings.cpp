@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "calibration/diagnosis/explanation_model.hpp"
-#include "calibration/held_out.hpp"
+#include "calibration/estimation/held_out.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

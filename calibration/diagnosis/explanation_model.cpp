@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "calibration/held_out.hpp"
+#include "calibration/estimation/held_out.hpp"
 
 namespace tubeplan::calibration {
 

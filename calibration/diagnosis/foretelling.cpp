@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/knowledge.hpp"
+#include "calibration/estimation/knowledge.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 

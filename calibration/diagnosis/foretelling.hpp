@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "calibration/design/next_readings.hpp"
 #include "calibration/diagnosis/explanation_model.hpp"
-#include "calibration/next_readings.hpp"
 
 namespace tubeplan::calibration {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "calibration/diagnosis/signatures.hpp"
-#include "calibration/span.hpp"
+#include "calibration/estimation/span.hpp"
 #include "deflection/effects/formula.hpp"
 
 namespace tubeplan::calibration {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/identification.hpp"
+#include "calibration/estimation/identification.hpp"
 
 namespace tubeplan::calibration {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/prior.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

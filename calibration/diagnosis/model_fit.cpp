@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "calibration/diagnosis/noise_hypotheses.hpp"
-#include "calibration/fit.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <utility>
 
-#include "calibration/fit.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/prior.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 

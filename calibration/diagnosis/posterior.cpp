@@ -8,7 +8,7 @@
 
 #include "calibration/diagnosis/indistinguishable.hpp"
 #include "calibration/diagnosis/model_fit.hpp"
-#include "calibration/fit.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

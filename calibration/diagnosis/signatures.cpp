@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 

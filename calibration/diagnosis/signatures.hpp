@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calibration/diagnosis/cause.hpp"
-#include "calibration/whitened_residual.hpp"
+#include "calibration/estimation/whitened_residual.hpp"
 
 namespace tubeplan::calibration {
 

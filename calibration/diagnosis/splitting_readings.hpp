@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "calibration/design/next_readings.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
-#include "calibration/next_readings.hpp"
 
 namespace tubeplan::calibration {
 

@@ -12,7 +12,7 @@
 #include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

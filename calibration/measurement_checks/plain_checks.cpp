@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
-#include "calibration/reading_problems.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/reading_problems.hpp"
 
 namespace tubeplan::calibration {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "calibration/campaign_residual.hpp"
-#include "calibration/fit.hpp"
-#include "calibration/prior.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/estimation/campaign_residual.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

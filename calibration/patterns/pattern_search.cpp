@@ -7,7 +7,7 @@
 #include <set>
 
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/hooks.hpp"
 #include "calibration/patterns/pattern.hpp"
-#include "calibration/whitened_residual.hpp"
 
 namespace tubeplan::calibration {
 

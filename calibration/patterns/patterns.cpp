@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/patterns/constant.hpp"
 #include "calibration/patterns/joint_reading.hpp"
 #include "calibration/patterns/joint_sense.hpp"
@@ -18,7 +19,6 @@
 #include "calibration/patterns/setup.hpp"
 #include "calibration/patterns/temperature.hpp"
 #include "calibration/patterns/time.hpp"
-#include "calibration/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 

@@ -3,7 +3,7 @@
 // Basis: one number for each point.
 #pragma once
 
-#include "calibration/held_out.hpp"
+#include "calibration/estimation/held_out.hpp"
 #include "calibration/patterns/pattern.hpp"
 
 namespace tubeplan::calibration::patterns::point {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "app/readers/cell_reader.hpp"
-#include "calibration/simulated_campaign.hpp"
+#include "app/files/cell_reader.hpp"
+#include "calibration/simulation/simulated_campaign.hpp"
 
 namespace tubeplan::calibration {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/readers/cell_reader.hpp"
+#include "app/files/cell_reader.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/placed_arm.hpp"
-#include "calibration/reading_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/deflection/cobra.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/reading_prediction.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/deflection/cobra.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibration/fit.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/placed_arm.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 

@@ -5,11 +5,11 @@
 #include <atomic>
 #include <set>
 
-#include "app/splitting_candidates.hpp"
-#include "calibration/comparison.hpp"
+#include "app/studies/measurements/splitting_candidates.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
 #include "calibration/diagnosis/splitting_readings.hpp"
+#include "calibration/patterns/comparison.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::calibration {

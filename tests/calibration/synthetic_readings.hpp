@@ -5,9 +5,9 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/steps.hpp"
-#include "calibration/reading_prediction.hpp"
-#include "deflection/inverse_kinematics.hpp"
+#include "deflection/inverse/inverse_kinematics.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::calibration {

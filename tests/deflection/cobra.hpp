@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "app/readers/arm_reader.hpp"
-#include "app/readers/strict_yaml.hpp"
+#include "app/files/arm_reader.hpp"
+#include "app/files/yaml/strict_yaml.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::deflection {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
-#include "tests/deflection/effect_arms.hpp"
+#include "tests/deflection/effects/effect_arms.hpp"
 
 namespace tubeplan::deflection {
 namespace {

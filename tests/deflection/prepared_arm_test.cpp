@@ -11,7 +11,7 @@
 #include "deflection/elements/beam.hpp"
 #include "deflection/elements/joint_stiffness.hpp"
 #include "deflection/posture_batch.hpp"
-#include "tests/deflection/effect_arms.hpp"
+#include "tests/deflection/effects/effect_arms.hpp"
 
 namespace {
 std::atomic<long> allocations = 0;

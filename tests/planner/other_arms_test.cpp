@@ -1,8 +1,8 @@
 // Plans for arms that are no turret arms: the tip is on the hole however the base leans, and reasons are true.
 #include <gtest/gtest.h>
 
-#include "stated_plan.hpp"
-#include "workcell.hpp"
+#include "tests/planner/verification/stated_plan.hpp"
+#include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
 namespace {

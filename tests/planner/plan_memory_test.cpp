@@ -7,8 +7,8 @@
 #include <atomic>
 #include <set>
 
-#include "plan_bytes.hpp"
-#include "workcell.hpp"
+#include "tests/planner/plan_bytes.hpp"
+#include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
 namespace {

@@ -1,9 +1,9 @@
 // The shipped scenes that are harder than the mock-up: each is planned and proved, or its tubes refused with a reason.
 #include <gtest/gtest.h>
 
-#include "planner/plan_checks.hpp"
-#include "stated_plan.hpp"
-#include "workcell.hpp"
+#include "planner/verification/plan_checks.hpp"
+#include "tests/planner/verification/stated_plan.hpp"
+#include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
 namespace {

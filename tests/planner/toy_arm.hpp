@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "planner/motion_planner.hpp"
+#include "planner/motion/motion_planner.hpp"
 
 namespace tubeplan::planner::testing {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "workcell.hpp"
+#include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "planner/trajectory.hpp"
-#include "stated_plan.hpp"
-#include "workcell.hpp"
+#include "tests/planner/verification/stated_plan.hpp"
+#include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
 namespace {

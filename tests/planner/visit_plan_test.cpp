@@ -6,11 +6,11 @@
 
 #include <set>
 
-#include "plan_bytes.hpp"
-#include "planner/flowing_timing.hpp"
-#include "planner/plan_checks.hpp"
+#include "planner/timing/flowing_timing.hpp"
 #include "planner/travel_network.hpp"
-#include "workcell.hpp"
+#include "planner/verification/plan_checks.hpp"
+#include "tests/planner/plan_bytes.hpp"
+#include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
 namespace {
@@ -290,7 +290,8 @@ TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
   std::ranges::reverse(back.waypoints);
   EXPECT_EQ(forth.waypoints, back.waypoints);
   EXPECT_EQ(forth.waypoints.front(), network.standoff(a));
-  EXPECT_GE(network.timeOf(forth), moveDuration(network.standoff(a), network.standoff(b), jointSpeedsOf(cell.arm)) - 1e-9);
+  EXPECT_GE(network.timeOf(forth),
+            moveDuration(network.standoff(a), network.standoff(b), jointSpeedsOf(cell.arm)) - 1e-9);
   // Asked in another order, and the other way round: the same motion.
   (void)other.between(c, a);
   EXPECT_EQ(other.between(b, a).waypoints, network.between(b, a).waypoints);

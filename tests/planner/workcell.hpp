@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/workcell.hpp"
+#include "app/files/workcell.hpp"
 #include "planner/visit_plan.hpp"
-#include "toy_arm.hpp"
+#include "tests/planner/toy_arm.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::planner::testing {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "deflection/effects/effect.hpp"
-#include "tests/calibration/seeded_mistakes.hpp"
+#include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
 namespace tubeplan::calibration {
 namespace {

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <mutex>
 
-#include "app/progress.hpp"
-#include "tests/planner/bent_arm_motions.hpp"
+#include "app/cli/progress.hpp"
+#include "tests/planner/motion/bent_arm_motions.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "calibration/identification.hpp"
+#include "calibration/estimation/identification.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {

@@ -8,9 +8,9 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include "app/diagnosis_job.hpp"
-#include "calibration/reading_prediction.hpp"
-#include "tests/calibration/seeded_mistakes.hpp"
+#include "app/jobs/diagnosis_job.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
 namespace {
 

@@ -9,14 +9,14 @@
 #include <numbers>
 #include <vector>
 
-#include "app/monte_carlo/random_draw.hpp"
-#include "app/monte_carlo/true_arm.hpp"
-#include "app/monte_carlo/true_touches.hpp"
-#include "app/readers/cell_reader.hpp"
-#include "app/step_chances.hpp"
-#include "app/touch_input.hpp"
-#include "app/touch_rehearsal.hpp"
-#include "app/workcell.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/workcell.hpp"
+#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "app/studies/monte_carlo/random_draw.hpp"
+#include "app/studies/monte_carlo/true_arm.hpp"
+#include "app/studies/monte_carlo/true_touches.hpp"
+#include "app/studies/positioning/step_chances.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::testing {

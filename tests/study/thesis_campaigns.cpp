@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-#include "calibration/identification.hpp"
+#include "calibration/estimation/identification.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {

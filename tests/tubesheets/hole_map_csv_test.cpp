@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "example_sheets.hpp"
+#include "tests/tubesheets/example_sheets.hpp"
 
 namespace tubeplan::tubesheets {
 namespace {

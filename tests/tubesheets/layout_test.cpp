@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "example_sheets.hpp"
+#include "tests/tubesheets/example_sheets.hpp"
 #include "tubesheets/layouts.hpp"
 
 namespace tubeplan::tubesheets {

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "example_sheets.hpp"
+#include "tests/tubesheets/example_sheets.hpp"
 
 namespace tubeplan::tubesheets {
 namespace {

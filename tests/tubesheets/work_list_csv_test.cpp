@@ -1,7 +1,7 @@
 // Work lists as tables: what is read, and what is refused with its line.
 #include <gtest/gtest.h>
 
-#include "example_sheets.hpp"
+#include "tests/tubesheets/example_sheets.hpp"
 #include "tubesheets/hole_map_csv.hpp"
 #include "tubesheets/work_list.hpp"
 

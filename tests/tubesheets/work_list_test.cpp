@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "example_sheets.hpp"
+#include "tests/tubesheets/example_sheets.hpp"
 #include "tubesheets/selection_terms.hpp"
 #include "tubesheets/tube_choice.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <future>
 
-#include "app/input_error.hpp"
+#include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
 namespace {

@@ -1,0 +1,49 @@
+#include "app/cli/planning_hooks.hpp"
+
+#include <functional>
+#include <memory>
+
+#include "app/cli/progress.hpp"
+#include "app/cli/stop_signal.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct StageLine {
+  std::string stage;
+  std::size_t total = 0;
+  std::unique_ptr<Progress> line;
+};
+
+using TellStage = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
+
+TellStage stageLines() {
+  return [shown = std::make_shared<StageLine>()](std::string_view stage, std::size_t done, std::size_t total) {
+    if (!shown->line || shown->stage != stage || shown->total != total) {
+      shown->line.reset();
+      shown->stage = stage;
+      shown->total = total;
+      shown->line = std::make_unique<Progress>(shown->stage, total);
+    }
+    shown->line->update(done);
+    if (total > 0 && done >= total) shown->line.reset();
+  };
+}
+
+}  // namespace
+
+planner::PlanHooks terminalHooks() {
+  noteStopSignals();
+  planner::PlanHooks hooks;
+  hooks.progress = stageLines();
+  hooks.stop = stopRequested;
+  return hooks;
+}
+
+calibration::WorkHooks terminalWorkHooks() {
+  noteStopSignals();
+  return {stageLines(), stopRequested};
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,26 @@
+#include "app/cli/stop_signal.hpp"
+
+#include <csignal>
+
+namespace tubeplan::app {
+
+namespace {
+
+// A signal handler has no other way to speak to the program: the one variable of this kind.
+volatile std::sig_atomic_t stop_noted = 0;
+
+void note(int signal_number) {
+  stop_noted = 1;
+  std::signal(signal_number, SIG_DFL);
+}
+
+}  // namespace
+
+void noteStopSignals() {
+  std::signal(SIGINT, note);
+  std::signal(SIGTERM, note);
+}
+
+bool stopRequested() { return stop_noted != 0; }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,72 @@
+// The campaign of centring: its runs, and what is made of their tally.
+#include "app/commands/campaign/centring_figures.hpp"
+#include "app/files/touch_input.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+class CentringExperiment : public Experiment {
+ public:
+  explicit CentringExperiment(const CentringTask& task)
+      : trials_(task.model, task.truth, task.holes, task.options),
+        steps_(task.model.tool.steps.size()),
+        holes_(task.holes.visited.size()),
+        settings_(task.options.settings.size()),
+        total_(empty()) {}
+
+  std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
+    CentringTally tally = empty();
+    for (std::uint64_t run = runs.first; run < runs.end; ++run) {
+      if (stop()) return std::nullopt;
+      tally.add(trials_.run(run), run);
+    }
+    TallyWords words;
+    tally.put(words);
+    return words;
+  }
+
+  bool add(const TallyWords& tally) override { return total_.merge(tally); }
+
+  TallyWords total() const override {
+    TallyWords words;
+    total_.put(words);
+    return words;
+  }
+
+  const CentringTrials& trials() const { return trials_; }
+  const CentringTally& tally() const { return total_; }
+
+ private:
+  CentringTally empty() const { return {settings_, holes_, steps_}; }
+
+  CentringTrials trials_;
+  std::size_t steps_, holes_, settings_;
+  CentringTally total_;
+};
+
+constexpr std::uint64_t kLargestChunk = 256;  // a tenth of a second or so
+
+}  // namespace
+
+Campaign makeCentringCampaign(const CampaignRequest& request) {
+  const auto task = std::make_shared<const CentringTask>(centringTask(request));
+  auto experiment = std::make_unique<CentringExperiment>(*task);
+  (void)requireTouches({{}, experiment->trials().problem()});
+  Campaign campaign;
+  campaign.question = centringQuestion(*task, request);
+  campaign.largest_chunk = kLargestChunk;
+  const CentringExperiment& made = *experiment;
+  campaign.figures = [task, request, &made](const CampaignProgress& progress) {
+    return centringJson({*task, request, made.trials(), made.tally(), progress});
+  };
+  campaign.text = centringText;
+  campaign.files = [task, request, &made](const nlohmann::json& figures) {
+    const CentringResults results{*task, request, made.trials(), made.tally(), {}};
+    return std::vector<CampaignFile>{{"holes.csv", holesCsv(results)}, {"report.html", centringPage(results, figures)}};
+  };
+  campaign.experiment = std::move(experiment);
+  return campaign;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,209 @@
+#include "app/commands/campaign/centring_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/documents/figures.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kQuantiles{0.5, 0.9, 0.95, 0.99};
+constexpr std::size_t kWorstHoles = 10;
+constexpr std::size_t kCurvePoints = 120;
+
+json probabilityJson(const Probability& probability) {
+  return {{"value", finiteJson(probability.value)},
+          {"low", finiteJson(probability.low)},
+          {"high", finiteJson(probability.high)}};
+}
+
+json drawnJson(const CentringResults& results) {
+  const auto& spread = results.task.options.spread;
+  const Units& units = results.task.cell.units;
+  json encoders = json::object();
+  for (const int row : deflection::activeRows(results.task.truth.arm)) {
+    const auto& joint = results.task.truth.arm.rows[static_cast<std::size_t>(row)].joint;
+    encoders[joint.name] = finiteJson(joint.encoder_sigma / units.factor(jointDimension(joint)));
+  }
+  return {{"base_shift_sigma", lengthJson(spread.base_shift_sigma, units)},
+          {"base_turn_sigma", finiteJson(spread.base_turn_sigma / units.factor(dimension::kAngle))},
+          {"stiffness_sigma", spread.stiffness_sigma},
+          {"unmodelled_sigma", lengthJson(spread.unmodelled_sigma, units)},
+          {"encoder_sigma", encoders}};
+}
+
+json failuresJson(const SettingTally& tally) {
+  json list = json::array();
+  for (std::size_t k = 1; k < tally.failures.size(); ++k)
+    if (const auto& failure = tally.failures[k]; failure.runs > 0)
+      list.push_back(
+          {{"reason", nameOf(static_cast<TrialFailure>(k))}, {"runs", failure.runs}, {"first_run", failure.first_run}});
+  return list;
+}
+
+json quantilesJson(const ErrorSketch& errors, const Units& units) {
+  json quantiles;
+  for (const double share : kQuantiles)
+    quantiles[fmt::format("{:.0f}", 100 * share)] =
+        errors.count() ? lengthJson(errors.quantile(share), units) : json(nullptr);
+  return quantiles;
+}
+
+/// Error and the share of visits up to it, thinned out.
+json curveJson(const ErrorSketch& errors, const Units& units) {
+  const auto points = errors.distribution();
+  json curve = json::array();
+  double last = -1;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double share = static_cast<double>(points[k].count) / static_cast<double>(errors.count());
+    if (share - last < 1. / kCurvePoints && share < 0.98 && k + 1 < points.size()) continue;
+    last = share;
+    curve.push_back({lengthJson(points[k].error, units), finiteJson(share)});
+  }
+  return curve;
+}
+
+/// Those with the largest mean error, of holes visited ten times or more.
+json worstHoles(const CentringResults& results, const WayTally& way) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < way.holes.size(); ++k)
+    if (way.holes[k].errors.count() >= 10) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return way.holes[a].errors.mean() > way.holes[b].errors.mean();
+  });
+  order.resize(std::min(order.size(), kWorstHoles));
+  json list = json::array();
+  for (const std::size_t k : order) {
+    const auto& hole = way.holes[k];
+    json at_least = json::array();
+    for (const auto count : hole.at_least)
+      at_least.push_back(
+          probabilityJson(wilsonInterval(static_cast<double>(count), static_cast<double>(hole.errors.count()))));
+    list.push_back({{"hole", results.task.holes.visited[k].hole},
+                    {"visits", hole.errors.count()},
+                    {"mean", lengthJson(hole.errors.mean(), results.task.cell.units)},
+                    {"at_least", at_least}});
+  }
+  return list;
+}
+
+json wayJson(const CentringResults& results, const SettingTally& setting, const WayTally& way) {
+  const Units& units = results.task.cell.units;
+  const ErrorSketch all = way.allErrors();
+  json steps = json::array();
+  for (std::size_t k = 0; k < way.at_least.size(); ++k)
+    steps.push_back({{"at_least", k + 1},
+                     {"probability", probabilityJson(way.at_least[k].probability())},
+                     {"in_all_holes", probabilityJson(wilsonInterval(static_cast<double>(way.all_holes[k]),
+                                                                     static_cast<double>(setting.failures[0].runs)))}});
+  return {{"visits", all.count()},
+          {"missed", way.missed()},
+          {"mean",
+           {{"value", lengthJson(all.mean(), units)},
+            {"sigma", lengthJson(way.errors.standardError() * ErrorSketch::kUnit, units)}}},
+          {"rms", lengthJson(all.rms(), units)},
+          {"quantiles", quantilesJson(all, units)},
+          {"max", lengthJson(all.max(), units)},
+          {"steps", steps},
+          {"curve", curveJson(all, units)},
+          {"worst_holes", worstHoles(results, way)}};
+}
+
+json settingJson(const CentringResults& results, std::size_t index) {
+  const auto& setting = results.task.options.settings[index];
+  const auto& tally = results.tally.settings()[index];
+  const std::uint64_t scored = tally.failures[0].runs;
+  json figures = {
+      {"touches", setting.touches},
+      {"choice", touchRules()[static_cast<std::size_t>(setting.rule)].name},
+      {"touch_sigma", lengthJson(setting.touch_sigma, results.task.cell.units)},
+      {"touched_holes", results.trials.touchedHoles(index)},
+      {"runs", tally.runs},
+      {"scored", scored},
+      {"calibrated", probabilityJson(wilsonInterval(static_cast<double>(scored), static_cast<double>(tally.runs)))},
+      {"refused", failuresJson(tally)}};
+  for (std::size_t w = 0; w < kWays.size(); ++w) figures[kWays[w]] = wayJson(results, tally, tally.ways[w]);
+  return figures;
+}
+
+std::string probabilityText(const json& probability) {
+  if (probability["value"].is_null()) return "      -       ";
+  return fmt::format("{:5.1f} ({:.1f}-{:.1f})", 100 * probability["value"].get<double>(),
+                     100 * probability["low"].get<double>(), 100 * probability["high"].get<double>());
+}
+
+std::string numberText(const json& value) {
+  return value.is_null() ? "      -" : fmt::format("{:7.4f}", value.get<double>());
+}
+
+std::string wayText(const std::string& name, const json& way) {
+  std::string text =
+      fmt::format("  {:<12}{} +-{}", name, numberText(way["mean"]["value"]), numberText(way["mean"]["sigma"]));
+  for (const char* share : {"50", "90", "95", "99"}) text += "  " + numberText(way["quantiles"][share]);
+  for (const auto& step : way["steps"]) text += fmt::format("  {:<18}", probabilityText(step["probability"]));
+  while (text.ends_with(' ')) text.pop_back();
+  return text + "\n";
+}
+
+std::string settingText(const json& setting, const std::string& length) {
+  std::string text =
+      fmt::format("{} touches, {}, touch sigma {:.4g} {}: {} of {} runs scored\n", setting["touches"].get<int>(),
+                  setting["choice"].get<std::string>(), setting["touch_sigma"].get<double>(), length,
+                  setting["scored"].get<std::uint64_t>(), setting["runs"].get<std::uint64_t>());
+  for (const auto& reason : setting["refused"])
+    text += fmt::format("  {} runs: {} (first: run {})\n", reason["runs"].get<std::uint64_t>(),
+                        reason["reason"].get<std::string>(), reason["first_run"].get<std::uint64_t>());
+  for (const auto way : kWays) text += wayText(way == "none" ? "without" : "compensated", setting[std::string(way)]);
+  return text;
+}
+
+}  // namespace
+
+json centringJson(const CentringResults& results) {
+  const auto& [task, request, trials, tally, progress] = results;
+  json tolerances = json::array();
+  for (const auto& step : task.model.tool.steps) tolerances.push_back(lengthJson(step.tolerance, task.cell.units));
+  json figures = {{"kind", "centre"},
+                  {"cell", task.cell.name},
+                  {"truth", request.truth.empty() ? request.cell : request.truth},
+                  {"version", kVersion},
+                  {"seed", request.seed},
+                  {"status", progress.done == progress.runs ? "done" : "stopped"},
+                  {"runs", progress.runs},
+                  {"runs_done", progress.done},
+                  {"units", unitsJson(task.cell.units)},
+                  {"drawn", drawnJson(results)},
+                  {"holes_in_a_run", task.options.holes},
+                  {"tubes", {{"asked", task.tubes}, {"in_reach", task.holes.visited.size()}}},
+                  {"step_tolerances", tolerances},
+                  {"settings", json::array()}};
+  for (std::size_t k = 0; k < task.options.settings.size(); ++k) figures["settings"].push_back(settingJson(results, k));
+  return figures;
+}
+
+std::string centringText(const json& figures) {
+  const std::string length = figures["units"]["length"];
+  std::string text =
+      fmt::format("{} of {} runs, {} holes in each of {} in reach of {}\n", figures["runs_done"].get<std::uint64_t>(),
+                  figures["runs"].get<std::uint64_t>(), figures["holes_in_a_run"].get<int>(),
+                  figures["tubes"]["in_reach"].get<int>(), figures["tubes"]["asked"].get<int>());
+  text += fmt::format("{:<14}{:>7}   {:>7}", "error, " + length, "mean", "");
+  for (const char* share : {"50 %", "90 %", "95 %", "99 %"}) text += fmt::format("  {:>7}", share);
+  for (std::size_t k = 1; k <= figures["step_tolerances"].size(); ++k)
+    text += fmt::format("  {:<18}", fmt::format("{} or more steps, %", k));
+  while (text.ends_with(' ')) text.pop_back();
+  text += "\n";
+  for (const auto& setting : figures["settings"]) text += settingText(setting, length);
+  return text;
+}
+
+}  // namespace tubeplan::app

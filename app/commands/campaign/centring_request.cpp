@@ -1,0 +1,185 @@
+#include "app/commands/campaign/centring_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/files/workcell.hpp"
+#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kTouchableHoles = 24;  // as `plan --touches auto`
+constexpr std::size_t kMostSettings = 100;
+constexpr int kMostTouches = 50;
+constexpr double kMostLength = 0.254;  // m (10 in): beyond it no arm finds a hole
+constexpr double kMostAngle = 0.5;     // rad
+
+void requireWithin(const std::string& option, double value, double most, const std::string& what) {
+  if (!(value >= 0 && value <= most))
+    throw InputError(option, fmt::format("{}", value), fmt::format("{} from 0 to {:.3g}", what, most));
+}
+
+double lengthFrom(const std::string& option, std::optional<double> value, double otherwise, const Units& units) {
+  if (!value) return otherwise;
+  const double unit = units.factor(dimension::kLength);
+  requireWithin(option, *value, kMostLength / unit, fmt::format("a length ({})", units.length().name));
+  return *value * unit;
+}
+
+double angleFrom(const std::string& option, std::optional<double> value, double otherwise, const Units& units) {
+  if (!value) return otherwise;
+  const double unit = units.factor(dimension::kAngle);
+  requireWithin(option, *value, kMostAngle / unit, fmt::format("an angle ({})", units.angle().name));
+  return *value * unit;
+}
+
+template <class T>
+void refuseTwice(const std::string& option, std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  if (const auto twice = std::adjacent_find(values.begin(), values.end()); twice != values.end())
+    throw InputError(option, fmt::format("{} twice", *twice), "each once");
+}
+
+TouchRule ruleOf(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& row : touchRules()) {
+    if (row.name == name) return row.rule;
+    names.emplace_back(row.name);
+  }
+  throw InputError("--choice", inQuotes(name), alternatives(names), suggestion(name, names));
+}
+
+TruthSpread spreadOf(const CampaignRequest& request, const Units& units) {
+  TruthSpread spread;
+  spread.base_shift_sigma = lengthFrom("--base-shift", request.base_shift, spread.base_shift_sigma, units);
+  spread.base_turn_sigma = angleFrom("--base-turn", request.base_turn, spread.base_turn_sigma, units);
+  spread.unmodelled_sigma = lengthFrom("--unmodelled", request.unmodelled, spread.unmodelled_sigma, units);
+  if (request.stiffness) {
+    requireWithin("--stiffness", *request.stiffness, 1, "a share of each stiffness");
+    spread.stiffness_sigma = *request.stiffness;
+  }
+  return spread;
+}
+
+void setEncoderSigma(double sigma, deflection::Arm& arm) {
+  for (const int row : deflection::activeRows(arm)) {
+    auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
+    if (joint.type == deflection::JointType::kRevolute) joint.encoder_sigma = sigma;
+  }
+}
+
+std::vector<double> touchSigmas(const CampaignRequest& request, const CentringTask& task) {
+  if (request.touch_sigmas.empty()) return {touchSigmaOf(task.model.tool)};
+  refuseTwice("--touch-sigma", request.touch_sigmas);
+  std::vector<double> sigmas;
+  for (const double sigma : request.touch_sigmas)
+    sigmas.push_back(lengthFrom("--touch-sigma", sigma, 0, task.cell.units));
+  return sigmas;
+}
+
+std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const CentringTask& task) {
+  refuseTwice("--touches", request.touches);
+  refuseTwice("--choice", request.choices);
+  std::vector<CentringSetting> settings;
+  for (const int touches : request.touches) {
+    if (touches < 3 || touches > kMostTouches)
+      throw InputError("--touches", std::to_string(touches), fmt::format("3 to {} touched holes", kMostTouches));
+    for (const auto& choice : request.choices)
+      for (const double sigma : touchSigmas(request, task)) settings.push_back({touches, ruleOf(choice), sigma});
+  }
+  if (settings.size() > kMostSettings)
+    throw InputError("--touches, --choice, --touch-sigma", fmt::format("{} settings in all", settings.size()),
+                     fmt::format("up to {}", kMostSettings), "split the campaign");
+  return settings;
+}
+
+/// The tubes to visit, without those whose state keeps the tool out.
+void findHoles(const CampaignRequest& request, CentringTask& task) {
+  const auto selection = readTubes(request.tubes, task.model.sheet);
+  task.tubes = static_cast<int>(selection.tube_indices.size());
+  task.holes.visited = touchCandidates(task.model, selection.tube_indices);
+  if (static_cast<int>(task.holes.visited.size()) < request.holes)
+    throw InputError(
+        "--tubes " + request.tubes, fmt::format("{} holes in reach of {} tubes", task.holes.visited.size(), task.tubes),
+        fmt::format("{} at least, as many as a run visits", request.holes), "name more tubes, or fewer --holes");
+  for (const auto& setting : task.options.settings)
+    if (setting.rule == TouchRule::kBest && task.holes.touchable.empty())
+      task.holes.touchable = touchCandidates(task.model, kTouchableHoles);
+}
+
+void requireTouchable(const CentringTask& task) {
+  for (const auto& setting : task.options.settings) {
+    const bool is_best = setting.rule == TouchRule::kBest, is_tested = setting.rule == TouchRule::kTested;
+    const int most = is_best     ? static_cast<int>(task.holes.touchable.size())
+                     : is_tested ? task.options.holes
+                                 : static_cast<int>(task.holes.visited.size());
+    if (setting.touches > most)
+      throw InputError(
+          "--touches", std::to_string(setting.touches),
+          fmt::format("up to {}: so many holes {}", most, is_tested ? "are visited in a run" : "can be touched"));
+  }
+}
+
+}  // namespace
+
+CentringTask centringTask(const CampaignRequest& request) {
+  CentringTask task;
+  task.cell = readCell(request.cell);
+  task.model = workcellOf(task.cell, "score positioning");
+  const std::string truth = request.truth.empty() ? request.cell : request.truth;
+  task.truth = workcellOf(readCell(truth), "score against it");
+  if (task.model.sheet.fingerprint() != task.truth.sheet.fingerprint())
+    throw InputError(truth, "another tube sheet", "the cell's, fingerprint " + task.model.sheet.fingerprint());
+  if (request.holes < 1 || request.holes > 1000)
+    throw InputError("--holes", std::to_string(request.holes), "1 to 1000 holes in a run");
+  if (request.encoder_sigma)
+    for (auto* arm : {&task.model.arm, &task.truth.arm})
+      setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
+  task.options.spread = spreadOf(request, task.cell.units);
+  task.options.holes = request.holes;
+  task.options.seed = request.seed;
+  task.options.settings = settingsOf(request, task);
+  findHoles(request, task);
+  requireTouchable(task);
+  return task;
+}
+
+PlanQuestion centringQuestion(const CentringTask& task, const CampaignRequest& request) {
+  const auto& spread = task.options.spread;
+  std::string settings, holes;
+  for (const auto& setting : task.options.settings)
+    settings += fmt::format("{}:{}:{:a} ", setting.touches, static_cast<int>(setting.rule), setting.touch_sigma);
+  for (const auto& hole : task.holes.visited) holes += hole.hole + " ";
+  Eigen::Matrix2Xd tool(2, std::ssize(task.model.tool.steps));
+  for (Eigen::Index k = 0; k < tool.cols(); ++k) {
+    const auto& step = task.model.tool.steps[static_cast<std::size_t>(k)];
+    tool.col(k) << step.diameter, step.tolerance;
+  }
+  const Cell truth = request.truth.empty() ? task.cell : readCell(request.truth);
+  return {{"program", programText()},
+          {"kind of campaign", "centre"},
+          {"arm and scene", modelFingerprint(task.cell)},
+          {"base", numbersFingerprint(task.model.X_WB.matrix())},
+          {"true arm", modelFingerprint(truth)},
+          {"true base", numbersFingerprint(task.truth.X_WB.matrix())},
+          {"sheet", task.model.sheet.fingerprint()},
+          {"tool", numbersFingerprint(tool)},
+          {"seed", std::to_string(request.seed)},
+          {"spread of the truth",
+           fmt::format("{} m, {} rad, {}, {} m, encoders {}", spread.base_shift_sigma, spread.base_turn_sigma,
+                       spread.stiffness_sigma, spread.unmodelled_sigma,
+                       request.encoder_sigma ? fmt::format("{}", *request.encoder_sigma) : "as the arm's")},
+          {"number of holes in a run", std::to_string(task.options.holes)},
+          {"list of tubes", fmt::format("{} holes, {}", task.holes.visited.size(), fingerprintOf(holes))},
+          {"list of settings", fmt::format("{} settings, {}", task.options.settings.size(), fingerprintOf(settings))}};
+}
+
+}  // namespace tubeplan::app

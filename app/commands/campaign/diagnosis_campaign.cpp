@@ -1,0 +1,286 @@
+// The campaign of diagnoses: its runs, and what is made of their tally.
+#include <fmt/format.h>
+
+#include "app/commands/campaign/campaign.hpp"
+#include "app/commands/campaign/diagnosis_trial.hpp"
+#include "app/documents/figures.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/files/units_json.hpp"
+#include "app/report/campaign_report.hpp"
+#include "app/studies/monte_carlo/confidence.hpp"
+#include "app/version.hpp"
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kOutcomes = kDiagnosisOutcomes.size();
+using OutcomeCounts = std::array<std::uint64_t, kOutcomes>;
+
+/// Counts by what was hidden (nothing first, then the catalogue), class of size and outcome.
+class DiagnosisTally {
+ public:
+  DiagnosisTally() : counts_(deflection::effectKinds().size() + 1) {}
+
+  void add(const DiagnosisTrial& trial) {
+    ++counts_[static_cast<std::size_t>(trial.effect + 1)][trial.size_class][static_cast<std::size_t>(trial.outcome)];
+  }
+
+  void put(TallyWords& words) const {
+    for (const auto& classes : counts_)
+      for (const auto& outcomes : classes) words.insert(words.end(), outcomes.begin(), outcomes.end());
+  }
+
+  [[nodiscard]] bool merge(const TallyWords& words) {
+    WordReader reader(words);
+    for (auto& classes : counts_)
+      for (auto& outcomes : classes)
+        for (auto& count : outcomes) count += reader.next();
+    return reader.isWhole();
+  }
+
+  /// Of an effect (-1: nothing hidden), all sizes or one class.
+  [[nodiscard]] OutcomeCounts of(int effect, int size_class = -1) const {
+    OutcomeCounts sum{};
+    const auto& classes = counts_[static_cast<std::size_t>(effect + 1)];
+    for (std::size_t c = 0; c < kSizeClasses; ++c)
+      if (size_class < 0 || static_cast<std::size_t>(size_class) == c)
+        for (std::size_t k = 0; k < kOutcomes; ++k) sum[k] += classes[c][k];
+    return sum;
+  }
+
+ private:
+  std::vector<std::array<OutcomeCounts, kSizeClasses>> counts_;
+};
+
+struct DiagnosisTask {
+  Cell cell;
+  DiagnosisTrialOptions options;
+  std::vector<int> kinds;
+};
+
+class DiagnosisExperiment : public Experiment {
+ public:
+  explicit DiagnosisExperiment(const DiagnosisTask& task) : trials_(task.cell, task.kinds, task.options) {}
+
+  std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
+    DiagnosisTally tally;
+    for (std::uint64_t run = runs.first; run < runs.end; ++run) {
+      if (stop()) return std::nullopt;
+      tally.add(trials_.run(run));
+    }
+    return wordsOf(tally);
+  }
+  bool add(const TallyWords& tally) override { return total_.merge(tally); }
+  TallyWords total() const override { return wordsOf(total_); }
+  const DiagnosisTally& tally() const { return total_; }
+
+ private:
+  static TallyWords wordsOf(const DiagnosisTally& tally) {
+    TallyWords words;
+    tally.put(words);
+    return words;
+  }
+
+  DiagnosisTrials trials_;
+  DiagnosisTally total_;
+};
+
+DiagnosisTask diagnosisTask(const CampaignRequest& request) {
+  if (!(request.nothing >= 0 && request.nothing <= 1))
+    throw InputError("--nothing", fmt::format("{}", request.nothing), "a share from 0 to 1");
+  if (request.effects < 1 || request.effects > 2)
+    throw InputError("--effects", std::to_string(request.effects), "1 or 2");
+  DiagnosisTask task;
+  task.cell = readCell(request.cell);
+  task.options.readings.design = request.design;
+  task.options.readings.readings = request.readings;
+  task.options.nothing = request.nothing;
+  task.options.effects = request.effects;
+  task.options.seed = request.seed;
+  task.kinds = hideableKinds(task.cell, task.options);
+  if (request.hide == "any") return task;
+  std::vector<std::string> names;
+  for (const int kind : task.kinds) {
+    names.emplace_back(deflection::effectKinds()[static_cast<std::size_t>(kind)].name);
+    if (names.back() != request.hide) continue;
+    task.kinds = {kind};
+    return task;
+  }
+  const std::string near = suggestion(request.hide, names);
+  names.emplace_back("any");
+  throw InputError("--hide", inQuotes(request.hide), alternatives(names), near);
+}
+
+PlanQuestion diagnosisQuestion(const DiagnosisTask& task, const CampaignRequest& request) {
+  std::string identify, kinds;
+  for (const auto& name : task.cell.identify) identify += name + " ";
+  for (const int kind : task.kinds) kinds += fmt::format("{} ", kind);
+  const auto& design = prepareSimulation(task.cell, task.options.readings).design;
+  std::string loads;
+  for (const double load : design.loads) loads += fmt::format("{} ", load);
+  return {{"program", programText()},
+          {"kind of campaign", "diagnose"},
+          {"arm and scene", modelFingerprint(task.cell)},
+          {"base", numbersFingerprint(task.cell.X_WB.matrix())},
+          {"list of parameters", fingerprintOf(identify)},
+          {"seed", std::to_string(request.seed)},
+          {"design", fmt::format("{}, sigma {} m, {} loads, {}", request.design, design.sigma, design.loads.size(),
+                                 fingerprintOf(loads))},
+          {"number of readings", std::to_string(request.readings)},
+          {"share without an effect", fmt::format("{}", request.nothing)},
+          {"list of effects", fmt::format("{} effects, {}", task.kinds.size(), fingerprintOf(kinds))},
+          {"number of effects in one explanation", std::to_string(request.effects)}};
+}
+
+std::uint64_t sumOf(const OutcomeCounts& counts, std::initializer_list<DiagnosisOutcomeKind> outcomes) {
+  std::uint64_t sum = 0;
+  for (const auto outcome : outcomes) sum += counts[static_cast<std::size_t>(outcome)];
+  return sum;
+}
+
+json shareJson(std::uint64_t part, std::uint64_t whole) {
+  const Probability share = wilsonInterval(static_cast<double>(part), static_cast<double>(whole));
+  return {{"count", part},
+          {"of", whole},
+          {"value", finiteJson(share.value)},
+          {"low", finiteJson(share.low)},
+          {"high", finiteJson(share.high)}};
+}
+
+std::uint64_t madeOf(const OutcomeCounts& counts) {
+  std::uint64_t sum = 0;
+  for (std::size_t k = 1; k < kOutcomes; ++k) sum += counts[k];
+  return sum;
+}
+
+json countsJson(const OutcomeCounts& counts) {
+  json named;
+  for (std::size_t k = 0; k < kOutcomes; ++k) named[kDiagnosisOutcomes[k]] = counts[k];
+  return named;
+}
+
+json foundJson(const OutcomeCounts& counts) {
+  using Kind = DiagnosisOutcomeKind;
+  const std::uint64_t made = madeOf(counts);
+  return {{"truth_among_answers", shareJson(sumOf(counts, {Kind::kNamed, Kind::kAmong}), made)},
+          {"named", shareJson(sumOf(counts, {Kind::kNamed}), made)},
+          {"wrong", shareJson(sumOf(counts, {Kind::kOther}), made)},
+          {"refused", shareJson(sumOf(counts, {Kind::kUnexplained}), made)},
+          {"missed", shareJson(sumOf(counts, {Kind::kAdequate, Kind::kInconclusive}), made)}};
+}
+
+OutcomeCounts hiddenCounts(const DiagnosisTally& tally, int size_class = -1) {
+  OutcomeCounts sum{};
+  for (std::size_t kind = 0; kind < deflection::effectKinds().size(); ++kind) {
+    const auto counts = tally.of(static_cast<int>(kind), size_class);
+    for (std::size_t k = 0; k < kOutcomes; ++k) sum[k] += counts[k];
+  }
+  return sum;
+}
+
+json diagnosisJson(const DiagnosisTask& task, const CampaignRequest& request, const DiagnosisTally& tally,
+                   const CampaignProgress& progress) {
+  using Kind = DiagnosisOutcomeKind;
+  const auto nothing = tally.of(-1);
+  json figures = {{"kind", "diagnose"},
+                  {"cell", task.cell.name},
+                  {"version", kVersion},
+                  {"seed", request.seed},
+                  {"status", progress.done == progress.runs ? "done" : "stopped"},
+                  {"runs", progress.runs},
+                  {"runs_done", progress.done},
+                  {"units", unitsJson(task.cell.units)},
+                  {"design", request.design},
+                  {"readings", request.readings},
+                  {"nothing_hidden",
+                   {{"outcomes", countsJson(nothing)},
+                    {"false_alarms", shareJson(sumOf(nothing, {Kind::kOther, Kind::kUnexplained}), madeOf(nothing))},
+                    {"inconclusive", shareJson(sumOf(nothing, {Kind::kInconclusive}), madeOf(nothing))}}},
+                  {"hidden", foundJson(hiddenCounts(tally))},
+                  {"by_size", json::array()},
+                  {"by_effect", json::array()}};
+  figures["hidden"]["outcomes"] = countsJson(hiddenCounts(tally));
+  for (std::size_t c = 0; c < kSizeClasses; ++c) {
+    json entry = foundJson(hiddenCounts(tally, static_cast<int>(c)));
+    const auto share = [](std::size_t k) { return std::pow(kLeastShare, 1 - static_cast<double>(k) / kSizeClasses); };
+    entry["size"] = {finiteJson(share(c)), finiteJson(share(c + 1))};
+    figures["by_size"].push_back(entry);
+  }
+  for (const int kind : task.kinds) {
+    const auto counts = tally.of(kind);
+    json entry = foundJson(counts);
+    entry["effect"] = deflection::effectKinds()[static_cast<std::size_t>(kind)].name;
+    entry["outcomes"] = countsJson(counts);
+    figures["by_effect"].push_back(entry);
+  }
+  return figures;
+}
+
+std::string shareText(const json& share) {
+  if (share["value"].is_null()) return "-";
+  return fmt::format("{} of {}, {:.1f} % ({:.1f} to {:.1f})", share["count"].get<std::uint64_t>(),
+                     share["of"].get<std::uint64_t>(), 100 * share["value"].get<double>(),
+                     100 * share["low"].get<double>(), 100 * share["high"].get<double>());
+}
+
+std::string diagnosisCampaignText(const json& figures) {
+  const auto& hidden = figures["hidden"];
+  std::string text = fmt::format("{} of {} runs, {} readings of {} in each\n",
+                                 figures["runs_done"].get<std::uint64_t>(), figures["runs"].get<std::uint64_t>(),
+                                 figures["readings"].get<int>(), figures["design"].get<std::string>());
+  text += "nothing hidden: false alarms " + shareText(figures["nothing_hidden"]["false_alarms"]) + "\n";
+  for (const auto& [key, words] : {std::pair{"truth_among_answers", "truth among the answers"},
+                                   {"named", "named alone"},
+                                   {"wrong", "another named"},
+                                   {"refused", "refused as unexplained"},
+                                   {"missed", "not seen"}})
+    text += fmt::format("an effect hidden: {:<24}{}\n", words, shareText(hidden[key]));
+  for (const auto& entry : figures["by_size"])
+    text += fmt::format("  of {:.2g} to {:.2g} of the largest plausible size: truth among the answers {}\n",
+                        entry["size"][0].get<double>(), entry["size"][1].get<double>(),
+                        shareText(entry["truth_among_answers"]));
+  return text;
+}
+
+std::string outcomesCsv(const json& figures) {
+  std::string text = "effect";
+  for (const auto outcome : kDiagnosisOutcomes) text += fmt::format(",{}", outcome);
+  const auto add = [&](const std::string& name, const json& counts) {
+    text += "\n" + name;
+    for (const auto outcome : kDiagnosisOutcomes)
+      text += fmt::format(",{}", counts[std::string(outcome)].get<std::uint64_t>());
+  };
+  add("nothing", figures["nothing_hidden"]["outcomes"]);
+  for (const auto& entry : figures["by_effect"]) add(entry["effect"], entry["outcomes"]);
+  return text + "\n";
+}
+
+}  // namespace
+
+Campaign makeDiagnosisCampaign(const CampaignRequest& request) {
+  const auto task = std::make_shared<const DiagnosisTask>(diagnosisTask(request));
+  auto experiment = std::make_unique<DiagnosisExperiment>(*task);
+  const DiagnosisExperiment& made = *experiment;
+  Campaign campaign;
+  campaign.question = diagnosisQuestion(*task, request);
+  campaign.largest_chunk = 1;  // a run takes seconds
+  campaign.figures = [task, request, &made](const CampaignProgress& progress) {
+    return diagnosisJson(*task, request, made.tally(), progress);
+  };
+  campaign.text = diagnosisCampaignText;
+  campaign.files = [task](const json& figures) {
+    json page = figures;
+    page["title"] = "Diagnoses of " + task->cell.name + " over random truths";
+    return std::vector<CampaignFile>{{"outcomes.csv", outcomesCsv(figures)},
+                                     {"report.html", renderCampaignReport(page)}};
+  };
+  campaign.experiment = std::move(experiment);
+  return campaign;
+}
+
+}  // namespace tubeplan::app

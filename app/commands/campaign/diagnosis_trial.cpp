@@ -1,0 +1,123 @@
+#include "app/commands/campaign/diagnosis_trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/jobs/diagnosis_job.hpp"
+#include "app/studies/monte_carlo/random_draw.hpp"
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Verdict;
+using Draw = calibration::RandomStreamFrom<SplitMix>;
+
+enum Purpose : std::uint64_t { kHiddenKey = 101, kReadingsKey, kDiagnosisKey };
+
+double uniform(Draw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
+
+int indexBelow(std::size_t count, Draw& draw) { return static_cast<int>(draw.seed() % count); }
+
+struct Hidden {
+  deflection::Effect effect;
+  double share = 0;
+};
+
+Hidden drawEffect(const deflection::Arm& arm, const std::vector<int>& kinds, Draw& draw) {
+  const int kind = kinds[static_cast<std::size_t>(indexBelow(kinds.size(), draw))];
+  const auto& row = deflection::effectKinds()[static_cast<std::size_t>(kind)];
+  const auto places = row.places(arm);
+  Hidden hidden;
+  hidden.effect.kind = kind;
+  hidden.effect.place = places[static_cast<std::size_t>(indexBelow(places.size(), draw))];
+  hidden.share = std::pow(kLeastShare, uniform(draw));
+  for (const auto& number : row.parameters) hidden.effect.values.push_back(number.neutral);
+  for (std::size_t v = 0; v < row.parameters.size(); ++v) {
+    const auto& number = row.parameters[v];
+    if (number.is_shape) continue;
+    const double size = hidden.share * number.plausible * (number.lower < 0 && draw.seed() % 2 ? -1 : 1);
+    const auto bounds = deflection::numberOf(arm, hidden.effect, static_cast<int>(v));
+    hidden.effect.values[v] = std::clamp(number.neutral + size, bounds.lower, bounds.upper);
+  }
+  return hidden;
+}
+
+std::size_t sizeClassOf(double share) {
+  const double order = 1 - std::log(share) / std::log(kLeastShare);  // 0: the least, 1: the largest
+  return std::min(kSizeClasses - 1, static_cast<std::size_t>(std::max(0., order) * kSizeClasses));
+}
+
+bool isTruth(const calibration::Explanation& explanation, const std::string& effect, const std::string& at) {
+  if (explanation.effects.size() != 1) return false;
+  const auto& found = explanation.effects.front();
+  return (found.effect == effect && found.at == at) ||
+         std::find(found.also.begin(), found.also.end(), std::pair{effect, at}) != found.also.end();
+}
+
+DiagnosisOutcomeKind outcomeOf(const calibration::Diagnosis& diagnosis, const std::string& effect,
+                               const std::string& at) {
+  switch (diagnosis.verdict) {
+    case Verdict::kNotRun:
+      return DiagnosisOutcomeKind::kNotMade;
+    case Verdict::kAdequate:
+      return DiagnosisOutcomeKind::kAdequate;
+    case Verdict::kInconclusive:
+      return DiagnosisOutcomeKind::kInconclusive;
+    case Verdict::kUnexplained:
+      return DiagnosisOutcomeKind::kUnexplained;
+    default:
+      break;
+  }
+  const auto& answers = diagnosis.alternatives;
+  if (!std::any_of(answers.begin(), answers.end(), [&](const auto& answer) { return isTruth(answer, effect, at); }))
+    return DiagnosisOutcomeKind::kOther;
+  return answers.size() == 1 ? DiagnosisOutcomeKind::kNamed : DiagnosisOutcomeKind::kAmong;
+}
+
+}  // namespace
+
+DiagnosisTrials::DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options)
+    : cell_(cell), kinds_(std::move(kinds)), options_(options) {
+  (void)prepareSimulation(cell_, options_.readings);
+}
+
+DiagnosisTrial DiagnosisTrials::run(std::uint64_t index) const {
+  Draw draw(keyOf({options_.seed, index, kHiddenKey}));
+  SimulationRequest request = options_.readings;
+  request.seed = keyOf({options_.seed, index, kReadingsKey});
+  SimulationTask task = prepareSimulation(cell_, request);
+  DiagnosisTrial trial;
+  std::string effect, at;
+  if (uniform(draw) >= options_.nothing) {
+    const Hidden hidden = drawEffect(cell_.arm, kinds_, draw);
+    const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(hidden.effect.kind)];
+    trial.effect = hidden.effect.kind;
+    trial.size_class = sizeClassOf(hidden.share);
+    effect = kind.name;
+    at = deflection::textOf(cell_.arm, kind, hidden.effect.place);
+    task.truth.arm.effects.push_back(hidden.effect);
+  }
+  const auto simulated = simulateReadings(cell_, task, request.seed, {});
+  if (simulated.status != calibration::CampaignStatus::kDone) return trial;
+  DiagnosisRequest question;
+  question.effects = options_.effects;
+  question.seed = keyOf({options_.seed, index, kDiagnosisKey});
+  trial.outcome = outcomeOf(diagnoseReadings(cell_, simulated.readings, question), effect, at);
+  return trial;
+}
+
+std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options) {
+  const auto loads = prepareSimulation(cell, options.readings).design.loads;
+  const bool is_loaded = std::any_of(loads.begin(), loads.end(), [](double load) { return load > 0; });
+  std::vector<int> kinds;
+  const auto& table = deflection::effectKinds();
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (!table[k].parameters.empty() && table[k].places && !table[k].places(cell.arm).empty() &&
+        (is_loaded || !table[k].needs.load))
+      kinds.push_back(static_cast<int>(k));
+  return kinds;
+}
+
+}  // namespace tubeplan::app

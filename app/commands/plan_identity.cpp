@@ -1,0 +1,77 @@
+#include "app/commands/plan_identity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tubeplan::app {
+
+namespace {
+
+using tubesheets::Leg;
+using tubesheets::tubeName;
+
+constexpr std::size_t kMostRows = 20;
+
+std::string echoText(const TubeEcho& echo) { return fmt::format("{} {}", echo.leg, tubeName(echo.row, echo.column)); }
+
+void checkSheet(const PlanFiles& files, const tubesheets::Sheet& sheet, std::vector<std::string>& problems) {
+  if (files.fingerprint != sheet.fingerprint()) {
+    const bool is_mirrored = files.fingerprint == mirroredLeg(sheet).fingerprint();
+    problems.push_back(fmt::format("the plan was made for another sheet (fingerprint {}){}", files.fingerprint,
+                                   is_mirrored ? ": the mirror image of this one, the other leg" : ""));
+  }
+  const auto leg = tubesheets::legName(sheet.leg);
+  const auto side = tubesheets::viewedFromName(sheet.viewed_from);
+  if (files.leg != leg)
+    problems.push_back(fmt::format("the plan is for the {} leg, the cell's sheet is the {} leg's", files.leg, leg));
+  if (files.viewed_from != side)
+    problems.push_back(
+        fmt::format("the plan's sheet is viewed from {}, the cell's from {}: one of the two pictures is "
+                    "mirrored",
+                    files.viewed_from, side));
+}
+
+void checkPath(const PlanFiles& files, std::vector<std::string>& problems) {
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < files.path_echoes.size() && found < kMostRows; ++k) {
+    // Segments of a visit: the travel to it, but for a first one without; approach and retreat. A travel to the end
+    // posture belongs to the last.
+    const auto segment = static_cast<std::size_t>(std::max(files.plan.path[k].segment, 0));
+    const std::size_t leading = files.plan.start ? 0 : 1;
+    if (files.plan.tubes.empty()) continue;
+    const std::size_t visit = std::min((segment + leading) / 3, files.plan.tubes.size() - 1);
+    const TubeEcho planned{files.leg, files.plan.tubes[visit].row, files.plan.tubes[visit].column};
+    if (files.path_echoes[k] == planned) continue;
+    ++found;
+    problems.push_back(fmt::format("path row {}: goes to {} where the plan has {}", k + 1,
+                                   echoText(files.path_echoes[k]), echoText(planned)));
+  }
+}
+
+}  // namespace
+
+tubesheets::Sheet mirroredLeg(tubesheets::Sheet sheet) {
+  if (sheet.leg != Leg::kFull) sheet.leg = sheet.leg == Leg::kHot ? Leg::kCold : Leg::kHot;
+  for (auto& tube : sheet.tubes) tube.y = -tube.y;
+  return sheet;
+}
+
+std::vector<std::string> findIdentityProblems(const PlanFiles& files, const tubesheets::Sheet& sheet) {
+  std::vector<std::string> problems;
+  checkSheet(files, sheet, problems);
+  for (std::size_t k = 0; k < files.tube_legs.size(); ++k)
+    if (files.tube_legs[k] != files.leg)
+      problems.push_back(fmt::format("{} is said to be in the {} leg, the plan in the {} leg",
+                                     tubeName(files.plan.tubes[k].row, files.plan.tubes[k].column), files.tube_legs[k],
+                                     files.leg));
+  checkPath(files, problems);
+  if (!files.stated_path.empty() && files.stated_path != files.path_fingerprint)
+    problems.push_back(
+        fmt::format("path.csv has not the numbers that plan.json was written with (fingerprint {}, stated {}): a row "
+                    "was altered, or it is another plan's",
+                    files.path_fingerprint, files.stated_path));
+  return problems;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,139 @@
+#include "app/documents/base_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+#include "app/files/units.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::BaseCalibration;
+
+constexpr double kMostSigmas = 3;          // of where a base may well stand
+constexpr double kMostPitches = 10;        // by which people miscount
+constexpr double kTooGood = 1e-6;          // share of calibrations that fit so well by chance
+constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can be told from a model that is
+
+void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
+  verdict.fit_is_off = calibration::isFitRefused(base);
+  if (verdict.fit_is_off) {
+    verdict.warnings.push_back(
+        fmt::format("the touches do not fit: their misfit is {:.0f} times what their stated noise leaves (p = {:.1g})",
+                    std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
+    if (base.residuals.size() < kEnoughTouches)
+      verdict.to_do.emplace_back(
+          "touch a fourth hole, far from the others, and calibrate again: it tells a touch that is off from a model "
+          "that "
+          "is off");
+    verdict.to_do.emplace_back(
+        "`tubeplan compare CELL TOUCHES` shows what the misfit follows; `identify` finds the numbers that are off");
+  }
+  if (base.degrees_of_freedom > 0 && 1 - base.p_value < kTooGood)
+    verdict.warnings.emplace_back(
+        "the touches agree far better than their stated noise: sigma is too large, or in another unit");
+}
+
+/// Whole pitches by which every hole may have been named wrongly: those that bring the base nearer to nominal.
+void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
+  const Units& units = cell.units;
+  const Eigen::Vector3d shift = base.from_start.head<3>();
+  verdict.distance = shift.norm();
+  if (cell.sheet) verdict.pitches = shift.head<2>() / cell.sheet->pitch;
+  const Eigen::Vector2d whole = verdict.pitches.array().round();
+  if (cell.sheet && whole.norm() > 0 && whole.norm() <= kMostPitches) {
+    verdict.is_implausible = true;
+    const double left = (shift.head<2>() - whole * cell.sheet->pitch).norm();
+    verdict.warnings.push_back(fmt::format(
+        "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: were every touched hole misnamed by "
+        "{:+.0f} and {:+.0f} holes, the touches would fit as well, and the base stand {:.3g} {} from nominal",
+        verdict.pitches.x(), verdict.pitches.y(), whole.x(), whole.y(), lengthOf(left, units), units.length().name));
+    verdict.to_do.emplace_back(
+        "count one touched hole anew, from an edge of the sheet: a hole one column off looks like this");
+  }
+  const double most = kMostSigmas * cell.base_prior.shift;
+  if (!(shift.cwiseAbs().maxCoeff() <= most)) {
+    verdict.is_implausible = true;
+    verdict.warnings.push_back(fmt::format(
+        "the base stands {:.4g} {} from nominal, and {:.3g} {} along an axis is the most to be expected",
+        lengthOf(verdict.distance, units), units.length().name, lengthOf(most, units), units.length().name));
+  }
+}
+
+void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
+  const Units& units = cell.units;
+  verdict.angle = base.from_start.tail<3>().norm();
+  const double most = kMostSigmas * cell.base_prior.turn;
+  if (base.from_start.tail<3>().cwiseAbs().maxCoeff() <= most) return;
+  verdict.is_implausible = true;
+  verdict.warnings.push_back(fmt::format(
+      "the base is turned by {:.4g} {} from nominal, and {:.3g} {} about an axis is the most to be expected: columns "
+      "counted from the other side, or a joint read with the other sign, look like this",
+      angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
+}
+
+/// Of the base's place and turn, in all directions together.
+struct FromNominalSigma {
+  double distance, angle;
+};
+
+FromNominalSigma sigmaOf(const BaseCalibration& base) {
+  return {std::sqrt(base.covariance.topLeftCorner<3, 3>().trace()),
+          std::sqrt(base.covariance.bottomRightCorner<3, 3>().trace())};
+}
+
+}  // namespace
+
+BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
+  BaseVerdict verdict;
+  if (base.status != calibration::CalibrationStatus::kDone) return verdict;
+  judgeFit(base, verdict);
+  judgeShift(base, cell, verdict);
+  judgeTurn(base, cell, verdict);
+  if (verdict.is_implausible)
+    verdict.to_do.emplace_back(
+        "if the base was meant to stand there, write it into `base` of the cell, or say how far it may be off: "
+        "base: {prior: {shift: ..., turn: ...}}");
+  return verdict;
+}
+
+nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units) {
+  if (base.status != calibration::CalibrationStatus::kDone) return nlohmann::json::object();
+  const FromNominalSigma sigma = sigmaOf(base);
+  nlohmann::json pitches = nullptr;
+  if (verdict.pitches.allFinite()) pitches = {rounded(verdict.pitches.x()), rounded(verdict.pitches.y())};
+  return {{"verdict", verdict.fit_is_off ? "falls-short" : "adequate"},
+          {"warnings", verdict.warnings},
+          {"to_do", verdict.to_do},
+          {"nominal",
+           {{"shift", vectorJson(base.from_start.head<3>(), units, dimension::kLength)},
+            {"turn", vectorJson(base.from_start.tail<3>(), units, dimension::kAngle)},
+            {"distance", lengthOf(verdict.distance, units)},
+            {"angle", angleOf(verdict.angle, units)},
+            {"sigma", {{"distance", lengthOf(sigma.distance, units)}, {"angle", angleOf(sigma.angle, units)}}},
+            {"pitches", pitches},
+            {"implausible", verdict.is_implausible}}}};
+}
+
+std::string baseVerdictText(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units,
+                            bool with_to_do) {
+  const FromNominalSigma sigma = sigmaOf(base);
+  std::string text = fmt::format(
+      "from nominal {:.4g} {}{} (sigma {:.2g}) and {:.4g} {} (sigma {:.2g})\n", lengthOf(verdict.distance, units),
+      units.length().name,
+      verdict.pitches.allFinite()
+          ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y", verdict.pitches.x(), verdict.pitches.y())
+          : "",
+      lengthOf(sigma.distance, units), angleOf(verdict.angle, units), units.angle().name, angleOf(sigma.angle, units));
+  for (const auto& warning : verdict.warnings) text += "warning: " + warning + "\n";
+  if (with_to_do)
+    for (const auto& step : verdict.to_do) text += "  to do: " + step + "\n";
+  return text;
+}
+
+}  // namespace tubeplan::app

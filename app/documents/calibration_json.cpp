@@ -1,0 +1,115 @@
+#include "app/documents/calibration_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/documents/base_verdict.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::BaseCalibration, calibration::CalibrationStatus;
+
+const char* nameOf(CalibrationStatus status) {
+  switch (status) {
+    case CalibrationStatus::kNotRun:
+      return "not-run";
+    case CalibrationStatus::kDone:
+      return "done";
+    case CalibrationStatus::kRefused:
+      return "refused";
+    case CalibrationStatus::kNotConverged:
+      return "not-converged";
+  }
+  return "";
+}
+
+/// Covariance in file units; order x, y, z, then the turns about them.
+nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, const Units& units) {
+  Eigen::Matrix<double, 6, 1> scale;
+  scale << Eigen::Vector3d::Constant(1 / units.factor(dimension::kLength)),
+      Eigen::Vector3d::Constant(1 / units.factor(dimension::kAngle));
+  const Eigen::Matrix<double, 6, 6> scaled = scale.asDiagonal() * covariance * scale.asDiagonal();
+  nlohmann::json rows = nlohmann::json::array();
+  for (int i = 0; i < 6; ++i) {
+    rows.push_back(nlohmann::json::array());
+    for (int j = 0; j < 6; ++j) rows.back().push_back(rounded(scaled(i, j)));
+  }
+  return rows;
+}
+
+}  // namespace
+
+nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) {
+  const Units& units = cell.units;
+  nlohmann::json json = {{"status", nameOf(result.status)},
+                         {"reason", result.reason},
+                         {"suspects", result.suspects},
+                         {"units", unitsJson(units)}};
+  if (result.status != CalibrationStatus::kDone) return json;
+  json["base"] = poseJson(result.X_WB, units);
+  json["covariance"] = covarianceJson(result.covariance, units);
+  const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
+  json["sigma"] = {{"position", vectorJson(sigma.head(3), units, dimension::kLength)},
+                   {"rotation", vectorJson(sigma.tail(3), units, dimension::kAngle)}};
+  json["rms"] = lengthOf(result.rms, units);
+  json["chi2"] = result.chi2;
+  json["degrees_of_freedom"] = result.degrees_of_freedom;
+  json["p_value"] = result.p_value;
+  json["residuals"] = nlohmann::json::array();
+  for (const auto& touch : result.residuals)
+    json["residuals"].push_back({{"id", touch.id},
+                                 {"hole", touch.hole},
+                                 {"residual", vectorJson(touch.residual_W, units, dimension::kLength)},
+                                 {"size", lengthOf(touch.residual_W.norm(), units)},
+                                 {"sigma", vectorJson(touch.sigma_W, units, dimension::kLength)}});
+  json["distances"] = nlohmann::json::array();
+  for (const auto& check : result.distances)
+    json["distances"].push_back({{"from", check.from},
+                                 {"to", check.to},
+                                 {"by_arm", lengthOf(check.by_arm, units)},
+                                 {"on_sheet", lengthOf(check.on_sheet, units)},
+                                 {"difference", lengthOf(check.by_arm - check.on_sheet, units)},
+                                 {"sigma", lengthOf(check.sigma, units)}});
+  json.update(baseVerdictJson(judgeBase(result, cell), result, units));
+  return json;
+}
+
+std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
+  const Units& units = cell.units;
+  if (result.status != CalibrationStatus::kDone)
+    return "calibration " + std::string(nameOf(result.status)) + ": " + result.reason + "\n";
+  const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
+  const auto angle = [&](double radians) { return radians / units.factor(dimension::kAngle); };
+  const std::string unit(units.length().name), turn(units.angle().name);
+  const nlohmann::json base = poseJson(result.X_WB, units);
+  const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
+  std::string text = fmt::format("base  position {:.4f} {:.4f} {:.4f} {}  rpy {:.4f} {:.4f} {:.4f} {}\n",
+                                 base["position"][0].get<double>(), base["position"][1].get<double>(),
+                                 base["position"][2].get<double>(), unit, base["rpy"][0].get<double>(),
+                                 base["rpy"][1].get<double>(), base["rpy"][2].get<double>(), turn);
+  text +=
+      fmt::format("sigma position {:.4f} {:.4f} {:.4f} {}  turn {:.4f} {:.4f} {:.4f} {}\n", length(sigma[0]),
+                  length(sigma[1]), length(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
+  text += fmt::format("fit   rms {:.4f} {}, chi-square {:.2f} for {} degrees of freedom{}\n", length(result.rms), unit,
+                      result.chi2, result.degrees_of_freedom,
+                      result.degrees_of_freedom > 0 ? fmt::format(" (p = {:.3g})", result.p_value) : "");
+  for (const auto& touch : result.residuals)
+    text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole,
+                        length(touch.residual_W.x()), length(touch.residual_W.y()), length(touch.residual_W.z()), unit);
+  for (const auto& check : result.distances) {
+    if (!in_full) break;
+    text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from,
+                        check.to, length(check.by_arm), length(check.on_sheet), length(check.by_arm - check.on_sheet),
+                        length(check.sigma), unit);
+  }
+  return text + baseVerdictText(judgeBase(result, cell), result, units, in_full);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,275 @@
+#include "app/documents/comparison_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/identification_json.hpp"
+#include "app/documents/pattern_json.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/units_json.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Adequacy, calibration::ComparedReading, calibration::Comparison, calibration::ComparisonStatus,
+    calibration::JointEquivalents, calibration::Measurement, calibration::ModelMisfit, calibration::Repeats;
+using nlohmann::json;
+
+constexpr std::size_t kWorstShown = 10;
+
+const char* statusName(ComparisonStatus status) {
+  switch (status) {
+    case ComparisonStatus::kNotRun:
+      return "not-run";
+    case ComparisonStatus::kDone:
+      return "done";
+    case ComparisonStatus::kRefused:
+      return "refused";
+    case ComparisonStatus::kNotConverged:
+      return "not-converged";
+    case ComparisonStatus::kStopped:
+      return "stopped";
+  }
+  return "";
+}
+
+json repeatsJson(const Repeats& repeats) {
+  return {{"groups", repeats.groups},
+          {"readings", repeats.readings},
+          {"pure_error_chi2", finiteJson(repeats.pure_error)},
+          {"degrees_of_freedom", repeats.pure_freedom},
+          {"noise_over_stated", finiteJson(repeats.noise_ratio)},
+          {"noise_p_value", finiteJson(repeats.noise_p_value)},
+          {"lack_of_fit",
+           {{"F", finiteJson(repeats.lack_of_fit_F)},
+            {"degrees_of_freedom", repeats.lack_freedom},
+            {"p_value", finiteJson(repeats.lack_of_fit_p_value)}}}};
+}
+
+json misfitJson(const ModelMisfit& misfit, const Units& units) {
+  return {{"rms", lengthJson(misfit.errors.rms, units)},
+          {"mean", lengthJson(misfit.errors.mean, units)},
+          {"worst", lengthJson(misfit.errors.max, units)},
+          {"readings", misfit.errors.readings},
+          {"noise_floor", lengthJson(misfit.noise_floor, units)},
+          {"chi2", finiteJson(misfit.chi2)},
+          {"degrees_of_freedom", misfit.degrees_of_freedom},
+          {"chi2_per_dof", finiteJson(misfit.chi2 / std::max(1, misfit.degrees_of_freedom))},
+          {"p_value", finiteJson(misfit.p_value)},
+          {"verdict", nameOf(misfit.adequacy)},
+          {"repeats", misfit.repeats.groups > 0 ? repeatsJson(misfit.repeats) : json()}};
+}
+
+json equivalentsJson(const Comparison& result, const JointEquivalents& joints, const Units& units) {
+  if (!joints.ok) return nullptr;
+  json list = json::array();
+  const auto active = deflection::activeRows(result.fitted.arm);
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = result.fitted.arm.rows.at(static_cast<std::size_t>(active[j])).joint;
+    const double factor = units.factor(jointDimension(joint));
+    const auto row = static_cast<Eigen::Index>(j);
+    list.push_back({{"joint", joint.name},
+                    {"mean", finiteJson(joints.mean[row] / factor)},
+                    {"spread", finiteJson(joints.spread[row] / factor)},
+                    {"encoder_sigma", finiteJson(joints.sigma[row] / factor)},
+                    {"unit", units.nameOf(jointDimension(joint))}});
+  }
+  return {{"joints", list},
+          {"chi2", finiteJson(joints.chi2)},
+          {"degrees_of_freedom", joints.degrees_of_freedom},
+          {"p_value", finiteJson(joints.p_value)}};
+}
+
+json jointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, const Units& units) {
+  const Eigen::VectorXd factors = jointFactors(arm, units);
+  json list = json::array();
+  for (Eigen::Index j = 0; j < q.size(); ++j) list.push_back(finiteJson(q[j] / factors[j]));
+  return list;
+}
+
+json readingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
+                 const Units& units) {
+  json entry = {
+      {"id", reading.id},
+      {"kind", calibration::kindOf(reading).name},
+      {"point", reading.point},
+      {"setup", reading.setup},
+      {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
+      {"joints", jointsJson(reading.q, result.fitted.arm, units)},
+      {"senses", reading.senses},
+      {"temperature",
+       std::isfinite(reading.temperature) ? finiteJson(units.temperatureToFile(reading.temperature)) : json()},
+      {"time", finiteJson(reading.time / units.factor(dimension::kTime))},
+      {"sigma", lengthJson(reading.sigma, units)},
+      {"held_out", compared.is_held_out},
+      {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
+      {"position_before", placeJson(compared.tip_before, units)},
+      {"position_after", placeJson(compared.tip_after, units)},
+      {"error_before", placeJson(compared.error_before, units)},
+      {"error_after", placeJson(compared.error_after, units)},
+      {"size_before", lengthJson(compared.error_before.norm(), units)},
+      {"size_after", lengthJson(compared.error_after.norm(), units)},
+      {"sigmas_before", finiteJson(compared.sigmas_before)},
+      {"sigmas_after", finiteJson(compared.sigmas_after)}};
+  addOwnNumbers(reading, units, entry);
+  return entry;
+}
+
+json readingsJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  json list = json::array();
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    list.push_back(readingJson(result.readings.at(k), readings[k], result, units));
+  if (result.joints_after.ok)
+    for (std::size_t i = 0; i < result.used.size(); ++i)
+      list[static_cast<std::size_t>(result.used[i])]["joint_corrections"] =
+          jointsJson(result.joints_after.corrections.col(static_cast<Eigen::Index>(i)), result.fitted.arm, units);
+  return list;
+}
+
+json worstJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  json list = json::array();
+  for (std::size_t k = 0; k < std::min(kWorstShown, result.worst.size()); ++k) {
+    const auto reading = static_cast<std::size_t>(result.worst[k]);
+    const auto& compared = result.readings.at(reading);
+    list.push_back({{"id", readings.at(reading).id},
+                    {"error", placeJson(compared.error_after, units)},
+                    {"size", lengthJson(compared.error_after.norm(), units)},
+                    {"sigmas", finiteJson(compared.sigmas_after)}});
+  }
+  return list;
+}
+
+std::string noiseSentence(const Comparison& result) {
+  const auto& repeats = result.after_refit.repeats;
+  if (repeats.groups == 0) return "No reading was repeated: the stated noise is taken as it is.";
+  if (!result.noise_disagrees)
+    return fmt::format("Repeated readings scatter {:.2f} times as much as stated, which chance allows.",
+                       repeats.noise_ratio);
+  return fmt::format(
+      "The stated noise disagrees with the repeated readings: they scatter {:.2f} times as much "
+      "({}); misfit is judged by them.",
+      repeats.noise_ratio, chanceText(repeats.noise_p_value));
+}
+
+std::string misfitLine(const char* title, const ModelMisfit& misfit, const Units& units) {
+  return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
+                     lengthText(misfit.errors.rms, units, 3), lengthText(misfit.errors.mean, units, 3),
+                     lengthText(misfit.errors.max, units, 3), misfit.chi2 / std::max(1, misfit.degrees_of_freedom),
+                     misfit.degrees_of_freedom > 0 ? chanceText(misfit.p_value) : "no degree of freedom",
+                     nameOf(misfit.adequacy));
+}
+
+std::string equivalentsText(const Comparison& result, const Units& units) {
+  if (!result.joints_after.ok) return "";
+  std::string text = "  as joint errors (mean, spread):";
+  const auto active = deflection::activeRows(result.fitted.arm);
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = result.fitted.arm.rows.at(static_cast<std::size_t>(active[j])).joint;
+    const double factor = units.factor(jointDimension(joint));
+    const auto row = static_cast<Eigen::Index>(j);
+    text += fmt::format(" {} {:+.2g}, {:.2g} {};", joint.name, result.joints_after.mean[row] / factor,
+                        result.joints_after.spread[row] / factor, units.nameOf(jointDimension(joint)));
+  }
+  text.back() = '\n';
+  return text;
+}
+
+}  // namespace
+
+const char* nameOf(Adequacy adequacy) {
+  switch (adequacy) {
+    case Adequacy::kNotRun:
+      return "not-run";
+    case Adequacy::kAdequate:
+      return "adequate";
+    case Adequacy::kFallsShort:
+      return "falls-short";
+    case Adequacy::kInconclusive:
+      return "inconclusive";
+  }
+  return "";
+}
+
+std::string comparisonSentence(const Comparison& result, const Units& units) {
+  const auto& after = result.after_refit;
+  const std::string sizes =
+      fmt::format("the error is {} as the model stands and {} after the refit; noise alone leaves {}",
+                  lengthText(result.as_it_stands.errors.rms, units, 3), lengthText(after.errors.rms, units, 3),
+                  lengthText(after.noise_floor, units, 3));
+  if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", sizes);
+  if (result.verdict == Adequacy::kInconclusive)
+    return fmt::format("No verdict is possible: {}; {}.", fmt::join(result.grounds, ", and "), sizes);
+  return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), sizes);
+}
+
+json comparisonJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  const auto& after = result.after_refit;
+  const auto& refit = result.refit;
+  json report = {{"status", statusName(result.status)},
+                 {"reason", result.reason},
+                 {"units", unitsJson(units)},
+                 {"verdict", nameOf(result.verdict)},
+                 {"grounds", result.grounds},
+                 {"sentence", comparisonSentence(result, units)},
+                 {"noise", noiseSentence(result)},
+                 {"chi2_per_dof", finiteJson(after.chi2 / std::max(1, after.degrees_of_freedom))},
+                 {"p_value", finiteJson(after.p_value)},
+                 {"as_it_stands", misfitJson(result.as_it_stands, units)},
+                 {"after_refit", misfitJson(after, units)}};
+  report["rms"] = {{"before", lengthJson(result.as_it_stands.errors.rms, units)},
+                   {"after_base", lengthJson(refit.after_base.rms, units)},
+                   {"after", lengthJson(after.errors.rms, units)},
+                   {"noise_floor", lengthJson(after.noise_floor, units)},
+                   {"heldout_before", lengthJson(refit.heldout_before.rms, units)},
+                   {"heldout_after", lengthJson(refit.heldout.rms, units)}};
+  report["refit"] =
+      refit.status == calibration::IdentificationStatus::kNotRun ? json() : identificationJson(refit, readings, units);
+  report["worst"] = worstJson(result, readings, units);
+  report["patterns"] = json::array();
+  for (const auto& test : result.patterns.findings) report["patterns"].push_back(findingJson(test, units));
+  report["tested"] = json::array();
+  for (const auto& test : result.patterns.tests) report["tested"].push_back(testJson(test, units));
+  report["not_tested"] = result.patterns.not_tested;
+  report["joint_equivalents"] = {{"as_it_stands", equivalentsJson(result, result.joints_before, units)},
+                                 {"after_refit", equivalentsJson(result, result.joints_after, units)}};
+  report["joint_columns"] = json::array();
+  for (const int row : deflection::activeRows(result.fitted.arm))
+    report["joint_columns"].push_back(
+        jointColumn(result.fitted.arm.rows.at(static_cast<std::size_t>(row)).joint, units));
+  report["readings"] = readingsJson(result, readings, units);
+  return report;
+}
+
+std::string comparisonText(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+  std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), comparisonSentence(result, units));
+  if (!result.reason.empty()) text += "  " + result.reason + "\n";
+  text += misfitLine("as it stands", result.as_it_stands, units);
+  text += misfitLine("after the refit", result.after_refit, units);
+  if (result.refit.heldout.readings > 0)
+    text += fmt::format("  held out: rms {} with only the base placed, {} after the refit\n",
+                        lengthText(result.refit.heldout_before.rms, units, 3),
+                        lengthText(result.refit.heldout.rms, units, 3));
+  text += noiseSentence(result) + "\n";
+  for (const auto& test : result.patterns.findings)
+    text += "  " + patternSentence(test, units) +
+            (test.goes_with.empty() ? "\n" : " It goes with " + test.goes_with + ".\n");
+  text +=
+      fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
+    const auto reading = static_cast<std::size_t>(result.worst[k]);
+    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", readings.at(reading).id,
+                        lengthText(result.readings.at(reading).error_after.norm(), units, 3),
+                        result.readings.at(reading).sigmas_after);
+  }
+  return text + equivalentsText(result, units);
+}
+
+}  // namespace tubeplan::app

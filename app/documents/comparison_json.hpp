@@ -1,0 +1,24 @@
+// A comparison of model and readings as JSON and as a few lines for people.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "calibration/patterns/comparison.hpp"
+
+namespace tubeplan::app {
+
+/// The one plain sentence of a comparison.
+[[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
+
+[[nodiscard]] nlohmann::json comparisonJson(const calibration::Comparison& result,
+                                            const std::vector<calibration::Measurement>& readings, const Units& units);
+
+[[nodiscard]] std::string comparisonText(const calibration::Comparison& result,
+                                         const std::vector<calibration::Measurement>& readings, const Units& units);
+
+/// "adequate", "falls-short"
+[[nodiscard]] const char* nameOf(calibration::Adequacy adequacy);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,32 @@
+// A diagnosis as JSON and as a few lines for people.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+
+namespace tubeplan::app {
+
+/// The one plain sentence of a diagnosis.
+[[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
+
+[[nodiscard]] nlohmann::json diagnosisJson(const calibration::Diagnosis& result,
+                                           const std::vector<calibration::Measurement>& readings, const Units& units);
+
+[[nodiscard]] std::string diagnosisText(const calibration::Diagnosis& result,
+                                        const std::vector<calibration::Measurement>& readings, const Units& units);
+
+/// The command that adds the first alternative to the cell of this path; empty where there is none.
+[[nodiscard]] std::string additionCommand(const calibration::Diagnosis& result, const std::string& cell,
+                                          const Units& units);
+
+/// "adequate", "explained", ...
+[[nodiscard]] const char* nameOf(calibration::Verdict verdict);
+
+/// An effect that a diagnosis found, as AdditionRequest::causes takes it.
+[[nodiscard]] std::string additionText(const calibration::FoundEffect& found, const deflection::Arm& arm,
+                                       const Units& units);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,130 @@
+#include "app/documents/diagnosis_views_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/ladder_json.hpp"
+#include "app/files/joint_units.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::AddedVariable, calibration::Diagnosis, calibration::Explanation, calibration::Measurement,
+    calibration::ReadingView;
+using nlohmann::json;
+
+/// To six digits: enough for any picture, and hundreds of readings stay small.
+json brief(double value) {
+  return std::isfinite(value) ? json(std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)) : json();
+}
+
+json lengthJson(double metres, const Units& units) { return brief(metres / units.factor(dimension::kLength)); }
+
+json placeJson(const Eigen::Vector3d& p, const Units& units) {
+  return {lengthJson(p.x(), units), lengthJson(p.y(), units), lengthJson(p.z(), units)};
+}
+
+std::string nameOf(const Explanation& explanation) {
+  std::string name;
+  for (const auto& effect : explanation.effects)
+    name += fmt::format("{}{} at {}", name.empty() ? "" : " and ", effect.effect, effect.at);
+  return name;
+}
+
+json viewJson(const ReadingView& view, const Measurement& reading, const deflection::Arm& arm, const Units& units) {
+  json entry = readingJson(reading, arm, units);
+  entry["position"] = placeJson(view.p_WT, units);
+  entry["before"] = placeJson(view.before, units);
+  entry["explained"] = json::array();
+  for (const auto& error : view.after) entry["explained"].push_back(placeJson(error, units));
+  entry["after"] = view.after.empty() ? json() : entry["explained"].front();
+  return entry;
+}
+
+json addedJson(const AddedVariable& added, const Explanation& explanation, const std::map<int, int>& listed) {
+  const auto& effect = explanation.effects.at(static_cast<std::size_t>(added.effect));
+  json points = json::array();
+  for (const auto& point : added.points)
+    points.push_back({listed.at(point.reading), brief(point.signature), brief(point.left)});
+  return {{"explanation", added.explanation},
+          {"effect", effect.effect},
+          {"at", effect.at},
+          {"slope", brief(added.slope)},
+          {"length", brief(added.length)},
+          {"kept_fraction", brief(added.kept_fraction)},
+          {"points", points}};
+}
+
+}  // namespace
+
+json jointsJson(const deflection::Arm& arm, const Units& units) {
+  json joints = json::array();
+  for (const int row : deflection::activeRows(arm)) {
+    const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
+    joints.push_back({{"name", joint.name}, {"unit", units.nameOf(jointDimension(joint))}});
+  }
+  return joints;
+}
+
+void addOwnNumbers(const Measurement& reading, const Units& units, json& entry) {
+  for (const auto& [name, quantity] : calibration::kindOf(reading).columns)
+    if (const double value = calibration::ownNumber(reading, name); std::isfinite(value))
+      entry[name] = brief(units.toFile(value, dimensionOf(quantity)));
+}
+
+json readingJson(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
+  json entry = {{"id", reading.id},
+                {"kind", calibration::kindOf(reading).name},
+                {"point", reading.point},
+                {"joints", json::array()},
+                {"load", brief(reading.load / units.factor(dimension::kForce))}};
+  const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
+  for (const double value : joints) entry["joints"].push_back(brief(value));
+  addOwnNumbers(reading, units, entry);
+  if (!reading.setup.empty()) entry["setup"] = reading.setup;
+  if (!reading.senses.empty()) entry["senses"] = reading.senses;
+  if (std::isfinite(reading.temperature)) entry["temperature"] = brief(units.temperatureToFile(reading.temperature));
+  if (std::isfinite(reading.time)) entry["time"] = brief(reading.time / units.factor(dimension::kTime));
+  return entry;
+}
+
+json ladderJson(const Diagnosis& result, const Units& units) {
+  const auto rung = [&](const std::string& name, double rms, double heldout) {
+    return json{{"name", name}, {"rms", lengthJson(rms, units)}, {"heldout_rms", lengthJson(heldout, units)}};
+  };
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto& placings = result.baseline.fitted.placings;
+  const bool is_placed =
+      std::all_of(placings.begin(), placings.end(), [](const auto& placing) { return placing.is_known; });
+  json ladder = {is_placed ? rung("as the model stands", result.baseline.before.rms, kNone)
+                           : rung("as the model stands, only its base fitted", result.baseline.after_base.rms, kNone),
+                 rung("refitted", result.before.rms, result.heldout_before.rms)};
+  for (const auto& explanation : calibration::explanationsShown(result))
+    ladder.push_back(rung("with " + nameOf(explanation), explanation.after.rms, explanation.heldout.rms));
+  return ladder;
+}
+
+void addViews(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units, json& target) {
+  const deflection::Arm& arm = result.baseline.fitted.arm;
+  const auto shown = calibration::explanationsShown(result);
+  target["joints"] = jointsJson(arm, units);
+  target["ladder"] = ladderJson(result, units);
+  target["readings"] = json::array();
+  std::map<int, int> listed;
+  for (const auto& view : result.views.readings) {
+    listed.emplace(view.reading, static_cast<int>(listed.size()));
+    target["readings"].push_back(viewJson(view, readings.at(static_cast<std::size_t>(view.reading)), arm, units));
+  }
+  target["added_variable"] = json::array();
+  for (const auto& added : result.views.added)
+    target["added_variable"].push_back(addedJson(added, shown.at(static_cast<std::size_t>(added.explanation)), listed));
+}
+
+}  // namespace tubeplan::app

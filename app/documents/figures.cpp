@@ -1,0 +1,34 @@
+#include "app/documents/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/files/units.hpp"
+
+namespace tubeplan::app {
+
+nlohmann::json finiteJson(double value) {
+  return std::isfinite(value) ? nlohmann::json(rounded(value)) : nlohmann::json();
+}
+
+nlohmann::json lengthJson(double metres, const Units& units) {
+  return finiteJson(metres / units.factor(dimension::kLength));
+}
+
+nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
+  return {lengthJson(metres.x(), units), lengthJson(metres.y(), units), lengthJson(metres.z(), units)};
+}
+
+std::string lengthText(double metres, const Units& units, int digits) {
+  if (!std::isfinite(metres)) return "none";
+  return fmt::format("{:.{}g} {}", metres / units.factor(dimension::kLength), digits, units.length().name);
+}
+
+nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const double value : values) json.push_back(units.toFile(value, dimension));
+  return json;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,26 @@
+// Single figures as documents and texts write them: in the file's units, never NaN.
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+
+namespace tubeplan::app {
+
+/// Rounded to 12 digits; null where it is not finite.
+[[nodiscard]] nlohmann::json finiteJson(double value);
+
+[[nodiscard]] nlohmann::json lengthJson(double metres, const Units& units);
+
+/// Three lengths.
+[[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
+
+/// "0.0123 in", to so many digits; "an unknown length" where it is not finite.
+[[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
+
+/// A vector in file units, each number rounded to 12 digits.
+[[nodiscard]] nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension);
+
+}  // namespace tubeplan::app

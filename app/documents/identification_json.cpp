@@ -1,0 +1,190 @@
+#include "app/documents/identification_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/files/units_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::ErrorSize, calibration::Identification, calibration::IdentificationStatus,
+    calibration::Identifiability, calibration::IdentifiedNumber, calibration::Unknown;
+
+const char* nameOf(IdentificationStatus status) {
+  switch (status) {
+    case IdentificationStatus::kNotRun:
+      return "not-run";
+    case IdentificationStatus::kDone:
+      return "done";
+    case IdentificationStatus::kRefused:
+      return "refused";
+    case IdentificationStatus::kNotConverged:
+      return "not-converged";
+    case IdentificationStatus::kStopped:
+      return "stopped";
+  }
+  return "";
+}
+
+std::string identifiableText(const IdentifiedNumber& number) {
+  if (number.identifiable == Identifiability::kYes) return "yes";
+  if (number.identifiable == Identifiability::kNo) return "no";
+  return fmt::format("with {}", fmt::join(number.with, " and "));
+}
+
+nlohmann::json sizeJson(const ErrorSize& size, const Units& units) {
+  return {{"rms", lengthJson(size.rms, units)},
+          {"mean", lengthJson(size.mean, units)},
+          {"max", lengthJson(size.max, units)},
+          {"readings", size.readings}};
+}
+
+/// A prior's sigma in the file's units; of a stiffness, whose compliance has it, as a share of the value.
+nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
+  const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
+  return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)
+                                  : finiteJson(unknown.prior_sigma / units.factor(dimensionOf(unknown.quantity)))},
+          {"of", is_compliance ? "compliance, as a share of that at the start" : "value"}};
+}
+
+nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown.quantity);
+  const double factor = units.factor(unit);
+  nlohmann::json json = {{"name", number.unknown.name},
+                         {"value", finiteJson(number.value / factor)},
+                         {"sigma", finiteJson(number.sigma / factor)},
+                         {"unit", units.nameOf(unit)},
+                         {"start", finiteJson(number.unknown.start / factor)},
+                         {"identifiable", identifiableText(number)},
+                         {"prior", priorJson(number.unknown, units)},
+                         {"prior_deviation", finiteJson(number.prior_deviation)},
+                         {"interval", {finiteJson(number.lower / factor), finiteJson(number.upper / factor)}},
+                         {"interval_by", number.is_profile ? "profile" : "sigma"}};
+  if (number.is_at_bound) json["at_bound"] = true;
+  if (!number.note.empty()) json["note"] = number.note;
+  return json;
+}
+
+std::string lengthFigure(double metres, const Units& units) {
+  return std::isfinite(metres) ? fmt::format("{:.4g}", metres / units.factor(dimension::kLength)) : "none";
+}
+
+/// Open where there is no end: a stiffness that may be rigid.
+std::string intervalText(double lower, double upper) {
+  if (std::isfinite(lower) && std::isfinite(upper)) return fmt::format("95 % {:.6g} to {:.6g}", lower, upper);
+  if (std::isfinite(lower)) return fmt::format("95 % {:.6g} or more", lower);
+  return std::isfinite(upper) ? fmt::format("95 % {:.6g} or less", upper) : "95 % anything";
+}
+
+std::string sizeText(const char* title, const ErrorSize& size, const Units& units) {
+  if (size.readings == 0) return "";
+  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, lengthFigure(size.rms, units),
+                     lengthFigure(size.mean, units), lengthFigure(size.max, units), units.length().name);
+}
+
+std::string numberText(const IdentifiedNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.unknown.quantity);
+  const double factor = units.factor(unit);
+  std::string text = fmt::format("  {:<36} {:>12.6g}", number.unknown.name, number.value / factor);
+  text += fmt::format(" {:<14} sigma {:>9}  {}", units.nameOf(unit),
+                      std::isfinite(number.sigma) ? fmt::format("{:.3g}", number.sigma / factor) : "none",
+                      intervalText(number.lower / factor, number.upper / factor));
+  text += fmt::format("  start {:.6g}  identifiable: {}\n", number.unknown.start / factor, identifiableText(number));
+  if (!number.note.empty()) text += "      " + number.note + "\n";
+  return text;
+}
+
+}  // namespace
+
+nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
+                                  const Units& units) {
+  nlohmann::json json = {{"status", nameOf(result.status)}, {"reason", result.reason}, {"units", unitsJson(units)}};
+  json["parameters"] = nlohmann::json::array();
+  if (result.status == IdentificationStatus::kRefused) return json;
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kArm) json["parameters"].push_back(numberJson(number, units));
+  json["bases"] = nlohmann::json::array();
+  for (const auto& placing : result.fitted.placings)
+    json["bases"].push_back(
+        {{"setup", placing.setup}, {"known", placing.is_known}, {"base", poseJson(placing.X_WB, units)}});
+  json["base_steps"] = nlohmann::json::array();
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kBase) json["base_steps"].push_back(numberJson(number, units));
+  json["rms"] = {{"before", lengthJson(result.before.rms, units)},
+                 {"after_base", lengthJson(result.after_base.rms, units)},
+                 {"after", lengthJson(result.after.rms, units)},
+                 {"heldout_before", lengthJson(result.heldout_before.rms, units)},
+                 {"heldout_after", lengthJson(result.heldout.rms, units)},
+                 {"noise_floor", lengthJson(result.noise_floor, units)}};
+  json["errors"] = {{"before", sizeJson(result.before, units)},
+                    {"after_base", sizeJson(result.after_base, units)},
+                    {"after", sizeJson(result.after, units)},
+                    {"heldout_before", sizeJson(result.heldout_before, units)},
+                    {"heldout_after", sizeJson(result.heldout, units)}};
+  json["chi2"] = finiteJson(result.chi2);
+  json["degrees_of_freedom"] = result.degrees_of_freedom;
+  json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
+  json["p_value"] = finiteJson(result.p_value);
+  json["model_error"] = lengthJson(result.model_error, units);
+  json["dropped"] = result.dropped;
+  json["correlations"] = nlohmann::json::array();
+  for (const auto& pair : result.correlations)
+    json["correlations"].push_back({{"a", pair.a}, {"b", pair.b}, {"value", finiteJson(pair.value)}});
+  json["outliers"] = nlohmann::json::array();
+  for (const auto& outlier : result.outliers)
+    json["outliers"].push_back({{"id", readings.at(static_cast<std::size_t>(outlier.reading)).id},
+                                {"size", lengthJson(outlier.size, units)},
+                                {"sigmas", finiteJson(outlier.sigmas)}});
+  json["singular_values"] = nlohmann::json::array();
+  for (const double value : result.singular_values) json["singular_values"].push_back(finiteJson(value));
+  json["solver"] = {{"iterations", result.iterations},
+                    {"evaluations", result.evaluations},
+                    {"jacobian_evaluations", result.jacobian_evaluations},
+                    {"starts_agreeing", result.starts_agreeing}};
+  return json;
+}
+
+std::string identificationText(const Identification& result, const std::vector<calibration::Measurement>& readings,
+                               const Units& units) {
+  if (result.status == IdentificationStatus::kRefused) return "not identified: " + result.reason + "\n";
+  std::string text;
+  if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
+  text += fmt::format("errors of {} readings\n", result.used.size());
+  text += sizeText("as the model stands", result.before, units);
+  text += sizeText("with the base placed", result.after_base, units);
+  text += sizeText("identified", result.after, units);
+  text += sizeText("held out, with the base placed", result.heldout_before, units);
+  text += sizeText("held out, identified", result.heldout, units);
+  if (result.numbers.empty()) return text;
+  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthFigure(result.noise_floor, units));
+  text += fmt::format("chi-square {:.1f} for {} degrees of freedom", result.chi2, result.degrees_of_freedom);
+  text += result.degrees_of_freedom > 0
+              ? fmt::format(" ({:.2f} each, p = {:.3g})\n", result.chi2 / result.degrees_of_freedom, result.p_value)
+              : std::string(": nothing is left to judge the fit by\n");
+  if (result.model_error > 0)
+    text += fmt::format(
+        "lack of fit: beyond the stated noise the model is off by {} {} in each coordinate (one standard deviation); "
+        "sigmas and intervals count it as noise\n",
+        lengthFigure(result.model_error, units), units.length().name);
+  text += "parameters\n";
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kArm || number.identifiable != Identifiability::kYes)
+      text += numberText(number, units);
+  for (const auto& dropped : result.dropped) text += "  dropped " + dropped + "\n";
+  for (const auto& pair : result.correlations)
+    text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);
+  for (const auto& outlier : result.outliers)
+    text += fmt::format("  outlier: reading {} is off by {} {} ({:.1f} sigmas)\n",
+                        readings.at(static_cast<std::size_t>(outlier.reading)).id, lengthFigure(outlier.size, units),
+                        units.length().name, outlier.sigmas);
+  return text;
+}
+
+}  // namespace tubeplan::app

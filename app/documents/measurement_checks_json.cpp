@@ -1,0 +1,65 @@
+#include "app/documents/measurement_checks_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+
+namespace tubeplan::app {
+
+using calibration::CheckSeverity, calibration::MeasurementCheck, calibration::MeasurementChecks;
+
+namespace {
+
+const char* nameOf(CheckSeverity severity) { return severity == CheckSeverity::kMistake ? "mistake" : "remark"; }
+
+nlohmann::json orNull(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
+
+}  // namespace
+
+void addChecks(const MeasurementChecks& checks, const Units& units, nlohmann::json& document) {
+  document["checks"] = nlohmann::json::array();
+  for (const auto& check : checks.checks)
+    document["checks"].push_back({{"name", check.name},
+                                  {"severity", nameOf(check.severity)},
+                                  {"sentence", check.sentence},
+                                  {"error_as_is", lengthJson(check.error_as_is, units)},
+                                  {"error_if_mended", lengthJson(check.error_if_mended, units)},
+                                  {"assume", orNull(check.assume)},
+                                  {"equally", check.equally}});
+  document["missing_columns"] = nlohmann::json::array();
+  for (const auto& [column, sentence] : checks.missing)
+    document["missing_columns"].push_back({{"column", column}, {"sentence", sentence}});
+}
+
+std::string checkText(const MeasurementCheck& check, const Units& units) {
+  std::string text = check.sentence;
+  if (std::isfinite(check.error_as_is) && std::isfinite(check.error_if_mended))
+    text += fmt::format("; mended, the error falls from {} to {}", lengthText(check.error_as_is, units),
+                        lengthText(check.error_if_mended, units));
+  if (!check.assume.empty()) text += fmt::format(" (--assume {})", check.assume);
+  if (!check.equally.empty()) text += fmt::format(", or as well --assume {}", fmt::join(check.equally, ", "));
+  return text;
+}
+
+std::string checksText(const MeasurementChecks& checks, const Units& units) {
+  std::string text;
+  for (const auto& check : checks.checks)
+    text += fmt::format("  {}: {}\n", check.severity == CheckSeverity::kMistake ? "MISTAKE SUSPECTED" : "look",
+                        checkText(check, units));
+  return text;
+}
+
+std::vector<std::string> warningsWithChecks(const MeasurementChecks& checks, std::vector<std::string> warnings,
+                                            const Units& units) {
+  std::vector<std::string> all;
+  for (const auto& check : checks.checks)
+    if (check.name != "base-from-nominal" && check.name != "few-readings") all.push_back(checkText(check, units));
+  all.insert(all.end(), warnings.begin(), warnings.end());
+  return all;
+}
+
+}  // namespace tubeplan::app

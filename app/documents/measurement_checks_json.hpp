@@ -1,0 +1,27 @@
+// What looks wrong with readings, as JSON and as a few lines for people.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/files/units.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
+
+namespace tubeplan::app {
+
+/// Adds `checks` ([{name, severity, sentence, error_as_is, error_if_mended, assume, equally}], null where there is
+/// none) and `missing_columns` ([{column, sentence}]) to a document.
+void addChecks(const calibration::MeasurementChecks& checks, const Units& units, nlohmann::json& document);
+
+/// One check as a sentence without its stop: what is suspected, the error as it is and if it were mended, and how.
+[[nodiscard]] std::string checkText(const calibration::MeasurementCheck& check, const Units& units);
+
+/// One line for each check; empty where there is none.
+[[nodiscard]] std::string checksText(const calibration::MeasurementChecks& checks, const Units& units);
+
+/// The sentences of the checks before other warnings.
+[[nodiscard]] std::vector<std::string> warningsWithChecks(const calibration::MeasurementChecks& checks,
+                                                          std::vector<std::string> warnings, const Units& units);
+
+}  // namespace tubeplan::app

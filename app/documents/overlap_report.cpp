@@ -1,0 +1,43 @@
+#include "app/documents/overlap_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/units.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr std::size_t kMostNamed = 3;
+constexpr double kWorthSaying = 0.2;  // share of a formula
+
+}  // namespace
+
+nlohmann::json overlapJson(const std::vector<calibration::FormulaOverlap>& overlaps) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const auto& overlap : overlaps) {
+    nlohmann::json effects = nlohmann::json::array();
+    for (const auto& share : overlap.shares)
+      effects.push_back({{"effect", share.effect}, {"at", share.at}, {"share", rounded(share.share)}});
+    json.push_back({{"formula", overlap.formula}, {"absorbed", rounded(overlap.absorbed)}, {"effects", effects}});
+  }
+  return json;
+}
+
+std::string overlapText(const std::vector<calibration::FormulaOverlap>& overlaps) {
+  std::string text;
+  for (const auto& overlap : overlaps) {
+    text += fmt::format("{}: {:.0f} % of what it does to these readings the other fitted numbers can do\n",
+                        overlap.formula, 100 * overlap.absorbed);
+    for (std::size_t k = 0; k < std::min(kMostNamed, overlap.shares.size()); ++k) {
+      const auto& share = overlap.shares[k];
+      if (share.share >= kWorthSaying)
+        text += fmt::format("  {:.0f} % of the rest is {}@{}\n", 100 * share.share, share.effect, share.at);
+    }
+  }
+  return text;
+}
+
+}  // namespace tubeplan::app

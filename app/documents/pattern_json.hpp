@@ -1,0 +1,22 @@
+// A pattern of the misfit as JSON and as a plain sentence.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "calibration/patterns/pattern_search.hpp"
+
+namespace tubeplan::app {
+
+/// "p = 0.003"
+[[nodiscard]] std::string chanceText(double p);
+
+/// What a pattern says, in a plain sentence.
+[[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
+
+/// The figures of a test; of a finding also its course over the variable.
+[[nodiscard]] nlohmann::json testJson(const calibration::PatternTest& test, const Units& units);
+[[nodiscard]] nlohmann::json findingJson(const calibration::PatternTest& test, const Units& units);
+
+}  // namespace tubeplan::app

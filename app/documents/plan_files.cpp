@@ -1,0 +1,290 @@
+#include "app/documents/plan_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/calibration_json.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/documents/step_chances_json.hpp"
+#include "app/documents/work_list_export.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/path_numbers.hpp"
+#include "app/files/touch_input.hpp"
+#include "app/files/units.hpp"
+#include "app/files/units_json.hpp"
+#include "app/report/plan_report.hpp"
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// Full precision: a joint value rounded to 12 digits would move the tip by more than the plan promises.
+json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
+  json list = json::array();
+  for (double value : values) list.push_back(value / units.factor(dimension));
+  return list;
+}
+
+json scoreJson(const std::optional<planner::Centring>& score, const Units& units) {
+  if (!score) return nullptr;
+  return {{"error", lengthOf(score->error, units)},
+          {"dx", lengthOf(score->offset.x(), units)},
+          {"dy", lengthOf(score->offset.y(), units)},
+          {"height", lengthOf(score->height, units)},
+          {"approach_deviation", lengthOf(score->approach_deviation, units)},
+          {"steps", score->steps}};
+}
+
+json modesJson(const ModeScores& scores, const Units& units) {
+  return {{"none", scoreJson(scores[0], units)},
+          {"goal_point", scoreJson(scores[1], units)},
+          {"via_point", scoreJson(scores[2], units)}};
+}
+
+json chancesJson(const PlanOutcome& outcome, std::size_t k) {
+  return outcome.chances.by_posture.empty() ? json(nullptr) : json(outcome.chances.by_posture[k]);
+}
+
+json tubeJson(const PlanOutcome& outcome, std::size_t k) {
+  const Units& units = outcome.cell.units;
+  const auto& visit = outcome.plan.visits[k];
+  const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)];
+  json entry = {{"leg", tubesheets::legName(outcome.model.sheet.leg)},
+                {"row", tube.row},
+                {"column", tube.column},
+                {"name", tubesheets::tubeName(tube.row, tube.column)},
+                {"hole", exactVector(planner::holeCentre(tube), units, dimension::kLength)},
+                {"joints", jointValuesJson(visit.branch.q, outcome.cell)},
+                {"predicted_tip", exactVector(visit.branch.predicted_tip_W, units, dimension::kLength)},
+                {"centring_error", outcome.predicted[k].error / units.factor(dimension::kLength)},
+                {"tilt", angleOf(visit.branch.tilt, units)},
+                {"steps", outcome.chances.by_posture.empty() ? outcome.predicted[k].steps
+                                                             : likeliestSteps(outcome.chances.by_posture[k])},
+                {"approach_deviation", lengthOf(visit.branch.path_deviation, units)},
+                {"probability_by_steps", chancesJson(outcome, k)}};
+  if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
+  if (!outcome.zones.empty()) entry["zone"] = outcome.zones[k] + 1;
+  if (!outcome.scores.empty()) entry["scored"] = modesJson(outcome.scores[k], units);
+  return entry;
+}
+
+json unreachableJson(const PlanOutcome& outcome) {
+  json list = json::array();
+  for (const auto& missed : outcome.plan.unreachable) {
+    const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
+    json entry = {{"row", tube.row}, {"column", tube.column}, {"reason", missed.reason}};
+    if (!missed.blocking.other.empty())
+      entry["in_the_way"] = {{"body", missed.blocking.body},
+                             {"other", missed.blocking.other},
+                             {"distance", lengthOf(missed.blocking.distance, outcome.cell.units)}};
+    list.push_back(entry);
+  }
+  return list;
+}
+
+json countsJson(const PlanOutcome& outcome) {
+  if (outcome.scores.empty()) return nullptr;
+  const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
+  return {{"none", counts[0]}, {"goal_point", counts[1]}, {"via_point", counts[2]}};
+}
+
+double minClearance(const PlanOutcome& outcome) { return outcome.plan.min_margin + outcome.model.scene.clearance; }
+
+std::string tightestText(const PlanOutcome& outcome) {
+  const auto& tightest = outcome.plan.tightest;
+  return tightest.body.empty() ? tightest.other : tightest.body + " to " + tightest.other;
+}
+
+json sheetJson(const PlanOutcome& outcome) {
+  const auto& sheet = outcome.model.sheet;
+  return {{"name", sheet.name},
+          {"leg", tubesheets::legName(sheet.leg)},
+          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"hole_diameter", lengthOf(sheet.hole_diameter, outcome.cell.units)},
+          {"pitch", lengthOf(sheet.pitch, outcome.cell.units)},
+          {"rows", sheet.rows},
+          {"columns", sheet.columns},
+          {"holes", sheet.tubes.size()},
+          {"fingerprint", sheet.fingerprint()}};
+}
+
+/// "hot,10,20": where a segment goes, so that every row can be held against the operator's list.
+std::string goalOf(const PlanOutcome& outcome, int segment) {
+  const int visit = outcome.plan.segments[static_cast<std::size_t>(segment)].visit;
+  const auto& sheet = outcome.model.sheet;
+  const auto& tube = sheet.tubes[static_cast<std::size_t>(outcome.plan.visits[static_cast<std::size_t>(visit)].tube)];
+  return fmt::format("{},{},{}", tubesheets::legName(sheet.leg), tube.row, tube.column);
+}
+
+/// Numbers of the path's rows as the file has them: time, segment and joints.
+std::string pathFingerprintOf(const PlanOutcome& outcome) {
+  const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
+  PathNumbers numbers;
+  for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm)))
+    numbers.add(row.time, row.segment + 1, row.q.cwiseQuotient(factors));
+  return numbers.fingerprint();
+}
+
+}  // namespace
+
+json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
+  const auto& plan = outcome.plan;
+  json tubes = json::array();
+  for (std::size_t k = 0; k < plan.visits.size(); ++k) tubes.push_back(tubeJson(outcome, k));
+  json result = {{"version", kVersion},
+                 {"seed", request.seed},
+                 {"cell", outcome.cell.name},
+                 {"compensation", planner::nameOf(outcome.compensation)},
+                 {"load", outcome.cell.units.toFile(outcome.model.load, dimension::kForce)},
+                 {"units", unitsJson(outcome.cell.units)},
+                 {"sheet", sheetJson(outcome)},
+                 {"tubes", tubes},
+                 {"unreachable", unreachableJson(outcome)},
+                 {"travel_time_s", plan.travel_time},
+                 {"lower_bound_s", plan.lower_bound},
+                 {"gap", plan.gap},
+                 {"row_by_row_time_s", plan.row_by_row_time},
+                 {"total_time_s", plan.total_time},
+                 {"detours", plan.detours},
+                 {"min_clearance", lengthOf(minClearance(outcome), outcome.cell.units)},
+                 {"clearance_required", lengthOf(outcome.model.scene.clearance, outcome.cell.units)},
+                 {"tightest", tightestText(outcome)},
+                 {"warnings", outcome.cell.warnings},
+                 {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
+                 {"counts", countsJson(outcome)},
+                 {"steps_by", outcome.chances.by_posture.empty() ? "the model alone, taken as exact"
+                                                                 : "the likeliest under the probabilities"},
+                 {"probabilities", stepChancesJson(outcome.chances, outcome.cell.units)}};
+  if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
+  if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
+  if (!outcome.left_out.empty()) result["left_out"] = outcome.left_out;
+  if (request.padding > 0)
+    result["padding"] = {{"sigmas", request.padding},
+                         {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)}};
+  if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell);
+  return result;
+}
+
+std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome) {
+  json plan = planJson(request, outcome);
+  plan["path_fingerprint"] = pathFingerprintOf(outcome);
+  return plan.dump(1) + "\n";
+}
+
+std::string pathCsv(const PlanOutcome& outcome) {
+  const Cell& cell = outcome.cell;
+  const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
+  std::string text = "time_s,segment,kind";
+  for (int row : deflection::activeRows(cell.arm))
+    text += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
+  text += ",leg,row,column\n";
+  for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm))) {
+    text += fmt::format("{},{},{}", row.time, row.segment + 1, planner::nameOf(row.kind));
+    for (double q : row.q.cwiseQuotient(factors)) text += fmt::format(",{}", q);
+    text += "," + goalOf(outcome, row.segment) + "\n";
+  }
+  return text;
+}
+
+void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder) {
+  folder.write("plan.json", planFileText(request, outcome));
+  folder.write("path.csv", pathCsv(outcome));
+  const auto cell_file = folder.path() / "cell.yaml";
+  folder.write("cell.yaml", outcome.calibration
+                                ? cellTextWithBase(outcome.cell,
+                                                   {outcome.model.X_WB, outcome.model.base_covariance, true,
+                                                    modelErrorByTouches(outcome.chances.error, outcome.touches.size())},
+                                                   cell_file)
+                                : cellTextAt(outcome.cell, cell_file));
+  if (outcome.touches.empty())
+    folder.remove("touches.csv");
+  else
+    folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
+  folder.write(kWorkListFile, workListCsv(outcome));
+  folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
+  folder.commit();
+}
+
+namespace {
+
+std::string stepsHeading(const PlanOutcome& outcome) {
+  std::string text = fmt::format("{:<58}", "tubes by steps of the calibration tool that go in");
+  for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:7}", k);
+  return text + "\n";
+}
+
+std::string expectedText(const PlanOutcome& outcome) {
+  if (outcome.chances.by_posture.empty()) return "";
+  std::string text = fmt::format("  {:<56}", "as predicted, on the average");
+  for (const double count : expectedCounts(outcome.chances)) text += fmt::format("{:7.1f}", count);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string planText(const PlanOutcome& outcome) {
+  const auto& plan = outcome.plan;
+  const Units& units = outcome.cell.units;
+  const std::string unit(units.length().name);
+  double worst = 0, tilt = 0;
+  for (std::size_t k = 0; k < plan.visits.size(); ++k) {
+    worst = std::max(worst, outcome.predicted[k].error);
+    tilt = std::max(tilt, plan.visits[k].branch.tilt);
+  }
+  std::string text;
+  if (outcome.calibration) {
+    const auto& base = outcome.calibration->flexible;
+    text += calibrationText(base, outcome.cell, false);
+  }
+  for (const auto& warning : outcome.cell.warnings) text += "warning: " + warning + "\n";
+  if (!outcome.calibration && !outcome.cell.base_known)
+    text += "the base is taken where the cell has it; it was not found by touching (--touches)\n";
+  text += fmt::format(
+      "tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n",
+      plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), unit,
+      tilt / units.factor(dimension::kAngle), units.angle().name);
+  if (!outcome.left_out.empty())
+    text +=
+        fmt::format("  {} left out: they take no tool (--tubes all,plugged,stabilised has them)\n", outcome.left_out);
+  for (std::size_t k = 0; k < std::min<std::size_t>(plan.unreachable.size(), 5); ++k) {
+    const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.unreachable[k].tube)];
+    text += fmt::format("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), plan.unreachable[k].reason);
+  }
+  if (plan.unreachable.size() > 5)
+    text += fmt::format("  and {} more, each with its reason in plan.json\n", plan.unreachable.size() - 5);
+  text += fmt::format(
+      "travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n",
+      plan.travel_time, plan.lower_bound, 100 * plan.gap, plan.row_by_row_time, plan.total_time, plan.detours);
+  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
+                      minClearance(outcome) / units.factor(dimension::kLength), unit,
+                      outcome.model.scene.clearance / units.factor(dimension::kLength),
+                      outcome.padding > 0 ? fmt::format(", beyond what the base may be out: {:.3f} at a tip",
+                                                        outcome.padding / units.factor(dimension::kLength))
+                                          : "",
+                      tightestText(outcome));
+  text += stepChancesText(outcome.chances, units);
+  if (outcome.scores.empty() && outcome.chances.by_posture.empty()) return text;
+  text += stepsHeading(outcome) + expectedText(outcome);
+  if (outcome.scores.empty()) return text;
+  const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
+    text += fmt::format("  {:<56}",
+                        "by the true arm, " + std::string(planner::nameOf(kCompensations[mode])) + " compensation");
+    int scored = 0;
+    for (int count : counts[mode]) {
+      text += fmt::format("{:7}", count);
+      scored += count;
+    }
+    const int missed = static_cast<int>(outcome.scores.size()) - scored;
+    text += missed ? fmt::format("   ({} out of this model's reach)\n", missed) : "\n";
+  }
+  return text;
+}
+
+}  // namespace tubeplan::app

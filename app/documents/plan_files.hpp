@@ -1,0 +1,30 @@
+// What a plan leaves behind: plan.json, path.csv, cell.yaml, touches.csv, worklist.csv, report.html.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/documents/plan_outcome.hpp"
+#include "app/files/atomic_file.hpp"
+
+namespace tubeplan::app {
+
+/// plan.json as the contract has it.
+[[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
+
+/// plan.json's text: planJson() with the fingerprint of the path's numbers, by which `verify` knows them again.
+[[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
+
+/// time_s,segment,kind,<joint>_<angle>...,leg,row,column: the tube that the row leads to or from
+[[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
+
+/// What the report page shows.
+[[nodiscard]] nlohmann::json reportJson(const PlanRequest& request, const PlanOutcome& outcome);
+
+/// All files of a plan, into a folder that appears whole.
+void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
+
+/// The summary for one screen.
+[[nodiscard]] std::string planText(const PlanOutcome& outcome);
+
+}  // namespace tubeplan::app

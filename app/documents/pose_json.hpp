@@ -1,0 +1,33 @@
+// Where the tip is, rigid and deflected, as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/units.hpp"
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::app {
+
+struct PoseFigures {
+  Eigen::Vector3d position, angles;  ///< m; rad, fixed axes
+};
+
+[[nodiscard]] PoseFigures poseFiguresOf(const deflection::PoseOf<double>& X);
+
+/// Deflected less rigid; angles to half a turn.
+[[nodiscard]] PoseFigures poseChange(const deflection::FlexibleKinematics& shape);
+
+/// {position: [3], fixed_angles: [3]}.
+[[nodiscard]] nlohmann::json figuresJson(const PoseFigures& figures, const Units& units);
+
+/// {rigid, flexible, change, iterations}, each tip in the arm's base frame.
+[[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
+
+/// {"position": [3], "rpy": [3]} in file units.
+[[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
+
+/// Joint readings in file units to the last bit: rounded ones would move the tip by more than a plan promises.
+[[nodiscard]] nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell);
+
+}  // namespace tubeplan::app

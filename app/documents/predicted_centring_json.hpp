@@ -1,0 +1,19 @@
+// The predicted centring error as JSON and in words.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "app/studies/positioning/predicted_centring.hpp"
+
+namespace tubeplan::app {
+
+/// {median, p95, worst: {value, hole}, band: {median, p95, worst: [low, high]}, encoder_noise: {median, p95, worst},
+/// unit, holes, ...}, or null with a reason.
+[[nodiscard]] nlohmann::json predictedCentringJson(const PredictedCentring& predicted, const Units& units);
+
+/// Empty for cells without a sheet.
+[[nodiscard]] std::string predictedCentringText(const PredictedCentring& predicted, const Units& units);
+
+}  // namespace tubeplan::app

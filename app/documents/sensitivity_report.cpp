@@ -1,0 +1,179 @@
+#include "app/documents/sensitivity_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+#include "app/files/units_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::NumberKind, calibration::NumberSensitivity;
+
+struct KindWords {
+  NumberKind kind;
+  const char *name, *more, *less;  ///< "1 % stiffer ..."
+};
+constexpr KindWords kKinds[] = {{NumberKind::kStiffness, "stiffness", "stiffer", "softer"},
+                                {NumberKind::kWeight, "weight", "heavier", "lighter"},
+                                {NumberKind::kLength, "length", "longer", "shorter"}};
+
+const KindWords* wordsOf(NumberKind kind) {
+  for (const auto& words : kKinds)
+    if (words.kind == kind) return &words;
+  return nullptr;
+}
+
+/// Whether one per cent of it means something to a designer.
+bool isDesignable(const NumberSensitivity& number) {
+  return wordsOf(number.kind) != nullptr && number.parameter.value != 0;
+}
+
+double perCent(const NumberSensitivity& number, double slope) { return slope * std::abs(number.parameter.value) / 100; }
+
+double sigmaOf(const SensitivityReport& report, std::size_t index) {
+  return report.sigmas.empty() ? std::numeric_limits<double>::quiet_NaN() : report.sigmas[index];
+}
+
+/// "1 % stiffer latch-link.beam.Iz: 0.0123 in less sag in the mean", in the sense that helps.
+std::string sentence(const NumberSensitivity& number, const Units& units) {
+  const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
+  const auto& words = *wordsOf(number.kind);
+  const bool is_more = (sag < 0) == (number.parameter.value > 0);  // of a negative coordinate more is longer, too
+  return fmt::format("1 % {} {}: {:.3g} {} less sag in the mean", is_more ? words.more : words.less,
+                     number.parameter.name, std::abs(sag), units.length().name);
+}
+
+std::vector<std::size_t> ranked(const SensitivityReport& report,
+                                double (*figure)(const SensitivityReport&, std::size_t)) {
+  std::vector<std::size_t> order;
+  for (std::size_t n = 0; n < report.figures.numbers.size(); ++n)
+    if (std::isfinite(figure(report, n))) order.push_back(n);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return std::abs(figure(report, a)) > std::abs(figure(report, b)); });
+  return order;
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double designFigure(const SensitivityReport& report, std::size_t n) {
+  const auto& number = report.figures.numbers[n];
+  return isDesignable(number) ? perCent(number, number.deflection) : kNone;
+}
+
+/// Error at work of one sigma where readings tell it, else of one per cent.
+double knowledgeFigure(const SensitivityReport& report, std::size_t n) {
+  const auto& number = report.figures.numbers[n];
+  const double sigma = sigmaOf(report, n);
+  if (std::isfinite(sigma)) return sigma * number.error;
+  return isDesignable(number) ? perCent(number, number.error) : kNone;
+}
+
+nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  const double unit = cell.units.factor(dimension::kLength);
+  for (const std::size_t n : ranked(report, designFigure)) {
+    const auto& number = report.figures.numbers[n];
+    list.push_back({{"name", number.parameter.name},
+                    {"kind", wordsOf(number.kind)->name},
+                    {"value", cell.units.toFile(number.parameter.value, dimensionOf(number.parameter.quantity))},
+                    {"unit", cell.units.nameOf(dimensionOf(number.parameter.quantity))},
+                    {"deflection_per_percent", finiteJson(perCent(number, number.deflection) / unit)},
+                    {"uncompensated_per_percent", finiteJson(perCent(number, number.centring) / unit)},
+                    {"sentence", sentence(number, cell.units)}});
+  }
+  return list;
+}
+
+nlohmann::json knowledgeJson(const SensitivityReport& report, const Cell& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  const double unit = cell.units.factor(dimension::kLength);
+  for (const std::size_t n : ranked(report, knowledgeFigure)) {
+    const auto& number = report.figures.numbers[n];
+    const double factor = cell.units.factor(dimensionOf(number.parameter.quantity)), sigma = sigmaOf(report, n);
+    nlohmann::json json = {{"name", number.parameter.name},
+                           {"value", finiteJson(number.parameter.value / factor)},
+                           {"unit", cell.units.nameOf(dimensionOf(number.parameter.quantity))},
+                           {"sigma", finiteJson(sigma / factor)},
+                           {"error_per_sigma", finiteJson(sigma * number.error / unit)}};
+    if (isDesignable(number)) {
+      json["error_per_percent"] = finiteJson(perCent(number, number.error) / unit);
+      json["error_per_percent_base_known"] = finiteJson(perCent(number, number.error_base_known) / unit);
+    }
+    list.push_back(json);
+  }
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string designText(const SensitivityReport& report, const Cell& cell) {
+  const double unit = cell.units.factor(dimension::kLength);
+  std::string text = "what to change, most first\n";
+  for (const std::size_t n : ranked(report, designFigure)) {
+    const auto& number = report.figures.numbers[n];
+    const double centring = perCent(number, number.centring), sag = perCent(number, number.deflection);
+    text += fmt::format("  {:<80} {:+10.3g}\n", sentence(number, cell.units), (sag > 0 ? -centring : centring) / unit);
+  }
+  return text + fmt::format("  (last column: what that does to the mean error without compensation, {})\n",
+                            cell.units.length().name);
+}
+
+std::string knowledgeText(const SensitivityReport& report, const Cell& cell) {
+  const double unit = cell.units.factor(dimension::kLength);
+  std::string text = fmt::format(
+      "what must be known, most first: mean error at work, {}, that compensation and calibration leave\n"
+      "  {:<36} {:>10} {:>12} {:>12}\n",
+      cell.units.length().name, "", "of 1 %", "base known", report.sigmas.empty() ? "" : "of one sigma");
+  for (const std::size_t n : ranked(report, knowledgeFigure)) {
+    const auto& number = report.figures.numbers[n];
+    text += fmt::format("  {:<36}", number.parameter.name);
+    text += isDesignable(number) ? fmt::format(" {:10.3g} {:12.3g}", perCent(number, number.error) / unit,
+                                               perCent(number, number.error_base_known) / unit)
+                                 : fmt::format(" {:>10} {:>12}", "", "");
+    if (const double sigma = sigmaOf(report, n); std::isfinite(sigma))
+      text += fmt::format(" {:12.3g}", sigma * number.error / unit);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell) {
+  const double unit = cell.units.factor(dimension::kLength);
+  return {{"work", {{"postures", report.work}, {"out_of_reach", report.work_lost}}},
+          {"touches", report.touches},
+          {"mean_deflection", finiteJson(report.figures.mean_deflection / unit)},
+          {"mean_uncompensated_error", finiteJson(report.figures.mean_uncompensated / unit)},
+          {"error", report.has_sheet ? "across the holes" : "whole"},
+          {"design", designJson(report, cell)},
+          {"knowledge", knowledgeJson(report, cell)},
+          {"units", unitsJson(cell.units)}};
+}
+
+std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
+  const double unit = cell.units.factor(dimension::kLength);
+  std::string text = fmt::format("{} postures at work{}; base {}\n", report.work,
+                                 report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
+                                 report.touches.empty() ? "known" : "placed by touching " + joined(report.touches));
+  if (!std::isfinite(report.figures.mean_deflection))
+    return text +
+           "no figures: the deflected arm does not settle at some of these postures; check loads and stiffnesses\n";
+  text +=
+      fmt::format("mean sag {:.4f} {}, mean {} without compensation {:.4f} {}\n", report.figures.mean_deflection / unit,
+                  cell.units.length().name, report.has_sheet ? "centring error" : "error",
+                  report.figures.mean_uncompensated / unit, cell.units.length().name);
+  return text + designText(report, cell) + knowledgeText(report, cell);
+}
+
+}  // namespace tubeplan::app

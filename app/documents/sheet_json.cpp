@@ -1,0 +1,28 @@
+#include "app/documents/sheet_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/units.hpp"
+
+namespace tubeplan::app {
+
+nlohmann::json sheetPageJson(const tubesheets::Sheet& sheet, const Cell& cell) {
+  const Units& units = cell.units;
+  nlohmann::json holes = nlohmann::json::array(), manway;
+  if (sheet.manway) manway = {sheet.manway->direction().x(), sheet.manway->direction().y()};
+  for (const auto& tube : sheet.tubes)
+    holes.push_back({tube.row, tube.column, lengthOf(tube.x, units), lengthOf(tube.y, units),
+                     tubesheets::tubeStateName(tube.state)});
+  return {{"name", cell.name},
+          {"leg", tubesheets::legName(sheet.leg)},
+          {"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"hole_diameter", lengthOf(sheet.hole_diameter, units)},
+          {"pitch", lengthOf(sheet.pitch, units)},
+          {"rows", sheet.rows},
+          {"columns", sheet.columns},
+          {"holes", holes},
+          {"manway", manway},
+          {"fingerprint", sheet.fingerprint()}};
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,14 @@
+// A table of steps as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/files/units.hpp"
+#include "app/studies/positioning/step_table.hpp"
+
+namespace tubeplan::app {
+
+/// {holes, zero, one, two, three, counts, no_posture, centring_error: {median, p95}}, or null where there is none.
+[[nodiscard]] nlohmann::json stepTableJson(const StepTable& table, const Units& units);
+
+}  // namespace tubeplan::app

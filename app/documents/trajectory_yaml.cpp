@@ -1,0 +1,41 @@
+#include "app/documents/trajectory_yaml.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "planner/trajectory.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+std::string listOf(const Eigen::VectorXd& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{}{:.12g}", text.empty() ? "" : ", ", value);
+  return "[" + text + "]";
+}
+
+std::string timeOf(double seconds) {
+  constexpr long kNanoseconds = 1'000'000'000;
+  const long whole = std::lround(seconds * 1e9);
+  return fmt::format("{{sec: {}, nanosec: {}}}", whole / kNanoseconds, whole % kNanoseconds);
+}
+
+}  // namespace
+
+std::string trajectoryYaml(const PlanOutcome& outcome) {
+  const auto& arm = outcome.model.arm;
+  std::vector<std::string> names;
+  for (const int row : deflection::activeRows(arm)) names.push_back(arm.rows[static_cast<std::size_t>(row)].joint.name);
+  std::string text =
+      fmt::format("header: {{stamp: {{sec: 0, nanosec: 0}}, frame_id: \"\"}}\njoint_names: [{}]\npoints:\n",
+                  fmt::join(names, ", "));
+  for (const auto& point : planner::trajectoryOf(outcome.plan, planner::jointSpeedsOf(arm)))
+    text += fmt::format("- {{positions: {}, velocities: {}, accelerations: {}, time_from_start: {}}}\n",
+                        listOf(point.position), listOf(point.speed), listOf(point.acceleration), timeOf(point.time));
+  return text;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,280 @@
+#include "app/files/arm_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "app/files/input_error.hpp"
+#include "app/files/quantities.hpp"
+#include "app/files/yaml/strict_yaml.hpp"
+#include "app/files/yaml/yaml_edit.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::Arm;
+using deflection::Joint;
+using deflection::JointType;
+using ArmRow = deflection::Row<double>;
+
+constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+constexpr std::array<const char*, 3> kInertias{"Ix", "Iy", "Iz"};
+
+JointType readJointType(const YamlNode& node) {
+  const std::string type = node.text();
+  if (type == "revolute") return JointType::kRevolute;
+  if (type == "prismatic") return JointType::kPrismatic;
+  node.fail("revolute or prismatic", "leave `joint` out for a row that does not move");
+}
+
+/// A joint that others drive has no reading, and so none of what belongs to one; `follows` is read once all rows are.
+Joint<double> readFollower(const YamlNode& node, const Units& units) {
+  node.expectKeys({"name", "type", "follows"}, {"offset"});
+  if (readJointType(node.at("type")) != JointType::kRevolute) node.at("type").fail("revolute, of a joint that follows");
+  Joint<double> joint;
+  joint.name = node.at("name").text();
+  joint.offset = readQuantityOr(node, "offset", units, dimension::kAngle, 0);
+  return joint;
+}
+
+// Speeds and accelerations are per second in every file.
+Joint<double> readJoint(const YamlNode& node, const Units& units) {
+  if (node.find("follows")) return readFollower(node, units);
+  node.expectKeys({"name", "type"},
+                  {"offset", "limits", "max_speed", "max_acceleration", "encoder_sigma", "gear_ratio"});
+  Joint<double> joint;
+  joint.name = node.at("name").text();
+  joint.type = readJointType(node.at("type"));
+  const Dimension unit = joint.type == JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
+  joint.offset = readQuantityOr(node, "offset", units, unit, 0);
+  joint.max_speed = readQuantityOr(node, "max_speed", units, unit, joint.max_speed);
+  joint.max_acceleration = readQuantityOr(node, "max_acceleration", units, unit, joint.max_acceleration);
+  joint.gear_ratio = readQuantityOr(node, "gear_ratio", units, dimension::kNone, 0);
+  joint.encoder_sigma = readQuantityOr(node, "encoder_sigma", units, unit, 0);
+  if (const YamlNode* limits = node.find("limits")) {
+    const auto& ends = limits->list(2, "a list of two numbers: lowest, highest");
+    joint.lower = readQuantity(ends[0], units, unit);
+    joint.upper = readQuantity(ends[1], units, unit);
+  }
+  return joint;
+}
+
+// What the joint itself moves may be left out of the row's numbers.
+deflection::DenavitHartenberg<double> readDh(const YamlNode& node, const Units& units, JointType type) {
+  std::vector<std::string> required{"alpha", "a"}, optional;
+  (type == JointType::kPrismatic ? optional : required).push_back("d");
+  (type == JointType::kRevolute ? optional : required).push_back("theta");
+  node.expectKeys(required, optional);
+  return {readQuantity(node.at("alpha"), units, dimension::kAngle),
+          readQuantity(node.at("a"), units, dimension::kLength),
+          readQuantityOr(node, "d", units, dimension::kLength, 0),
+          readQuantityOr(node, "theta", units, dimension::kAngle, 0)};
+}
+
+deflection::Origin<double> readOrigin(const YamlNode& node, const Units& units) {
+  node.expectKeys({"position", "rpy"}, {});
+  return {readVector(node.at("position"), units, dimension::kLength),
+          readVector(node.at("rpy"), units, dimension::kAngle)};
+}
+
+void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
+  const YamlNode* dh = node.find("dh");
+  const YamlNode* origin = node.find("origin");
+  if (dh && origin) node.fail("both `dh` and `origin`", "one of them", "remove the other");
+  if (!dh && !origin)
+    node.fail("neither `dh` nor `origin`", "one of them", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
+  if (dh)
+    row.placement = readDh(*dh, units, row.joint.type);
+  else
+    row.placement = readOrigin(*origin, units);
+}
+
+Eigen::Vector3d readJointStiffness(const YamlNode& node, const Units& units) {
+  node.expectKeys({}, {"x", "y", "z"});
+  Eigen::Vector3d stiffness;
+  for (int k = 0; k < 3; ++k)
+    stiffness[k] = readQuantityOr(node, kAxes[k], units, dimension::kTorquePerAngle, deflection::kRigid);
+  return stiffness;
+}
+
+// A flexibility that lacks its modulus (or a modulus without flexibility) would silently be rigid.
+void checkBeamKeys(const YamlNode& node) {
+  const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
+  const bool twists = node.find("J");
+  if (bends != (node.find("E") != nullptr))
+    node.fail(bends ? "Ix, Iy or Iz without E" : "E without Ix, Iy or Iz", "both for a beam that bends", "");
+  if (twists != (node.find("G") != nullptr))
+    node.fail(twists ? "J without G" : "G without J", "both for a beam that twists", "");
+  if (!bends && !twists)
+    node.fail("a beam that neither bends nor twists", "E with Ix, Iy or Iz, or G with J",
+              "leave `beam` out where it is rigid");
+}
+
+deflection::Beam<double> readBeam(const YamlNode& node, const Units& units) {
+  node.expectKeys({}, {"E", "Ix", "Iy", "Iz", "G", "J", "segments"});
+  checkBeamKeys(node);
+  deflection::Beam<double> beam;
+  beam.E = readQuantityOr(node, "E", units, dimension::kPressure, beam.E);
+  beam.G = readQuantityOr(node, "G", units, dimension::kPressure, beam.G);
+  beam.J = readQuantityOr(node, "J", units, dimension::kLengthToTheFourth, beam.J);
+  for (int k = 0; k < 3; ++k)
+    beam.I[k] = readQuantityOr(node, kInertias[k], units, dimension::kLengthToTheFourth, deflection::kRigid);
+  if (const YamlNode* segments = node.find("segments")) beam.segments = segments->integer(1, 1000);
+  return beam;
+}
+
+deflection::Weight<double> readWeight(const YamlNode& node, const Units& units) {
+  node.expectKeys({}, {"distributed", "end", "lumps"});
+  deflection::Weight<double> weight;
+  weight.distributed = readQuantityOr(node, "distributed", units, dimension::kForcePerLength, 0);
+  weight.end = readQuantityOr(node, "end", units, dimension::kForce, 0);
+  const YamlNode* lumps = node.find("lumps");
+  if (!lumps) return weight;
+  for (const YamlNode& lump : lumps->list()) {
+    lump.expectKeys({"weight", "at"}, {});
+    weight.lumps.push_back({readQuantity(lump.at("weight"), units, dimension::kForce),
+                            readVector(lump.at("at"), units, dimension::kLength)});
+  }
+  return weight;
+}
+
+ArmRow readRow(const YamlNode& node, const Units& units) {
+  node.expectKeys({"name"}, {"dh", "origin", "joint", "joint_stiffness", "beam", "weight"});
+  ArmRow row;
+  row.name = node.at("name").text();
+  if (row.name.find_first_of(".[] ") != std::string::npos)
+    node.at("name").fail("a name without blanks, dots and brackets");
+  if (const YamlNode* joint = node.find("joint")) row.joint = readJoint(*joint, units);
+  readPlacement(node, units, row);
+  if (const YamlNode* stiffness = node.find("joint_stiffness"))
+    row.joint_stiffness = readJointStiffness(*stiffness, units);
+  if (const YamlNode* beam = node.find("beam")) row.beam = readBeam(*beam, units);
+  if (const YamlNode* weight = node.find("weight")) row.weight = readWeight(*weight, units);
+  return row;
+}
+
+/// Which rows' joints a row follows, by the names of the joints.
+std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, const Arm& arm) {
+  if (follows.kind != YamlNode::Kind::kMap || follows.keys.empty())
+    follows.fail("one JOINT: RATIO or more, as {theta1: -1}");
+  std::vector<deflection::FollowedJoint> followed;
+  for (std::size_t k = 0; k < follows.keys.size(); ++k) {
+    const auto row = std::find_if(arm.rows.begin(), arm.rows.end(), [&](const ArmRow& candidate) {
+      return candidate.joint.type == JointType::kRevolute && candidate.joint.name == follows.keys[k];
+    });
+    if (row == arm.rows.end())
+      follows.items[k].fail("joints that turn by readings of their own", "write JOINT: RATIO, as {theta1: -1}");
+    followed.push_back({static_cast<int>(row - arm.rows.begin()), follows.items[k].number()});
+  }
+  return followed;
+}
+
+void readTool(const YamlNode& node, ArmSource& source) {
+  node.expectKeys({"tip"}, {"axis"});
+  source.arm.p_LT = readVector(node.at("tip"), source.units, dimension::kLength);
+  const YamlNode* axis = node.find("axis");
+  source.names_tool_axis = axis != nullptr;
+  if (axis) source.arm.tool_axis_L = readDirection(*axis);
+}
+
+void checkArm(const YamlNode& node, const Arm& arm) {
+  const auto problems = deflection::findProblems(arm);
+  if (problems.empty()) return;
+  const deflection::ArmProblem& first = problems.front();
+  const YamlNode& at = findArmNode(node, first.path);
+  // The library speaks in internal units; the user's own number says more.
+  const std::string value = at.kind == YamlNode::Kind::kScalar ? " (" + at.scalar + ")" : "";
+  throw InputError(at.where(first.path), first.found + value, first.expected);
+}
+
+const YamlNode* findRow(const YamlNode& arm, std::string_view name) {
+  const YamlNode* links = arm.find("links");
+  if (!links) return nullptr;
+  for (const YamlNode& row : links->items) {
+    const YamlNode* row_name = row.find("name");
+    if (row_name && row_name->scalar == name) return &row;
+  }
+  return nullptr;
+}
+
+bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest == "axis"; }
+
+// A parameter's path below its row or tool: list components become [i], a lump its weight.
+std::string pathBelow(std::string_view rest) {
+  constexpr std::string_view kLumps = "weight.lumps.";
+  if (rest.starts_with(kLumps))
+    return fmt::format("weight.lumps[{}].weight", std::stoi(std::string(rest.substr(kLumps.size()))) - 1);
+  const std::size_t dot = rest.rfind('.');
+  const std::string_view parent = rest.substr(0, dot == std::string_view::npos ? 0 : dot);
+  if (parent == "tip" || parent == "origin.position")
+    return fmt::format("{}[{}]", parent, std::string_view("xyz").find(rest.back()));
+  if (parent == "origin.rpy") return fmt::format("origin.rpy[{}]", std::string_view("rpy").find(rest.back()));
+  return std::string(rest);
+}
+
+}  // namespace
+
+ArmSource readArm(const YamlNode& node) {
+  node.expectKeys({"units", "links", "tool"}, {"name", "gravity", "reference_temperature"});
+  ArmSource source;
+  source.units = Units(node.at("units"));
+  Arm& arm = source.arm;
+  if (const YamlNode* name = node.find("name")) arm.name = name->text();
+  if (const YamlNode* gravity = node.find("gravity")) arm.gravity_W = readDirection(*gravity);
+  if (const YamlNode* reference = node.find("reference_temperature"))
+    arm.reference_temperature = source.units.temperatureToInternal(reference->number());
+  for (const YamlNode& row : node.at("links").list()) arm.rows.push_back(readRow(row, source.units));
+  for (std::size_t k = 0; k < arm.rows.size(); ++k) {
+    const YamlNode* joint = node.at("links").items[k].find("joint");
+    if (const YamlNode* follows = joint ? joint->find("follows") : nullptr)
+      arm.rows[k].joint.follows = readFollowed(*follows, arm);
+  }
+  readTool(node.at("tool"), source);
+  checkArm(node, arm);
+  return source;
+}
+
+const YamlNode& findArmNode(const YamlNode& arm, std::string_view name) {
+  const std::string path = armPath(arm, name);
+  const YamlNode* best = &arm;
+  for (std::size_t end = 0; end < path.size(); ++end) {
+    if (end + 1 < path.size() && path[end + 1] != '.' && path[end + 1] != '[') continue;
+    const std::string_view part = std::string_view(path).substr(0, end + 1);
+    if (const YamlNode* node = findNode(arm, part)) best = node;
+  }
+  return *best;
+}
+
+std::string armPath(const YamlNode& arm, std::string_view name) {
+  const std::string prefix = arm.path.empty() ? "" : arm.path + ".";
+  const std::size_t dot = name.find('.');
+  const std::string_view first = name.substr(0, dot);
+  const std::string_view rest = dot == std::string_view::npos ? "" : name.substr(dot + 1);
+  // The last row may be called `tool` too: only the tip and the axis are the tool's own.
+  const YamlNode* row = first == "tool" && isToolKey(rest) ? nullptr : findRow(arm, first);
+  if (row) return rest.empty() ? row->path : row->path + "." + pathBelow(rest);
+  return arm.find(first) ? prefix + std::string(first) + (rest.empty() ? "" : "." + pathBelow(rest)) : "";
+}
+
+std::string withArmParameters(const std::string& text, const YamlNode& arm, const ArmSource& source,
+                              const std::vector<std::pair<std::string, double>>& parameters) {
+  std::string out = text;
+  for (const auto& [name, value] : parameters) {
+    const auto parameter = deflection::findParameter(source.arm, name);
+    assert(parameter.has_value());
+    out = withYamlValue(out, armPath(arm, name),
+                        formatNumber(source.units.toFile(value, dimensionOf(parameter->quantity))));
+  }
+  return out;
+}
+
+std::string withoutArmParameters(const std::string& text, const YamlNode& arm, const std::vector<std::string>& names) {
+  std::string out = text;
+  for (const auto& name : names) out = withoutYamlValue(out, armPath(arm, name));
+  return out;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,19 @@
+// What a user says is wrong with readings (--assume), and the readings mended accordingly, in memory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/measurements_reader.hpp"
+
+namespace tubeplan::app {
+
+/// "coordinates=UNIT, loads=UNIT, ...".
+[[nodiscard]] std::string assumptionsText();
+
+/// Takes each NAME=VALUE in turn, as calibration::mistakeKinds() has them. True where `as-is` is among them: what looks
+/// wrong is to be gone on with. Throws InputError for a name or value that there is not.
+bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,23 @@
+// A measurement campaign's design out of a YAML file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "calibration/simulation/campaign_design.hpp"
+
+namespace tubeplan::app {
+
+struct CampaignFile {
+  calibration::CampaignDesign design;
+  std::optional<int> postures;  ///< how many; each is read under every load
+};
+
+/// Reads {kind: position | touch | deflection | distance, at: anywhere | plane | holes, points: known | unknown,
+/// postures, postures_per_point, loads: [...], anchor: [x, y, z], region: {from: [x, y, z], to: [x, y, z]}, setups,
+/// split, sigma, name}, all but the kind optional (the anchor of distances is not), in the cell's units. Throws
+/// InputError, with the line, for what is not as documented.
+[[nodiscard]] CampaignFile readCampaignFile(const std::string& path, const Units& units, bool has_sheet);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,85 @@
+#include "app/files/command_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/text_file.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+std::vector<std::string> splitAtCommas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    parts.emplace_back(tubesheets::trimBlanks(std::string_view(text).substr(start, comma - start)));
+    start = comma + 1;
+  }
+  return parts;
+}
+
+double parseJoint(const std::string& text, const deflection::Joint<double>& joint, const Units& units,
+                  const std::string& option) {
+  const Dimension unit = jointDimension(joint);
+  const auto value = tubesheets::parseNumber(text);
+  if (!value)
+    throw InputError(option + " (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
+  const double q = units.toInternal(*value, unit);
+  constexpr double kSlack = 1e-12;  // a limit itself, after its conversion
+  if (q < joint.lower - kSlack || q > joint.upper + kSlack)
+    throw InputError(
+        option + " (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
+        fmt::format("a value between the joint's limits, {} and {}", formatNumber(units.toFile(joint.lower, unit)),
+                    formatNumber(units.toFile(joint.upper, unit))));
+  return q;
+}
+
+bool namesCsvFile(const std::string& request) { return std::filesystem::path(request).extension() == ".csv"; }
+
+}  // namespace
+
+Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
+                            const std::string& option) {
+  const auto active = deflection::activeRows(arm);
+  const auto parts = splitAtCommas(text);
+  if (parts.size() != active.size())
+    throw InputError(option, fmt::format("{} numbers", parts.size()),
+                     fmt::format("{}, one for each joint of the arm", active.size()), "write " + option + "=A,B,...");
+  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t i = 0; i < active.size(); ++i)
+    q[static_cast<Eigen::Index>(i)] =
+        parseJoint(parts[i], arm.rows[static_cast<std::size_t>(active[i])].joint, units, option);
+  return q;
+}
+
+double parseLoad(double load, const Units& units) {
+  if (!std::isfinite(load) || load < 0)
+    throw InputError("--load", fmt::format("{}", load),
+                     "a finite weight in " + std::string(units.force().name) + ", zero or more");
+  return units.toInternal(load, dimension::kForce);
+}
+
+tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet, const std::string& option) {
+  tubesheets::Selection selection;
+  if (namesCsvFile(request)) {
+    const auto list = tubesheets::parseWorkListCsv(readTextFile(request));
+    if (list.problem)
+      throw InputError(fmt::format("{}:{} ({})", request, list.problem->line, list.problem->what), list.problem->found,
+                       list.problem->expected, list.problem->advice);
+    selection = tubesheets::selectTubes(sheet, list);
+  } else {
+    selection = tubesheets::selectTubes(sheet, request);
+  }
+  if (selection.status != tubesheets::SelectionStatus::kSelected)
+    throw InputError(option, inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
+                     "`tubeplan map CELL --csv holes.csv` lists them");
+  return selection;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,28 @@
+// What several commands take from the command line.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "deflection/arm.hpp"
+#include "tubesheets/sheet.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::app {
+
+/// "A,B,C,D": one reading for each active joint, in the cell's unit of angle (length for a prismatic joint), to
+/// internal units. Throws InputError for another count, for anything that is no finite number and for a value past its
+/// joint's limits; `option` is where they stand.
+[[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
+                                          const std::string& option = "--joints");
+
+/// The hung load in the cell's unit of force, to N. Throws InputError unless it is finite and not negative.
+[[nodiscard]] double parseLoad(double load, const Units& units);
+
+/// The tubes that --tubes asks for: the selection language of tubesheets/work_list.hpp, or the name of a work list in a
+/// .csv file. Throws InputError for what either refuses; `option` is where they are asked for.
+[[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
+                                              const std::string& option = "--tubes");
+
+}  // namespace tubeplan::app

@@ -1,0 +1,366 @@
+#include "app/files/measurements_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "app/files/input_error.hpp"
+#include "app/files/measurement_columns.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/files/text_file.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement;
+using calibration::MeasurementKindRow;
+
+/// One row of the table, for reading its fields and complaining about them.
+class RowReader {
+ public:
+  RowReader(const tubesheets::CsvTable& table, const tubesheets::CsvRow& row, const std::string& file)
+      : table_(table), row_(row), file_(file) {}
+
+  [[nodiscard]] const std::string& field(std::size_t index) const { return row_.fields[index]; }
+
+  [[nodiscard]] std::string textOr(const std::optional<std::size_t>& index) const { return index ? field(*index) : ""; }
+
+  [[nodiscard]] double number(std::size_t index) const {
+    const auto value = tubesheets::parseNumber(field(index));
+    if (!value) fail(index, describe(field(index)), "a finite number");
+    return *value;
+  }
+
+  [[nodiscard]] double number(const NumberColumn& column) const {
+    const double value = number(column.index);
+    return column.unit ? (value + column.unit->offset) * column.unit->factor : value;
+  }
+
+  /// NaN where there is no such column or nothing in it.
+  [[nodiscard]] double numberOrNaN(const std::optional<std::size_t>& index) const {
+    return index && !field(*index).empty() ? number(*index) : std::numeric_limits<double>::quiet_NaN();
+  }
+  [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const {
+    return column && !field(column->index).empty() ? number(*column) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
+                         const std::string& advice = "") const {
+    throw InputError(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), found, expected,
+                     advice);
+  }
+
+  [[noreturn]] void failRow(const std::string& found, const std::string& expected,
+                            const std::string& advice = "") const {
+    throw InputError(fmt::format("{}:{}", file_, row_.line), found, expected, advice);
+  }
+
+  [[nodiscard]] int line() const { return row_.line; }
+
+ private:
+  static std::string describe(const std::string& text) { return text.empty() ? "nothing" : inQuotes(text); }
+
+  const tubesheets::CsvTable& table_;
+  const tubesheets::CsvRow& row_;
+  const std::string& file_;
+};
+
+const MeasurementKindRow& readKind(const RowReader& row, const MeasurementColumns& columns) {
+  if (const auto* kind = calibration::findMeasurementKind(row.field(columns.kind))) return *kind;
+  const auto names = calibration::measurementKindNames();
+  row.fail(columns.kind, "the kind " + inQuotes(row.field(columns.kind)), alternatives(names),
+           suggestion(row.field(columns.kind), names));
+}
+
+// A reading may lie past a limit by its own noise, but not by more.
+bool isPast(const deflection::Joint<double>& joint, double q) {
+  const double slack = 1e-9 + 5 * joint.encoder_sigma;
+  return !(q >= joint.lower - slack && q <= joint.upper + slack);
+}
+
+Eigen::VectorXd readJoints(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm) {
+  const auto active = deflection::activeRows(arm);
+  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t i = 0; i < active.size(); ++i) q[static_cast<Eigen::Index>(i)] = row.number(columns.joints[i]);
+  return q;
+}
+
+/// Three numbers that are there together or not at all, NaN where one is not.
+std::optional<Eigen::Vector3d> allOrNone(const RowReader& row, const Eigen::Vector3d& numbers, const char* names) {
+  const auto missing = numbers.array().isNaN().count();
+  if (missing == 3) return std::nullopt;
+  if (missing > 0) row.failRow(fmt::format("some of the {}", names), "all three or none");
+  return numbers;
+}
+
+std::optional<Eigen::Vector3d> readCoordinates(const RowReader& row, const MeasurementColumns& columns) {
+  return allOrNone(row, {row.numberOrNaN(columns.x), row.numberOrNaN(columns.y), row.numberOrNaN(columns.z)},
+                   "coordinates x, y, z");
+}
+
+std::optional<Eigen::Vector3d> readToolPoint(const RowReader& row, const MeasurementColumns& columns) {
+  return allOrNone(row,
+                   {row.numberOrNaN(columns.tool_x), row.numberOrNaN(columns.tool_y), row.numberOrNaN(columns.tool_z)},
+                   "measured point's tool_x, tool_y, tool_z");
+}
+
+/// Standard deviations of the coordinates apart, of kinds that measure them.
+std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
+                                          const MeasurementKindRow& kind) {
+  const auto sigmas = allOrNone(
+      row, {row.numberOrNaN(columns.sigma_x), row.numberOrNaN(columns.sigma_y), row.numberOrNaN(columns.sigma_z)},
+      "coordinates' sigma_x, sigma_y, sigma_z");
+  if (!sigmas) return std::nullopt;
+  if (!(sigmas->minCoeff() > 0))
+    row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
+  if (!kind.has_coordinates)
+    row.failRow(fmt::format("sigma_x, sigma_y, sigma_z of a reading of kind {}", kind.name),
+                "its one `sigma`: it measures no x, y, z");
+  return sigmas;
+}
+
+std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
+  const auto direction =
+      allOrNone(row, {row.numberOrNaN(columns.dx), row.numberOrNaN(columns.dy), row.numberOrNaN(columns.dz)},
+                "direction's dx, dy, dz");
+  if (!direction) return std::nullopt;
+  if (!(direction->norm() > 0)) row.failRow("the direction 0, 0, 0", "one that points somewhere");
+  return direction->normalized();
+}
+
+std::vector<int> readSenses(const RowReader& row, const MeasurementColumns& columns) {
+  std::vector<int> senses;
+  for (const std::size_t column : columns.senses) {
+    const auto sense = tubesheets::parseInteger(row.field(column));
+    if (!sense || *sense < -1 || *sense > 1) row.fail(column, inQuotes(row.field(column)), "-1, 0 or 1");
+    senses.push_back(*sense);
+  }
+  return senses;
+}
+
+bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
+  if (!column || row.field(*column) == "fit" || row.field(*column).empty()) return false;
+  if (row.field(*column) != "held-out") row.fail(*column, inQuotes(row.field(*column)), "fit or held-out");
+  return true;
+}
+
+// The sheet's frame is the world's.
+std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns,
+                                          const std::string& point, const tubesheets::Sheet* sheet) {
+  const auto name = tubesheets::parseTubeName(point);
+  if (!sheet || !name) return std::nullopt;
+  const tubesheets::Tube* tube = sheet->find(name->row, name->column);
+  if (!tube)
+    row.fail(*columns.point, "the hole " + inQuotes(point),
+             fmt::format("a hole of the sheet: rows 1 to {}, columns 1 to {}", sheet->rows, sheet->columns));
+  return Eigen::Vector3d(tube->x, tube->y, 0);
+}
+
+/// "distance_in (or _mm, _cm, _m, _ft)"
+std::string columnText(const calibration::MeasuredColumn& column) {
+  if (column.quantity == deflection::Quantity::kNone) return column.name;
+  const auto units = unitNames(unitKindOf(column.quantity));
+  std::vector<std::string> others(units.begin() + 1, units.end());
+  return fmt::format("{}_{} (or _{})", column.name, units.front(), fmt::join(others, ", _"));
+}
+
+Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind) {
+  Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < kind.columns.size(); ++k)
+    if (const auto column = columns.own.find(kind.columns[k].name); column != columns.own.end())
+      own[static_cast<Eigen::Index>(k)] = row.numberOrNaN(std::optional(column->second));
+  return own;
+}
+
+/// Kinds that measure some of their numbers need one, the others all.
+void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
+  const auto count = static_cast<Eigen::Index>(kind.columns.size());
+  const Eigen::Index stated = count - m.own.head(count).array().isNaN().count();
+  const bool is_by_place = kind.is_from_reading && m.p_W;
+  const bool is_enough = is_by_place ? stated == 0 : kind.is_partly_seen ? stated > 0 : stated == count;
+  const bool is_right = is_by_place || !kind.is_above_zero || m.own[0] > 0;
+  if (is_enough && is_right) return;
+  std::vector<std::string> names, columns;
+  for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
+  row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, fmt::join(names, ", ")),
+              fmt::format("{}number{} in the column{} {}", count > 1 ? "" : "a ",
+                          kind.is_above_zero ? " above zero"
+                          : count > 1        ? "s"
+                                             : "",
+                          count > 1 ? "s" : "", fmt::join(columns, ", ")));
+}
+
+void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
+  if (kind.is_touch && m.point.empty())
+    row.failRow("a touch without a point", "the point's name in the column 'point'");
+  if (!kind.is_touch && !kind.is_without_place && !kind.is_from_reading && !m.p_W)
+    row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
+  checkOwn(row, kind, m);
+  if (kind.has_direction && !m.direction_W)
+    row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
+                "its direction in the columns dx, dy, dz (of any length)");
+  if (m.p_TQ && kind.is_displacement)
+    row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
+  if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
+  if (m.turn_sigma <= 0) row.failRow("a turn_sigma that is not above zero", "one standard deviation of an angle");
+  if (m.load < 0) row.failRow("a negative load", "zero or more");
+}
+
+Measurement readRow(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm,
+                    const tubesheets::Sheet* sheet) {
+  Measurement m;
+  const MeasurementKindRow& kind = readKind(row, columns);
+  m.line = row.line();
+  m.kind = kind.kind;
+  m.id = row.field(columns.id);
+  if (m.id.empty()) row.fail(columns.id, "nothing", "a name for the reading");
+  m.point = row.textOr(columns.point);
+  m.setup = row.textOr(columns.setup);
+  m.load = columns.load ? row.number(*columns.load) : 0;
+  m.q = readJoints(row, columns, arm);
+  m.p_W = readCoordinates(row, columns);
+  if (!m.p_W && kind.names_hole) m.p_W = holeCentre(row, columns, m.point, sheet);
+  m.own = readOwn(row, columns, kind);
+  m.p_TQ = readToolPoint(row, columns);
+  m.direction_W = kind.is_to_gravity ? std::optional<Eigen::Vector3d>(-arm.gravity_W) : readDirection(row, columns);
+  m.sigma = row.numberOrNaN(columns.sigma);
+  m.sigma_W = readSigmas(row, columns, kind);
+  if (m.sigma_W) m.sigma = std::sqrt(m.sigma_W->squaredNorm() / 3);
+  m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
+  m.senses = readSenses(row, columns);
+  m.temperature = row.numberOrNaN(columns.temperature);
+  m.time = row.numberOrNaN(columns.time);
+  m.is_held_out = readSplit(row, columns.split);
+  checkKind(row, kind, m);
+  return m;
+}
+
+/// The reading that a relative one is taken from, by its id: any other of the same set-up, whatever its kind.
+std::shared_ptr<const Measurement> readReference(const RowReader& row, const MeasurementColumns& columns,
+                                                 const std::map<std::string, std::size_t>& index,
+                                                 const std::vector<Measurement>& readings, const Measurement& m) {
+  const std::string id = row.textOr(columns.from);
+  if (id.empty())
+    row.failRow("a reading of kind relative without the one that it is taken from",
+                "another reading's id in the column 'from'");
+  const auto found = index.find(id);
+  if (found == index.end() || id == m.id)
+    row.fail(*columns.from, id == m.id ? "the reading's own id" : "the unknown id " + inQuotes(id),
+             "the id of another reading");
+  const Measurement& other = readings[found->second];
+  if (other.setup != m.setup)
+    row.fail(*columns.from, fmt::format("the reading {} of another set-up", inQuotes(id)), "one of the same set-up");
+  auto reference = std::make_shared<Measurement>(other);
+  reference->reference = nullptr;
+  return reference;
+}
+
+}  // namespace
+
+std::vector<Measurement> readMeasurements(const std::string& path, const deflection::Arm& arm,
+                                          const tubesheets::Sheet* sheet) {
+  return parseMeasurements(readTextFile(path), path, arm, sheet);
+}
+
+bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
+  const auto active = deflection::activeRows(arm);
+  for (std::size_t i = 0; i < active.size(); ++i)
+    if (isPast(arm.rows[static_cast<std::size_t>(active[i])].joint, reading.q[static_cast<Eigen::Index>(i)]))
+      return true;
+  return false;
+}
+
+void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
+                         const std::string& advice) {
+  const auto active = deflection::activeRows(arm);
+  for (const auto& reading : table.readings)
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const auto& joint = arm.rows[static_cast<std::size_t>(active[i])].joint;
+      const auto& column = table.joints[i];
+      const double q = reading.q[static_cast<Eigen::Index>(i)];
+      if (!isPast(joint, q)) continue;
+      throw InputError(
+          fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),
+          fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.factor),
+                      formatNumber(joint.upper / column.factor), column.unit),
+          advice);
+    }
+}
+
+std::vector<Measurement> parseMeasurements(const std::string& text, const std::string& file, const deflection::Arm& arm,
+                                           const tubesheets::Sheet* sheet) {
+  auto table = parseMeasurementTable(text, file, arm, sheet);
+  requireWithinLimits(table, arm, file);
+  return std::move(table.readings);
+}
+
+namespace {
+
+std::vector<calibration::NamedUnit> unitsOf(UnitKind kind) {
+  std::vector<calibration::NamedUnit> units;
+  for (const auto& name : unitNames(kind)) units.push_back({name, findUnit(kind, name)->factor});
+  return units;
+}
+
+/// The units as the columns name them; of what has no column, without a name.
+calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
+  calibration::ReadingUnits units;
+  units.coordinates.name = units.loads.name = "";
+  const auto take = [](const std::optional<NumberColumn>& column, calibration::NamedUnit& unit) {
+    if (column) unit = {std::string(column->unit->name), column->unit->factor};
+  };
+  for (const auto& [name, column] : columns.own)
+    if (column.unit && column.unit->kind == UnitKind::kLength)
+      units.coordinates = {std::string(column.unit->name), column.unit->factor};
+  take(columns.x, units.coordinates);
+  take(columns.load, units.loads);
+  units.sigma = units.coordinates;
+  take(columns.sigma, units.sigma);
+  for (const auto& joint : columns.joints)
+    if (joint.unit->kind == UnitKind::kAngle) units.angles = {std::string(joint.unit->name), joint.unit->factor};
+  units.lengths = units.sigmas = unitsOf(UnitKind::kLength);
+  units.sigmas.push_back({"mil", 2.54e-5});
+  units.sigmas.push_back({"um", 1e-6});
+  units.forces = unitsOf(UnitKind::kForce);
+  units.forces.push_back({"kN", 1e3});
+  units.forces.push_back({"kip", 1e3 * findUnit(UnitKind::kForce, "lbf")->factor});
+  units.forces.push_back({"gf", 1e-3 * findUnit(UnitKind::kForce, "kgf")->factor});
+  units.angle_units = unitsOf(UnitKind::kAngle);
+  return units;
+}
+
+}  // namespace
+
+MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file, const deflection::Arm& arm,
+                                       const tubesheets::Sheet* sheet) {
+  const tubesheets::CsvTable table = tubesheets::parseCsv(text);
+  if (table.problem)
+    throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found,
+                     table.problem->expected, table.problem->advice);
+  const MeasurementColumns columns = findColumns(table, file, arm);
+  if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
+  MeasurementTable read;
+  read.units = unitsOf(columns);
+  for (const auto& joint : columns.joints)
+    read.joints.push_back({joint.name, std::string(joint.unit->name), joint.unit->factor});
+  std::vector<Measurement>& out = read.readings;
+  std::map<std::string, std::size_t> index;
+  for (const auto& row : table.rows) {
+    const RowReader reader(table, row, file);
+    out.push_back(readRow(reader, columns, arm, sheet));
+    const auto [first, is_new] = index.emplace(out.back().id, out.size() - 1);
+    if (!is_new)
+      reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
+                  fmt::format("it stands at line {} already", out[first->second].line));
+  }
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (kindOf(out[k]).is_from_reading)
+      out[k].reference = readReference(RowReader(table, table.rows[k], file), columns, index, out, out[k]);
+  return read;
+}
+
+}  // namespace tubeplan::app

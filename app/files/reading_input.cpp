@@ -1,0 +1,222 @@
+#include "app/files/reading_input.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/files/assumptions.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/priors_reader.hpp"
+#include "app/files/text_file.hpp"
+#include "app/files/touch_input.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/measurement_posture.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/reading_problems.hpp"
+#include "deflection/effects/formula.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Identification, calibration::Measurement;
+
+/// Touches of points that nobody measured reward a smaller arm: nothing in them is a length.
+std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
+  constexpr double kTooGood = 0.5;  // of chi-square per degree of freedom
+  constexpr int kMany = 30;         // degrees of freedom from which that is no chance
+  const bool is_blind = std::all_of(readings.begin(), readings.end(),
+                                    [](const Measurement& reading) { return touchesUnknownPoint(reading); });
+  if (!is_blind || result.degrees_of_freedom < kMany) return "";
+  const double per_degree = result.chi2 / result.degrees_of_freedom;
+  if (!(per_degree < kTooGood)) return "";
+  return fmt::format(
+      "what is left is far below the noise ({:.2g} of chi-square per degree of freedom): touches of points that nobody "
+      "measured are fitted best by an arm that shrinks; hold its lengths or measure one, unless sigma is too large",
+      per_degree);
+}
+
+void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
+  const auto counts = [](const Measurement& reading) { return kindOf(reading).counts_steps; };
+  const auto first = std::find_if(readings.begin(), readings.end(), counts);
+  if (first == readings.end()) return;
+  if (!cell.tool)
+    throw InputError(fmt::format("{}:{}", file, first->line), "steps without a calibration tool in the cell",
+                     "its steps and tolerances", "add `tool` to " + cell.path);
+  settleSteps(readings, *cell.tool, file);
+}
+
+/// A reading of nothing but angles has their noise at the lever as its own.
+void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& cell) {
+  const auto& kind = kindOf(reading);
+  if (kind.turn_rows == 0) return;
+  if (!std::isfinite(reading.turn_sigma))
+    throw InputError(fmt::format("{}:{}", file, reading.line),
+                     fmt::format("a reading of kind {} without turn_sigma", kind.name), "the noise of its angles",
+                     fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
+  if (kind.rows <= kind.turn_rows) reading.sigma = calibration::kTurnLever * reading.turn_sigma;
+}
+
+}  // namespace
+
+void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
+  if (!std::isfinite(sigma) || sigma < 0)
+    throw InputError("--sigma", fmt::format("{}", sigma),
+                     "a noise above zero, in " + std::string(cell.units.length().name));
+  settleCounts(readings, cell, file);
+  for (auto& reading : readings) {
+    stateTurnSigma(reading, file, cell);
+    if (std::isfinite(reading.sigma)) continue;
+    if (sigma > 0)
+      reading.sigma = cell.units.toInternal(sigma, dimension::kLength);
+    else if (isTouch(reading) && cell.tool)
+      reading.sigma = touchSigmaOf(*cell.tool);
+    else
+      throw InputError(fmt::format("{}:{}", file, reading.line), "a reading without sigma", "its noise",
+                       fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+  }
+}
+
+void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
+  for (const auto& reading : readings) {
+    const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
+    const auto undefined = deflection::findUndefinedFormula(cell.arm, posture);
+    if (!undefined.empty())
+      throw InputError(fmt::format("{}:{} (reading {})", file, reading.line, reading.id), undefined,
+                       "a formula with a finite value at every reading", "change the formula in " + cell.path);
+  }
+}
+
+namespace {
+
+std::vector<Measurement> asFitsWant(std::vector<Measurement> readings, const std::string& file, const Cell& cell,
+                                    double sigma) {
+  stateSigma(readings, cell, file, sigma);
+  requireDefinedFormulas(readings, cell, file);
+  return readings;
+}
+
+}  // namespace
+
+std::vector<Measurement> readReadings(const std::string& file, const Cell& cell, double sigma) {
+  return asFitsWant(readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
+}
+
+CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
+                              const MeasurementOptions& options) {
+  CellReadings read{readCell(cell), nameOf(measurements), {}};
+  takePriors(options.priors, read.cell);
+  auto [readings, checks] = readAndCheck(measurements, read.cell, options);
+  read.readings = std::move(readings);
+  read.checks = std::move(checks);
+  return read;
+}
+
+namespace {
+
+/// Of what has no column: the cell's.
+void nameUnits(const Cell& cell, calibration::ReadingUnits& units) {
+  const auto name = [](const Unit& unit, calibration::NamedUnit& named) {
+    if (named.name.empty()) named = {std::string(unit.name), unit.factor};
+  };
+  name(cell.units.length(), units.coordinates);
+  name(cell.units.length(), units.sigma);
+  name(cell.units.force(), units.loads);
+}
+
+calibration::CheckedReadings asChecked(const MeasurementTable& table, const Cell& cell) {
+  return {startOf(cell, table.readings), table.readings, freeNumbersOf(cell), table.units,
+          cell.sheet ? &*cell.sheet : nullptr};
+}
+
+/// What to do about joint readings past their limits: the mistake that would bring them back, where there is one.
+std::string adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
+  const auto checks = calibration::checkMeasurements(asChecked(table, cell));
+  const auto* mistake = calibration::grossMistake(checks);
+  return mistake && !mistake->assume.empty() ? fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume)
+                                             : "";
+}
+
+MeasurementTable tableOf(const std::string& text, const std::string& file, const Cell& cell,
+                         const MeasurementOptions& options) {
+  checkText(file, text);
+  MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  nameUnits(cell, table.units);
+  stateSigma(table.readings, cell, file, options.sigma);
+  return table;
+}
+
+/// The tables one after another, every reading with an id of its own.
+MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const MeasurementOptions& options) {
+  MeasurementTable all;
+  std::set<std::string> ids;
+  for (const auto& file : files) {
+    MeasurementTable table = tableOf(readTextFile(file), file, cell, options);
+    for (const auto& reading : table.readings)
+      if (!ids.insert(reading.id).second)
+        throw InputError(fmt::format("{}:{} (id)", file, reading.line), inQuotes(reading.id) + " again",
+                         "an id of its own in all files");
+    if (!all.readings.empty()) table.readings.insert(table.readings.begin(), all.readings.begin(), all.readings.end());
+    all = std::move(table);
+  }
+  return all;
+}
+
+ReadingsWithChecks checkTable(MeasurementTable table, const std::string& file, Cell& cell,
+                              const MeasurementOptions& options) {
+  const bool is_overruled = takeAssumptions(options.assume, table, cell);
+  const bool is_past = std::any_of(table.readings.begin(), table.readings.end(),
+                                   [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
+  if (is_past) requireWithinLimits(table, cell.arm, file, adviceOnLimits(table, cell));
+  requireDefinedFormulas(table.readings, cell, file);
+  auto checks = calibration::checkMeasurements(asChecked(table, cell));
+  if (is_overruled)
+    for (auto& check : checks.checks) check.severity = calibration::CheckSeverity::kRemark;
+  return {std::move(table.readings), std::move(checks)};
+}
+
+}  // namespace
+
+ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
+                                 const MeasurementOptions& options) {
+  return checkTable(tableOf(text, file, cell, options), file, cell, options);
+}
+
+std::string nameOf(const ReadingFiles& files) { return fmt::format("{}", fmt::join(files, " + ")); }
+
+ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options) {
+  return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
+}
+
+std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell,
+                                       double sigma) {
+  checkText(file, text);
+  return asFitsWant(parseMeasurements(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
+}
+
+InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::vector<Measurement>& readings,
+                        const std::string& file) {
+  const std::string where =
+      problem.reading < 0 ? file
+                          : fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
+  return InputError(where, problem.found, problem.expected, problem.advice);
+}
+
+std::vector<std::string> fitWarnings(const Identification& result, const std::vector<Measurement>& readings) {
+  const auto shrunken = shrunkenArm(result, readings);
+  return shrunken.empty() ? std::vector<std::string>{} : std::vector<std::string>{shrunken};
+}
+
+InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,
+                     const CellReadings& input) {
+  if (problem) return inputErrorOf(*problem, input.readings, input.file);
+  return {input.file, reason, "readings that tell the free parameters", ""};
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,22 @@
+// A cell's tube sheet and calibration tool.
+#pragma once
+
+#include <filesystem>
+
+#include "app/files/units.hpp"
+#include "app/files/yaml/yaml_node.hpp"
+#include "tubesheets/sheet.hpp"
+#include "tubesheets/stepped_tool.hpp"
+
+namespace tubeplan::app {
+
+/// Reads `tubesheet: {layout: {type, ...}, hole_diameter, leg, viewed_from?, name?, manway?}` or, for a map drilled
+/// otherwise, `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?, manway?}` with the file relative to
+/// `folder`; `manway: {center, diameter}`. Throws InputError for what the readers of tubesheets find wrong, too.
+[[nodiscard]] tubesheets::Sheet readSheet(const YamlNode& node, const Units& units,
+                                          const std::filesystem::path& folder);
+
+/// Reads `calibration_tool: {steps: [{diameter, tolerance}, ...], lengths?}` for holes of that diameter [m].
+[[nodiscard]] tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,73 @@
+#include "app/files/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+#include "app/files/input_error.hpp"
+#include "app/files/utf8.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr std::size_t kLargestFile = 64u << 20;
+
+bool isOfText(std::string_view sequence) {
+  return sequence == "\n" || sequence == "\r" || sequence == "\t" || !isControl(sequence);
+}
+
+// Where the first byte is that no text file has.
+std::optional<std::size_t> findNonText(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequenceLength(text, at);
+    if (length == 0 || !isOfText(text.substr(at, length))) return at;
+    at += length;
+  }
+  return std::nullopt;
+}
+
+std::string readAtMost(std::ifstream& stream, std::size_t limit) {
+  std::string text, block(1u << 16, '\0');
+  while (text.size() <= limit &&
+         (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0))
+    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+}  // namespace
+
+void checkText(const std::string& path, std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw InputError(path, "an empty file", "a text with content", "check that the file was written");
+  if (const auto at = findNonText(text)) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
+    throw InputError(fmt::format("{}:{}", path, line),
+                     fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[*at])), "plain text in UTF-8",
+                     "save the file as text");
+  }
+}
+
+std::string readTextFile(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError(path, "no such file", "a file that can be read", "check the name and the folder");
+  if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in it");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path, std::strerror(errno), "a file that can be read", "check the file's permissions");
+  std::string text = readAtMost(stream, kLargestFile);
+  if (text.size() > kLargestFile)
+    throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the file you mean");
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  checkText(path, text);
+  return text;
+}
+
+}  // namespace tubeplan::app

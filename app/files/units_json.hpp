@@ -1,0 +1,13 @@
+// The units of a document, which its reader compares.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/files/units.hpp"
+
+namespace tubeplan::app {
+
+/// {"length": "in", "angle": "deg", ...}.
+[[nodiscard]] nlohmann::json unitsJson(const Units& units);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,28 @@
+#include "app/files/workcell.hpp"
+
+#include "app/files/input_error.hpp"
+
+namespace tubeplan::app {
+
+planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
+  if (!cell.tool_axis_told)
+    throw InputError(
+        cell.path, "no word on which way the tool enters a hole", "it: needed to " + purpose,
+        "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
+  for (const auto& row : cell.arm.rows)
+    if (!row.joint.follows.empty())
+      throw InputError(cell.path, "the joint " + row.joint.name + ", which follows others",
+                       "joints with readings of their own: needed to " + purpose,
+                       "give it a reading of its own: motions of linkages are not planned");
+  planner::Workcell work;
+  work.arm = cell.arm;
+  work.arm.mountings.clear();  // of set-ups on a bench: the arm is planned for on its own mounting
+  work.X_WB = cell.X_WB;
+  if (cell.base_covariance) work.base_covariance = *cell.base_covariance;
+  work.sheet = requireSheet(cell, purpose);
+  work.tool = requireTool(cell, purpose);
+  work.scene = cell.scene;
+  return work;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,12 @@
+// From a cell as read to what the planner works on.
+#pragma once
+
+#include "app/files/cell_reader.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+/// Throws InputError where the cell has no tube sheet or no calibration tool; `purpose` continues "needed to ...".
+[[nodiscard]] planner::Workcell workcellOf(const Cell& cell, const std::string& purpose);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,29 @@
+// Where the base stands, from touched holes: from a cell and its touches to the base and the figures.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/cell_reader.hpp"
+#include "calibration/estimation/base_calibration.hpp"
+
+namespace tubeplan::app {
+
+struct CalibrationOutcome {
+  calibration::BaseCalibration calibration;
+  std::optional<ModelError> model_error;  ///< as the touches tell it, where the cell does not have it from elsewhere
+  nlohmann::json figures;                 ///< as `tubeplan calibrate --json` writes them
+};
+
+/// `file` is where the touches come from, for messages. Throws InputError for too few touches, or holes that do not
+/// place a base.
+[[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
+                                               const std::string& file);
+
+/// The cell's text with the base and the model's error that were found, to be written at `out`.
+[[nodiscard]] std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome,
+                                             const std::string& out);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,34 @@
+// Where a model fails, by how much, and what its error follows: from a cell and its readings to the figures.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/files/reading_input.hpp"
+#include "app/studies/job_steps.hpp"
+#include "calibration/patterns/comparison.hpp"
+
+namespace tubeplan::app {
+
+struct ComparisonRequest {
+  int folds = 5;
+  std::uint64_t seed = 1;
+};
+
+struct ComparisonOutcome {
+  calibration::Comparison comparison;
+  std::vector<std::string> warnings;  ///< of the fit
+  nlohmann::json figures;             ///< as `tubeplan compare --json` writes them
+};
+
+/// Throws InputError for a list `identify` that names no parameters and for readings that tell nothing,
+/// JobStopped.
+[[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
+                                             const WorkHooks& hooks = {});
+
+/// The page of --report.
+[[nodiscard]] std::string comparisonPage(const CellReadings& input, const ComparisonRequest& request,
+                                         const nlohmann::json& figures);
+
+}  // namespace tubeplan::app

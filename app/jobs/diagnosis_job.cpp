@@ -1,0 +1,93 @@
+#include "app/jobs/diagnosis_job.hpp"
+
+#include "app/documents/diagnosis_json.hpp"
+#include "app/documents/effect_warnings_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/splitting_json.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/studies/measurements/splitting_candidates.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// Where the verdict leaves something open: what to read next.
+void proposeNext(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks,
+                 DiagnosisOutcome& outcome) {
+  using calibration::Verdict;
+  const auto& diagnosis = outcome.diagnosis;
+  if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) return;
+  SplittingCandidateOptions choice;
+  choice.seed = request.seed;
+  outcome.candidates = splittingCandidates(input.cell, diagnosis.baseline.fitted, input.readings, choice);
+  calibration::SplittingOptions splitting;
+  splitting.count = request.next;
+  splitting.hooks = hooks;
+  outcome.next = calibration::proposeSplittingReadings(diagnosis, input.readings, outcome.candidates, splitting);
+  requireGoingOn(hooks);
+}
+
+/// No verdict on the model while a mistake with the readings explains its error.
+DiagnosisOutcome undiagnosed(const CellReadings& input, const calibration::MeasurementCheck& mistake) {
+  DiagnosisOutcome outcome;
+  outcome.diagnosis.verdict = calibration::Verdict::kInconclusive;
+  outcome.diagnosis.reason = checkText(mistake, input.cell.units);
+  outcome.figures = diagnosisJson(outcome.diagnosis, input.readings, input.cell.units);
+  outcome.figures["warnings"] = nlohmann::json::array();
+  addChecks(input.checks, input.cell.units, outcome.figures);
+  return outcome;
+}
+
+calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const DiagnosisRequest& request) {
+  calibration::DiagnosisOptions options;
+  options.baseline.free = freeNumbersOf(cell);
+  options.seed = request.seed;
+  options.most_causes = request.effects;
+  return options;
+}
+
+}  // namespace
+
+calibration::Diagnosis diagnoseReadings(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+                                        const DiagnosisRequest& request) {
+  return calibration::diagnose(startOf(cell, readings), readings, diagnosisOptions(cell, request));
+}
+
+DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
+  auto options = diagnosisOptions(cell, request);
+  options.hooks = hooks;
+  const auto start = startOf(cell, readings);
+  DiagnosisOutcome outcome;
+  if (const auto* mistake = calibration::grossMistake(input.checks)) return undiagnosed(input, *mistake);
+  outcome.diagnosis = calibration::diagnose(start, readings, options);
+  requireGoingOn(hooks);
+  if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)
+    throw refusalOf(outcome.diagnosis.baseline.reading_problem, outcome.diagnosis.reason, input);
+  beginStep(hooks, "next readings");
+  proposeNext(input, request, hooks, outcome);
+  beginStep(hooks, "warnings");
+  outcome.warnings = calibration::warnOfEffects(start, readings, options, outcome.diagnosis);
+  requireGoingOn(hooks);
+  outcome.figures = diagnosisJson(outcome.diagnosis, readings, cell.units);
+  addNextReadings(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
+  outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);
+  addChecks(input.checks, cell.units, outcome.figures);
+  return outcome;
+}
+
+std::string diagnosisPage(const CellReadings& input, const DiagnosisRequest& request, const nlohmann::json& figures) {
+  nlohmann::json page = figures;
+  page.update({{"title", "Diagnosis of " + input.cell.name},
+               {"cell", input.cell.name},
+               {"measurements", input.file},
+               {"seed", request.seed},
+               {"version", kVersion}});
+  return renderDiagnosisReport(page);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,45 @@
+// Which physical effect a model lacks, and what to read next where that is left open: from a cell and its readings to
+// the figures.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/files/reading_input.hpp"
+#include "app/studies/job_steps.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/effect_warnings.hpp"
+#include "calibration/diagnosis/splitting_readings.hpp"
+
+namespace tubeplan::app {
+
+struct DiagnosisRequest {
+  int effects = 3;  ///< the most in one explanation
+  int next = 6;     ///< readings to propose
+  std::uint64_t seed = 1;
+};
+
+struct DiagnosisOutcome {
+  calibration::Diagnosis diagnosis;
+  std::vector<calibration::ReadingCandidate> candidates;  ///< of the readings to propose
+  calibration::SplittingReadings next;
+  std::vector<calibration::EffectWarning> warnings;  ///< of the effects that the cell has
+  nlohmann::json figures;                            ///< as `tubeplan diagnose --json` writes them
+};
+
+/// The diagnosis alone, without further readings and warnings; not run where the readings tell nothing.
+[[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
+                                                      const std::vector<calibration::Measurement>& readings,
+                                                      const DiagnosisRequest& request);
+
+/// Throws InputError for readings that tell nothing, JobStopped.
+[[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
+                                             const WorkHooks& hooks = {});
+
+/// The page of --report.
+[[nodiscard]] std::string diagnosisPage(const CellReadings& input, const DiagnosisRequest& request,
+                                        const nlohmann::json& figures);
+
+}  // namespace tubeplan::app

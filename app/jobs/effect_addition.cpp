@@ -1,0 +1,136 @@
+#include "app/jobs/effect_addition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/documents/overlap_report.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/files/effects_reader.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/diagnosis/cause.hpp"
+#include "calibration/diagnosis/formula_overlap.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::Effect;
+
+constexpr const char* kWhere = "EFFECT@AT";
+constexpr const char* kFormulaAt = "formula@";
+
+void addEffect(Addition& addition, const Effect& effect, const std::vector<std::string>& freed) {
+  auto& arm = addition.cell.arm;
+  const std::string name = deflection::textOf(arm, effect);
+  for (const auto& present : arm.effects)
+    if (deflection::textOf(arm, present) == name)
+      throw InputError(kWhere, name + ", which the cell has already", "another effect or place", "");
+  arm.effects.push_back(effect);
+  addition.names.push_back(name);
+  addition.freed.insert(addition.freed.end(), freed.begin(), freed.end());
+  if (effect.formula) addition.formulas.push_back(effect);
+}
+
+void addEffect(Addition& addition, const Effect& effect) {
+  addEffect(addition, effect, freedNames(addition.cell.arm, effect));
+}
+
+/// "free@latch-link.beam.Iz", "free@geometry".
+void freeNumbers(Addition& addition, const std::string& name) {
+  const auto& arm = addition.cell.arm;
+  const auto known = calibration::freeableNames(arm);
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw InputError(kWhere, "no number " + inQuotes(name), "a number of the arm's file, or geometry",
+                     suggestion(name, known));
+  addition.names.push_back(fmt::format("{}@{}", calibration::kFreedNumbers, name));
+  addition.freed.push_back(name);
+}
+
+/// The effect at every joint alike.
+void addAtAllJoints(Addition& addition, const std::string& effect) {
+  const auto effects = calibration::effectsAtAllJoints(addition.cell.arm, effect);
+  if (effects.empty())
+    throw InputError(kWhere, inQuotes(effect) + " at all joints", "an effect that acts at each joint",
+                     "`tubeplan effects CELL` lists the places of each");
+  for (const Effect& one : effects) addEffect(addition, one);
+}
+
+void addCause(Addition& addition, const std::string& text) {
+  const std::size_t at = text.find('@');
+  const std::string name = text.substr(0, at), place = at == std::string::npos ? "" : text.substr(at + 1);
+  if (name == calibration::kFreedNumbers) return freeNumbers(addition, place);
+  if (place == calibration::kAllJoints) return addAtAllJoints(addition, name);
+  addEffect(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
+}
+
+/// Names that were not free already, each once.
+void finish(Addition& addition) {
+  auto& identify = addition.cell.identify;
+  std::vector<std::string> more;
+  for (const auto& name : addition.freed)
+    if (std::find(identify.begin(), identify.end(), name) == identify.end())
+      identify.push_back(name), more.push_back(name);
+  addition.freed = std::move(more);
+}
+
+}  // namespace
+
+Addition addToCell(const Cell& cell, const AdditionRequest& request) {
+  if (request.causes.empty() && request.formula.empty())
+    throw InputError(kWhere, "nothing", "EFFECT@AT, as backlash@tool.z, or --formula 'theta3 += c*sin(3*theta1)'");
+  Addition addition{cell, {}, {}, {}};
+  std::string target;
+  for (const auto& cause : request.causes) {
+    if (!request.formula.empty() && target.empty() && cause.starts_with(kFormulaAt))
+      target = cause.substr(std::string(kFormulaAt).size());
+    else
+      addCause(addition, cause);
+  }
+  if (!request.formula.empty())
+    addEffect(addition, parseFormula(request.formula, addition.cell.arm, cell.units, "--formula", target));
+  finish(addition);
+  return addition;
+}
+
+Addition addToCell(const Cell& cell, const calibration::Explanation& found) {
+  Addition addition{cell, {}, {}, {}};
+  for (const auto& effect : found.effects) {
+    if (!effect.frees.empty()) {
+      addition.names.push_back(effect.effect + "@" + effect.at);
+      addition.freed.insert(addition.freed.end(), effect.frees.begin(), effect.frees.end());
+      continue;
+    }
+    std::vector<std::string> freed;
+    const auto& numbers = deflection::numbersOf(effect.fitted);
+    for (std::size_t v = 0; v < numbers.size(); ++v)
+      if (std::isfinite(effect.numbers[v].sigma) ||
+          (numbers[v].is_shape && numbers[v].quantity != deflection::Quantity::kTime))
+        freed.push_back(deflection::textOf(cell.arm, effect.fitted) + "." + numbers[v].name);
+    addEffect(addition, effect.fitted, freed);
+  }
+  finish(addition);
+  return addition;
+}
+
+std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out) {
+  return cellTextWithEffects(cell, addition.cell.arm, addition.freed, out);
+}
+
+std::string overlapAt(const CellReadings& input) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
+  calibration::IdentificationOptions asked;
+  asked.free = freeNumbersOf(cell);
+  asked.folds = 0;
+  asked.intervals_by_profile = false;
+  const auto result = calibration::identify(startOf(cell, readings), readings, asked);
+  if (result.status != calibration::IdentificationStatus::kDone)
+    return "no overlap with the catalogue can be told: " + result.reason + "\n";
+  return overlapText(calibration::findFormulaOverlaps(result, readings));
+}
+
+}  // namespace tubeplan::app

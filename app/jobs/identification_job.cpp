@@ -1,0 +1,123 @@
+#include "app/jobs/identification_job.hpp"
+
+#include <fmt/format.h>
+
+#include "app/documents/effect_warnings_json.hpp"
+#include "app/documents/identification_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/overlap_report.hpp"
+#include "app/documents/predicted_centring_json.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/studies/model/cell_fit.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Identification, calibration::IdentificationOptions, calibration::IdentificationStatus;
+
+calibration::RobustLoss lossOf(const std::string& name) {
+  if (name == "huber") return calibration::RobustLoss::kHuber;
+  return name == "cauchy" ? calibration::RobustLoss::kCauchy : calibration::RobustLoss::kNone;
+}
+
+IdentificationOptions identificationOptions(const IdentificationRequest& request, const Cell& cell,
+                                            const WorkHooks& hooks) {
+  IdentificationOptions result;
+  result.free = freeNumbersOf(cell);
+  if (!request.free.empty()) result.free.names = request.free;
+  result.loss = lossOf(request.robust);
+  result.starts = request.starts;
+  result.folds = request.folds;
+  result.seed = request.seed;
+  result.drop_level = request.drop;
+  result.hooks = hooks;
+  for (const auto& method : calibration::leastSquaresMethods())
+    if (method.name == request.method) result.solver.method = method.method;
+  if (result.free.names.empty() && request.stages.empty() && cell.base_known)
+    throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
+                     "`tubeplan identify --help` says what may be freed");
+  return result;
+}
+
+/// A refusal is bad input: names that are no parameters, readings that tell nothing.
+void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
+  if (result.status != IdentificationStatus::kRefused) return;
+  const Cell& cell = input.cell;
+  if (result.reading_problem) throw refusalOf(result.reading_problem, result.reason, input);
+  if (result.problems.empty())
+    throw InputError(cell.path, result.reason, "something to find",
+                     "`tubeplan identify --help` says what may be freed");
+  const auto& problem = result.problems.front();
+  const auto known = calibration::freeableNames(cell.arm);
+  throw InputError(request.free.empty() ? cell.path + " (identify)" : "--free", problem.found, problem.expected,
+                   suggestion(problem.name, known));
+}
+
+/// "a,b" or "a,b:SETUP".
+calibration::IdentificationStage stageOf(const std::string& text) {
+  calibration::IdentificationStage stage;
+  const std::size_t colon = text.find(':');
+  if (colon != std::string::npos) stage.setup = text.substr(colon + 1);
+  const std::string names = text.substr(0, colon);
+  for (std::size_t from = 0; from <= names.size();) {
+    const std::size_t to = std::min(names.find(',', from), names.size());
+    stage.names.push_back(names.substr(from, to - from));
+    from = to + 1;
+  }
+  return stage;
+}
+
+Identification identifyAsAsked(const IdentificationRequest& request, const Cell& cell,
+                               const std::vector<calibration::Measurement>& readings, const WorkHooks& hooks) {
+  const auto start = startOf(cell, readings);
+  const IdentificationOptions asked = identificationOptions(request, cell, hooks);
+  if (request.stages.empty()) return calibration::identify(start, readings, asked);
+  std::vector<calibration::IdentificationStage> stages;
+  for (const auto& text : request.stages) stages.push_back(stageOf(text));
+  auto results = calibration::identifyInStages(start, readings, stages, asked);
+  if (request.stage_done && results.back().status != IdentificationStatus::kStopped)
+    for (std::size_t k = 0; k + 1 < results.size(); ++k) request.stage_done(static_cast<int>(k), results[k]);
+  return std::move(results.back());
+}
+
+/// Of the cell's effects as they were fitted; stages hold some of them, so theirs are not judged.
+std::vector<calibration::EffectWarning> effectWarnings(const IdentificationRequest& request, const Cell& cell,
+                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const Identification& result, const WorkHooks& hooks) {
+  if (!request.stages.empty() || cell.arm.effects.empty()) return {};
+  return calibration::warnOfEffects(startOf(cell, readings), readings, identificationOptions(request, cell, hooks),
+                                    result);
+}
+
+}  // namespace
+
+IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
+                                    const WorkHooks& hooks) {
+  const auto& cell = input.cell;
+  const auto& readings = input.readings;
+  beginStep(hooks, "fit");
+  IdentificationOutcome outcome;
+  outcome.fit = identifyAsAsked(request, cell, readings, hooks);
+  requireGoingOn(hooks);
+  requireAccepted(outcome.fit, request, input);
+  beginStep(hooks, "what the fit tells");
+  outcome.warnings = fitWarnings(outcome.fit, readings);
+  outcome.figures = identificationJson(outcome.fit, readings, cell.units);
+  outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
+  addChecks(input.checks, cell.units, outcome.figures);
+  outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, readings);
+  if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);
+  outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1, hooks.stop);
+  requireGoingOn(hooks);
+  outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, cell.units);
+  outcome.of_effects = effectWarnings(request, cell, readings, outcome.fit, hooks);
+  requireGoingOn(hooks);
+  for (const auto& warning : effectWarningsJson(outcome.of_effects, cell.units))
+    outcome.figures["warnings"].push_back(warning);
+  return outcome;
+}
+
+}  // namespace tubeplan::app

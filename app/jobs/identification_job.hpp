@@ -1,0 +1,44 @@
+// The numbers of a model and the base, from measurements: from a cell and its readings to the fit and its figures.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/files/reading_input.hpp"
+#include "app/studies/job_steps.hpp"
+#include "app/studies/positioning/predicted_centring.hpp"
+#include "calibration/diagnosis/effect_warnings.hpp"
+#include "calibration/diagnosis/formula_overlap.hpp"
+#include "calibration/estimation/identification.hpp"
+
+namespace tubeplan::app {
+
+struct IdentificationRequest {
+  std::string method = "in-turn", robust = "none";
+  std::vector<std::string> free;    ///< instead of the cell's `identify`
+  std::vector<std::string> stages;  ///< "NAMES[:SETUP]" each; empty: all at once
+  double drop = 0;
+  int starts = 1, folds = 5;
+  std::uint64_t seed = 1;
+  /// Shown the fit of every stage but the last, as it is done; may be empty.
+  std::function<void(int stage, const calibration::Identification&)> stage_done = {};
+};
+
+struct IdentificationOutcome {
+  calibration::Identification fit;
+  std::vector<std::string> warnings;  ///< of the readings
+  std::vector<calibration::FormulaOverlap> overlaps;
+  PredictedCentring centring;
+  std::vector<calibration::EffectWarning> of_effects;
+  nlohmann::json figures;  ///< as `tubeplan identify --json` writes them
+};
+
+/// Throws InputError for names that are no parameters, nothing to free and readings that tell nothing,
+/// JobStopped.
+[[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
+                                                  const WorkHooks& hooks = {});
+
+}  // namespace tubeplan::app

@@ -1,0 +1,210 @@
+#include "app/jobs/plan_job.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <set>
+
+#include "app/documents/plan_outcome.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/touch_input.hpp"
+#include "app/files/units.hpp"
+#include "app/files/workcell.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "planner/collision/padding.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kTouchCandidates = 24;
+constexpr int kTouchCount = 3;
+
+planner::Compensation compensationOf(const std::string& name) {
+  if (const auto mode = planner::findCompensation(name)) return *mode;
+  throw InputError("--compensation", inQuotes(name), "none, goal-point or via-point");
+}
+
+void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
+  if (cell.sheet.fingerprint() != truth.sheet.fingerprint())
+    throw InputError(file, "another tube sheet (fingerprint " + truth.sheet.fingerprint() + ")",
+                     "the cell's (" + cell.sheet.fingerprint() + ")");
+}
+
+std::vector<calibration::Measurement> rehearsedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
+  if (!outcome.truth)
+    throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
+                     "name a true cell, or a file of touches");
+  const auto plans =
+      requireTouches(bestTouches(outcome.nominal, touchCandidates(outcome.nominal, kTouchCandidates), kTouchCount));
+  calibration::TouchSimulationOptions options;
+  options.sigma = touchSigmaOf(outcome.nominal.tool);
+  options.load = outcome.truth->load;
+  options.seed = seed;
+  auto simulation = calibration::simulateTouches(outcome.truth->arm, outcome.truth->X_WB, plans, options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone)
+    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
+                     "give touches in a file");
+  return simulation.touches;
+}
+
+std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
+  if (request.touches == "auto") return rehearsedTouches(outcome, request.seed);
+  const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
+  requireDefinedFormulas(readings, outcome.cell, request.touches);
+  const auto touches = touchesOf(readings, outcome.cell, request.touches);
+  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
+    throw InputError(request.touches, problem, "three or more different holes, well spread", "touch another hole");
+  return touches;
+}
+
+/// The model's own view of each visit: where the tip goes, and how sure that is.
+void predict(PlanOutcome& outcome) {
+  planner::TipPrediction tips(outcome.model);
+  std::vector<Eigen::VectorXd> postures;
+  for (const auto& visit : outcome.plan.visits) {
+    const auto hole = planner::holeCentre(outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
+    outcome.predicted.push_back(planner::scoreVisit(tips, outcome.model, hole, visit.branch));
+    postures.push_back(visit.branch.q);
+  }
+  outcome.chances = stepChances({outcome.cell, outcome.model, outcome.touches, postures, outcome.predicted});
+}
+
+void score(PlanOutcome& outcome) {
+  if (!outcome.truth) return;
+  const ScoringModels models = scoringModels(outcome.nominal, outcome.calibration, *outcome.truth);
+  outcome.scores.resize(outcome.plan.visits.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, outcome.scores.size(), [&](std::size_t k) {
+    const auto& visit = outcome.plan.visits[k];
+    outcome.scores[k] = scoreModes(models, {visit.tube, visit.branch.q});
+  });
+}
+
+void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
+  const std::set<int> old(before.begin(), before.end());
+  int kept = 0;
+  for (const auto& visit : outcome.plan.visits) kept += old.contains(visit.tube);
+  outcome.tubes_added = static_cast<int>(outcome.plan.visits.size()) - kept;
+  outcome.tubes_removed = static_cast<int>(old.size()) - kept;
+}
+
+constexpr double kMostStandoff = 1;  // m
+
+double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
+  if (!request.standoff) return planner::CompensationOptions{}.standoff;
+  const double standoff = outcome.cell.units.toInternal(*request.standoff, dimension::kLength);
+  if (!(standoff > 0 && standoff <= kMostStandoff))
+    throw InputError(
+        "--standoff", fmt::format("{}", *request.standoff),
+        "a length above zero, at most " +
+            fmt::format("{:.3g} {}", lengthOf(kMostStandoff, outcome.cell.units), outcome.cell.units.length().name));
+  return standoff;
+}
+
+planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutcome& outcome) {
+  planner::VisitPlanOptions options;
+  options.seed = request.seed;
+  options.reach.compensation.mode = outcome.compensation;
+  options.reach.compensation.standoff = standoffOf(request, outcome);
+  options.reach.padding = request.padding;
+  options.conditions = outcome.conditions;
+  return options;
+}
+
+/// The arm is kept off by what the base may be out, on top of what the scene asks for.
+void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
+  constexpr double kMostSigmas = 10;
+  if (!(request.padding >= 0 && request.padding <= kMostSigmas))
+    throw InputError("--padding", fmt::format("{}", request.padding), "standard deviations of the base, from 0 to 10");
+  if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
+    throw InputError("--padding", "a base without a covariance", "one that was found by touching",
+                     "give --touches, or a cell that `calibrate` wrote");
+}
+
+/// The most that a tip at a visited hole is padded by.
+double paddingAtHoles(const PlanRequest& request, const PlanOutcome& outcome) {
+  const planner::BasePadding padding(outcome.model, request.padding);
+  double most = 0;
+  for (const auto& visit : outcome.plan.visits)
+    most = std::max(most, padding.of({visit.branch.predicted_tip_W, visit.branch.predicted_tip_W, 0}));
+  return most;
+}
+
+/// The cell as the planner has it.
+PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
+  PlanOutcome outcome;
+  outcome.cell = cell;
+  outcome.compensation = compensationOf(request.compensation);
+  outcome.nominal = workcellOf(outcome.cell, "plan tube visits");
+  outcome.nominal.load = parseLoad(request.load, outcome.cell.units);
+  outcome.model = outcome.nominal;
+  return outcome;
+}
+
+void addTruth(const Cell& truth, const std::string& file, PlanOutcome& outcome) {
+  outcome.truth = workcellOf(truth, "score against it");
+  outcome.truth->load = outcome.nominal.load;
+  requireSameSheet(outcome.nominal, *outcome.truth, file);
+}
+
+/// Whether the base could be placed by the touches.
+bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touches) {
+  outcome.touches = std::move(touches);
+  outcome.calibration = calibrateBoth(outcome.nominal, outcome.touches);
+  if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return false;
+  outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
+  return true;
+}
+
+void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks, PlanKeeper* keeper,
+          PlanOutcome& outcome) {
+  checkPadding(request, outcome);
+  planner::PlanMemory forgotten;
+  planner::PlanMemory& memory = keeper ? keeper->memory() : forgotten;
+  if (keeper) {
+    keeper->begin(questionOf({outcome.cell, outcome.model, outcome.conditions, request.compensation,
+                              standoffOf(request, outcome), request.padding, request.seed, keeper->fromFingerprint()},
+                             tubes));
+    hooks.keep = [keeper](const planner::PlanMemory&) { keeper->saveNowAndThen(); };
+  }
+  const std::vector<int> order_before = memory.visiting_order;
+  outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome), hooks, memory);
+  if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
+  if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(memory.visiting_order, outcome.conditions);
+  countChanges(order_before, outcome);
+  if (request.padding > 0) outcome.padding = paddingAtHoles(request, outcome);
+  predict(outcome);
+  score(outcome);
+}
+
+}  // namespace
+
+PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper) {
+  const Cell cell = readCell(request.cell);
+  PlanOutcome outcome = begun(cell, request);
+  if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
+  const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
+  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
+  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
+  if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
+  plan(request, selection.tube_indices, std::move(hooks), &keeper, outcome);
+  return outcome;
+}
+
+PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks) {
+  PlanOutcome outcome = begun(cell, request);
+  if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
+  const auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
+  if (selection.status != tubesheets::SelectionStatus::kSelected)
+    throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
+  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
+  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
+  plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
+  return outcome;
+}
+
+}  // namespace tubeplan::app

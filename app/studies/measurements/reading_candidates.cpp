@@ -1,0 +1,175 @@
+#include "app/studies/measurements/reading_candidates.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <cmath>
+#include <deque>
+#include <numbers>
+#include <optional>
+
+#include "planner/reach/tube_reach.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate;
+using Eigen::VectorXd;
+
+constexpr int kTriesPerPosture = 40;  // before a scene is taken to leave no more room
+constexpr double kSamePlace = 1e-7;   // m, of a place touched again
+
+VectorXd drawPosture(const deflection::Arm& arm, boost::random::mt19937_64& random) {
+  const auto active = deflection::activeRows(arm);
+  VectorXd q(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
+    const double span = joint.type == deflection::JointType::kPrismatic ? deflection::reachOf(arm) : std::numbers::pi;
+    const double lower = std::isfinite(joint.lower) ? joint.lower : -span;
+    const double upper = std::isfinite(joint.upper) ? joint.upper : span;
+    q[static_cast<Eigen::Index>(k)] = boost::random::uniform_real_distribution<double>(lower, upper)(random);
+  }
+  return q;
+}
+
+/// Clearance of postures under each of several loads.
+class ClearUnderLoads {
+ public:
+  ClearUnderLoads(const planner::Workcell& cell, const std::vector<double>& loads) : cells_(loads.size(), cell) {
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      cells_[k].load = loads[k];
+      clearances_.emplace_back(cells_[k]);
+    }
+  }
+
+  [[nodiscard]] bool at(const VectorXd& q, std::size_t load) const {
+    return clearances_[load].at(q, planner::ContactRule::kTravel).margin >= 0;
+  }
+  [[nodiscard]] bool atAll(const VectorXd& q) const {
+    for (std::size_t k = 0; k < clearances_.size(); ++k)
+      if (!at(q, k)) return false;
+    return true;
+  }
+  [[nodiscard]] const planner::Workcell& cell(std::size_t load) const { return cells_[load]; }
+
+ private:
+  std::vector<planner::Workcell> cells_;  // what the clearances look at
+  std::deque<planner::ArmClearance> clearances_;
+};
+
+Measurement readingOf(MeasurementKind kind, const VectorXd& q, double load, double sigma) {
+  Measurement reading;
+  reading.kind = kind;
+  reading.q = q;
+  reading.load = load;
+  reading.sigma = sigma;
+  return reading;
+}
+
+/// The joints that bring the tip back under another load, or nothing.
+std::optional<VectorXd> touchAgain(const planner::Workcell& cell, const deflection::ToolGoal& goal,
+                                   const VectorXd& near) {
+  const auto branch =
+      deflection::refineBranch(cell.arm, goal, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB), near);
+  if (branch.status != deflection::BranchStatus::kConverged || branch.position_error > kSamePlace) return std::nullopt;
+  return branch.q;
+}
+
+std::optional<ReadingCandidate> touchPoint(const ClearUnderLoads& clear, const VectorXd& q, std::size_t loads,
+                                           double sigma) {
+  const auto& first = clear.cell(0);
+  const auto shape = deflection::solveFlexibleKinematics(
+      first.arm, {q, first.load, deflection::gravityInBase(first.arm, first.X_WB)}, {1e-13, 100});
+  const deflection::ToolGoal goal{shape.X_BD.p, shape.X_BD.R * first.arm.tool_axis_L};
+  ReadingCandidate candidate;
+  for (std::size_t k = 0; k < loads; ++k) {
+    const auto again = touchAgain(clear.cell(k), goal, q);
+    if (!again || !clear.at(*again, k)) return std::nullopt;
+    candidate.readings.push_back(readingOf(MeasurementKind::kTouch, *again, clear.cell(k).load, sigma));
+  }
+  return candidate;
+}
+
+}  // namespace
+
+planner::Workcell armAndScene(const CellModel& cell) {
+  planner::Workcell work;
+  work.arm = cell.arm;
+  work.X_WB = cell.X_WB;
+  work.scene = cell.scene;
+  // The default axis may be that of the last joint, about which no pitch can be held: the way to the tip stands in.
+  if (!cell.tool_axis_told && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
+  return work;
+}
+
+std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::vector<int>& tubes, bool all_branches) {
+  const planner::ArmClearance clearance(cell);
+  std::vector<planner::TubeReach> reaches(tubes.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(),
+                            [&](std::size_t k) { reaches[k] = planner::reachTube(clearance, tubes[k]); });
+  std::vector<ReachedHole> holes;
+  for (const auto& reach : reaches)
+    for (const auto& branch : reach.branches) {
+      holes.push_back({reach.tube, branch.q});
+      if (!all_branches) break;
+    }
+  return holes;
+}
+
+std::vector<VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads, int count,
+                                    std::uint64_t seed, const PostureQuestion& is_allowed) {
+  const ClearUnderLoads clear(cell, loads);
+  const auto isAllowed = [&](const VectorXd& q) {
+    return !is_allowed || std::all_of(loads.begin(), loads.end(), [&](double load) { return is_allowed(q, load); });
+  };
+  boost::random::mt19937_64 random(seed);
+  std::vector<VectorXd> found;
+  for (int round = 0; round < kTriesPerPosture && static_cast<int>(found.size()) < count; ++round) {
+    std::vector<VectorXd> drawn;
+    for (int k = 0; k < count; ++k) drawn.push_back(drawPosture(cell.arm, random));
+    std::vector<char> is_clear(drawn.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, drawn.size(),
+                              [&](std::size_t k) { is_clear[k] = clear.atAll(drawn[k]) && isAllowed(drawn[k]); });
+    for (std::size_t k = 0; k < drawn.size() && static_cast<int>(found.size()) < count; ++k)
+      if (is_clear[k]) found.push_back(drawn[k]);
+  }
+  return found;
+}
+
+std::vector<ReadingCandidate> holeTouches(const planner::Workcell& cell, const std::vector<ReachedHole>& holes,
+                                          double sigma) {
+  std::vector<ReadingCandidate> candidates;
+  for (const auto& hole : holes) {
+    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(hole.tube)];
+    Measurement touch = readingOf(MeasurementKind::kTouch, hole.q, cell.load, sigma);
+    touch.point = tubesheets::tubeName(tube.row, tube.column);
+    touch.p_W = planner::holeCentre(tube);
+    candidates.push_back({{touch}});
+  }
+  return candidates;
+}
+
+std::vector<ReadingCandidate> positionReadings(const std::vector<VectorXd>& postures, const std::vector<double>& loads,
+                                               double sigma) {
+  std::vector<ReadingCandidate> candidates;
+  for (const auto& q : postures)
+    for (const double load : loads) candidates.push_back({{readingOf(MeasurementKind::kPosition, q, load, sigma)}});
+  return candidates;
+}
+
+std::vector<ReadingCandidate> pointTouches(planner::Workcell cell, const std::vector<VectorXd>& postures,
+                                           const std::vector<double>& loads, double sigma) {
+  const ClearUnderLoads clear(cell, loads);
+  std::vector<std::optional<ReadingCandidate>> touched(postures.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, postures.size(),
+                            [&](std::size_t k) { touched[k] = touchPoint(clear, postures[k], loads.size(), sigma); });
+  std::vector<ReadingCandidate> candidates;
+  for (auto& candidate : touched)
+    if (candidate) candidates.push_back(std::move(*candidate));
+  return candidates;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,23 @@
+#include "app/studies/measurements/touched_holes.hpp"
+
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+double touchSigmaOf(const tubesheets::SteppedTool& tool) { return tool.steps.back().tolerance / 2; }
+
+calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet) {
+  return [&sheet](const calibration::Measurement& touch) {
+    std::vector<calibration::NeighbourHole> neighbours;
+    const auto name = tubesheets::parseTubeName(touch.point);
+    const auto index = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
+    if (!index) return neighbours;
+    for (const int neighbour : sheet.neighbours(*index)) {
+      const auto& tube = sheet.tubes[static_cast<std::size_t>(neighbour)];
+      neighbours.push_back({tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube)});
+    }
+    return neighbours;
+  };
+}
+
+}  // namespace tubeplan::app

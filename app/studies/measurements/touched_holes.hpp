@@ -1,0 +1,16 @@
+// What touching a hole means: how far off its centring may be, and which holes it may have been mistaken for.
+#pragma once
+
+#include "calibration/estimation/base_calibration.hpp"
+#include "tubesheets/sheet.hpp"
+#include "tubesheets/stepped_tool.hpp"
+
+namespace tubeplan::app {
+
+/// The neighbours of the hole that a touch names, none where it names none; for as long as the sheet is there.
+[[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
+
+/// Centring noise of the tool's last step, as one sigma of a coordinate: half of what that step lets through.
+[[nodiscard]] double touchSigmaOf(const tubesheets::SteppedTool& tool);
+
+}  // namespace tubeplan::app

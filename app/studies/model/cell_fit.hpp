@@ -1,0 +1,20 @@
+// What every fit of a cell's model to readings starts from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/studies/cell_model.hpp"
+#include "calibration/estimation/identification.hpp"
+
+namespace tubeplan::app {
+
+/// What the cell sets free: its `identify`, and the base where that is not known.
+[[nodiscard]] calibration::FreeChoice freeNumbersOf(const CellModel& cell);
+
+/// The cell's arm with a placing for every set-up of the readings.
+[[nodiscard]] calibration::PlacedArm startOf(const CellModel& cell,
+                                             const std::vector<calibration::Measurement>& readings);
+
+}  // namespace tubeplan::app

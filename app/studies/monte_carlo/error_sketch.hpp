@@ -1,0 +1,62 @@
+// How errors are spread, in little memory: exact sums and counts by size.
+//
+// Errors are lengths, taken to whole units of 2^-30 m (0.93 nm). All that is kept are whole numbers that are added up,
+// so that sketches merged in any order, in any grouping, are the same to the last bit. Sizes are counted in 64 equal
+// parts of each octave (as Tene's HdrHistogram does): a quantile is within 1/64 of the exact one, or one unit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/studies/monte_carlo/tally_words.hpp"
+
+namespace tubeplan::app {
+
+class ErrorSketch {
+ public:
+  /// m, the unit of the whole numbers.
+  static constexpr double kUnit = 1. / (1 << 30);
+  /// m; what is larger counts as this.
+  static constexpr double kLargest = 1 << 13;
+  static constexpr int kPartsOfOctave = 64;
+
+  /// An error [m], not negative, in units.
+  [[nodiscard]] static std::uint64_t unitsOf(double error);
+
+  void add(std::uint64_t units);
+  void merge(const ErrorSketch& other);
+
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] double mean() const;   ///< m; NaN where nothing was added, as all below
+  [[nodiscard]] double rms() const;    ///< m
+  [[nodiscard]] double sigma() const;  ///< m, of one error (n - 1); NaN below two
+  [[nodiscard]] double max() const;    ///< m
+
+  /// The least error that this share of all does not exceed [m].
+  [[nodiscard]] double quantile(double share) const;
+
+  /// One point of the distribution: so many errors are at most `error` [m].
+  struct Point {
+    double error;
+    std::uint64_t count;
+  };
+  /// At the end of each part that has any, in order.
+  [[nodiscard]] std::vector<Point> distribution() const;
+
+  void put(TallyWords& words) const;
+  static ErrorSketch read(WordReader& reader);
+
+  bool operator==(const ErrorSketch&) const = default;
+
+ private:
+  [[nodiscard]] static std::uint32_t partOf(std::uint64_t units);
+  [[nodiscard]] static std::uint64_t startOf(std::uint32_t part);
+  void makeRoom(std::uint32_t part);
+
+  std::uint64_t count_ = 0, max_ = 0;
+  WideCount sum_ = 0, squares_ = 0;
+  std::uint32_t first_part_ = 0;
+  std::vector<std::uint64_t> counts_;  ///< from first_part_
+};
+
+}  // namespace tubeplan::app

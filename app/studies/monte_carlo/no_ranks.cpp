@@ -1,0 +1,20 @@
+// In the place of mpi_ranks.cpp where the program is built without MPI.
+#include "app/studies/monte_carlo/ranks.hpp"
+
+namespace tubeplan::app {
+
+bool isBuiltForRanks() { return false; }
+
+Ranks::Ranks() = default;
+
+Ranks::~Ranks() = default;
+
+std::string Ranks::fromFirst(const std::string& text) { return text; }
+
+bool Ranks::holdsEverywhere(bool here) { return here; }
+
+void Ranks::send(int, int, const TallyWords&) {}
+
+std::optional<Ranks::Message> Ranks::receive() { return std::nullopt; }
+
+}  // namespace tubeplan::app

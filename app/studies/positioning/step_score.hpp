@@ -1,0 +1,65 @@
+// The three compensation modes side by side, tube by tube, against the true arm.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "planner/reach/scoring.hpp"
+#include "planner/reach/tip_prediction.hpp"
+
+namespace tubeplan::app {
+
+inline constexpr std::array kCompensations{planner::Compensation::kNone, planner::Compensation::kGoalPoint,
+                                           planner::Compensation::kViaPoint};
+
+/// The models that the modes plan with, and the truth.
+struct ScoringModels {
+  planner::Workcell flexible;  ///< base as calibrated by the flexible model
+  planner::Workcell rigid;     ///< the arm taken as rigid, base as calibrated so
+  planner::Workcell truth;
+};
+
+/// The model placed as each arm's own calibration has it, where there was one; else both where the model stands.
+[[nodiscard]] ScoringModels scoringModels(const planner::Workcell& model, const std::optional<BothCalibrations>& bases,
+                                          const planner::Workcell& truth);
+
+/// A tube and the posture whose branch is to be scored.
+struct TubeToScore {
+  int tube = -1;
+  Eigen::VectorXd q;
+  Eigen::Vector3d tip_error_W = Eigen::Vector3d::Zero();  ///< of the true arm beyond its own model [m]
+};
+
+/// Centring by mode, in the order of kCompensations; empty where that mode finds no posture in the branch.
+using ModeScores = std::array<std::optional<planner::Centring>, kCompensations.size()>;
+
+/// A model of the arm and where it takes its base to stand.
+struct PlacedModel {
+  const deflection::Arm& arm;
+  const Eigen::Isometry3d& X_WB;
+};
+
+/// A hole, a posture near it, and what the true arm does there beyond its own model.
+struct HoleToScore {
+  Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();
+  Eigen::VectorXd q_start;
+  Eigen::Vector3d tip_error_W = Eigen::Vector3d::Zero();  ///< m
+};
+
+/// Where the true arm, whose tips these are, goes when a model sends it to each hole's centre; empty where the model
+/// finds no posture. What a mode does at the holes, without the way up to them.
+[[nodiscard]] std::vector<std::optional<planner::Centring>> centringsAt(const PlacedModel& model,
+                                                                        const planner::Workcell& truth,
+                                                                        planner::TipPrediction& true_tips,
+                                                                        const std::vector<HoleToScore>& holes);
+
+/// Without approach only the centring at the hole is scored.
+[[nodiscard]] ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach = true);
+
+/// Counts by mode of 0, 1, ... steps.
+[[nodiscard]] std::array<std::vector<int>, kCompensations.size()> countByMode(const std::vector<ModeScores>& scores,
+                                                                              int steps);
+
+}  // namespace tubeplan::app

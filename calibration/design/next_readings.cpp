@@ -1,0 +1,144 @@
+#include "calibration/design/next_readings.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/estimation/whitened_residual.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kTold = 0.5;  // of its typical size: a number whose sigma is less is told by readings
+
+/// Which candidates' shapes settle, as known.
+std::vector<int> settled(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates) {
+  const PlacedArm placed = placedAsKnown(knowledge);
+  std::vector<char> is_settled(candidates.size(), 1);
+  tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t k) {
+    for (const auto& reading : candidates[k].readings)
+      if (!predictReading(placed.arm, placed.placings.back().X_WB, reading).ok) is_settled[k] = 0;
+  });
+  std::vector<int> which;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (is_settled[k]) which.push_back(static_cast<int>(k));
+  return which;
+}
+
+/// All readings of the candidates in one list; touches of unknown places kept apart by the names of their places.
+std::vector<Measurement> listReadings(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+                                      const std::vector<int>& which) {
+  std::vector<Measurement> all;
+  for (const int k : which)
+    for (Measurement reading : candidates[static_cast<std::size_t>(k)].readings) {
+      reading.setup = knowledge.start.placings.back().setup;
+      if (!reading.p_W) reading.point = "candidate " + std::to_string(k);
+      all.push_back(reading);
+    }
+  return all;
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+template <class Figure>
+double medianOf(const std::vector<Design>& designs, Figure figure) {
+  std::vector<double> values;
+  for (const auto& design : designs) values.push_back(figure(design));
+  return medianOf(values);
+}
+
+double bitsOf(const Design& design) {
+  double bits = 0;
+  for (const auto& step : design.steps) bits += step.bits;
+  return bits;
+}
+
+NumberForecast forecast(const Knowledge& knowledge, std::size_t index, const MatrixXd& now, const Design& design,
+                        const std::vector<Design>& random) {
+  const auto k = static_cast<Index>(index);
+  NumberForecast number;
+  number.unknown = knowledge.unknowns[index];
+  number.value = valueAt(number.unknown, knowledge.x[k]);
+  const double size = number.unknown.typical * std::abs(slopeAt(number.unknown, knowledge.x[k]));
+  const double share_now = std::sqrt(now(k, k)), share_after = std::sqrt(design.covariance(k, k));
+  number.now = size * share_now;
+  number.after = size * share_after;
+  const double share_random = medianOf(random, [&](const Design& d) { return std::sqrt(d.covariance(k, k)); });
+  number.random = size * share_random;
+  number.is_told_now = share_now < kTold;
+  number.is_told_after = share_after < kTold;
+  number.is_told_random = share_random < kTold;
+  return number;
+}
+
+}  // namespace
+
+PosedDesign poseDesign(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates, const Work& work) {
+  PosedDesign posed;
+  posed.problem.information = knowledge.information;
+  posed.problem.work = tipSensitivities(knowledge, work.postures, work.load);
+  posed.candidates = settled(knowledge, candidates);
+  const auto readings = listReadings(knowledge, candidates, posed.candidates);
+  const auto weights = weighReadings(placedAsKnown(knowledge), readings, {}, knowledge.model_error);
+  if (!weights) return posed;
+  auto residual = whitenedResidual(knowledge.start, knowledge.unknowns, readings, *weights, knowledge.x, true);
+  for (Index k = 0; k < residual.jacobian.cols(); ++k)
+    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical;
+  std::size_t first = 0;
+  for (const int k : posed.candidates) {
+    const std::size_t count = candidates[static_cast<std::size_t>(k)].readings.size();
+    Index rows = 0;
+    for (std::size_t i = first; i < first + count; ++i) rows += rowsOf(readings[i]);
+    posed.problem.candidates.push_back(residual.jacobian.middleRows(weights->first_row[first], rows));
+    first += count;
+  }
+  return posed;
+}
+
+NextReadings forecastReadings(const Knowledge& knowledge, const PosedDesign& posed, Design design,
+                              const NextReadingsOptions& options) {
+  NextReadings result;
+  result.candidates = posed.candidates;
+  result.design = std::move(design);
+  if (result.design.status != DesignStatus::kDone) {
+    result.status = NextReadingsStatus::kTooFewCandidates;
+    result.reason = result.design.reason;
+    return result;
+  }
+  const auto& work = posed.problem.work;
+  std::vector<Design> random;
+  for (const auto& choice :
+       drawChoices(static_cast<int>(posed.candidates.size()), static_cast<int>(result.design.steps.size()),
+                   options.random_draws, options.seed))
+    random.push_back(judgeReadings(posed.problem, choice));
+  const auto n = knowledge.information.rows();
+  const MatrixXd now = knowledge.information.ldlt().solve(MatrixXd::Identity(n, n));
+  for (std::size_t k = 0; k < knowledge.unknowns.size(); ++k)
+    result.numbers.push_back(forecast(knowledge, k, now, result.design, random));
+  result.tip_now = tipSigma(work, now);
+  result.tip_after = tipSigma(work, result.design.covariance);
+  result.tip_random = {medianOf(random, [&](const Design& d) { return tipSigma(work, d.covariance).rms; }),
+                       medianOf(random, [&](const Design& d) { return tipSigma(work, d.covariance).worst; })};
+  result.bits = bitsOf(result.design);
+  result.bits_random = medianOf(random, bitsOf);
+  result.status = NextReadingsStatus::kDone;
+  return result;
+}
+
+NextReadings proposeReadings(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+                             const Work& work, const NextReadingsOptions& options) {
+  const PosedDesign posed = poseDesign(knowledge, candidates, work);
+  return forecastReadings(knowledge, posed, chooseReadings(posed.problem, options.design), options);
+}
+
+}  // namespace tubeplan::calibration

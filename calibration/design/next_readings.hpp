@@ -1,0 +1,71 @@
+// What to measure next: postures and loads, or touches, that sharpen the free numbers and the tip at work the most, on
+// top of what is known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibration/design/optimal_design.hpp"
+#include "calibration/estimation/knowledge.hpp"
+
+namespace tubeplan::calibration {
+
+/// What can be proposed: one reading, or the touches of one unknown place under several loads, which tell nothing
+/// singly. Sigma is what the reading would have; the set-up is filled in.
+struct ReadingCandidate {
+  std::vector<Measurement> readings;
+};
+
+/// Where the tip must be known.
+struct Work {
+  std::vector<Eigen::VectorXd> postures;
+  double load = 0;  ///< N
+};
+
+struct NextReadingsOptions {
+  DesignOptions design;
+  int random_draws = 20;  ///< of as many readings, for comparison
+  std::uint64_t seed = 1;
+};
+
+/// Sigma of one free number, in its own unit: before, after the proposed readings, and after as many random ones
+/// (median of the draws).
+struct NumberForecast {
+  Unknown unknown;
+  double value = 0;
+  double now = std::numeric_limits<double>::quiet_NaN();
+  double after = std::numeric_limits<double>::quiet_NaN();
+  double random = std::numeric_limits<double>::quiet_NaN();
+  bool is_told_now = false, is_told_after = false, is_told_random = false;  ///< beyond what its typical size says
+};
+
+enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
+
+struct NextReadings {
+  NextReadingsStatus status = NextReadingsStatus::kNotRun;
+  std::string reason;
+  std::vector<int> candidates;  ///< those whose shape settles: what the design's indices mean
+  Design design;
+  std::vector<NumberForecast> numbers;
+  TipSigma tip_now, tip_after, tip_random;                 ///< of the model alone, without the encoders' noise
+  double bits = std::numeric_limits<double>::quiet_NaN();  ///< of information in all
+  double bits_random = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The problem that the candidates pose; candidates whose shape does not settle are left out.
+struct PosedDesign {
+  DesignProblem problem;
+  std::vector<int> candidates;  ///< index of each of the problem's
+};
+[[nodiscard]] PosedDesign poseDesign(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+                                     const Work& work);
+
+/// What a choice of the posed design's readings does, beside as many random ones.
+[[nodiscard]] NextReadings forecastReadings(const Knowledge& knowledge, const PosedDesign& posed, Design design,
+                                            const NextReadingsOptions& options = {});
+
+/// The best readings by the options' optimality, and what they do.
+[[nodiscard]] NextReadings proposeReadings(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+                                           const Work& work, const NextReadingsOptions& options = {});
+
+}  // namespace tubeplan::calibration

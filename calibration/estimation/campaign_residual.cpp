@@ -1,0 +1,239 @@
+#include "calibration/estimation/campaign_residual.hpp"
+
+#include <atomic>
+
+#include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/predict_all.hpp"
+#include "calibration/measurements/reading_batch.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t kBlock = 512;  // readings that one core takes at once, side by side
+
+/// takePointsOff() in place.
+void takeWhatPointsAbsorb(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+  Eigen::Matrix3Xd common(3, columns.cols());
+  const auto rowsOfTouch = [&](int reading) {
+    return columns.middleRows<3>(weights.first_row[static_cast<std::size_t>(reading)]);
+  };
+  for (const auto& point : weights.points) {
+    const auto basisOf = [&](std::size_t i) { return Matrix3d(point.Q.middleRows<3>(3 * static_cast<Index>(i))); };
+    common.setZero();
+    for (std::size_t i = 0; i < point.readings.size(); ++i)
+      common.noalias() += basisOf(i).transpose().lazyProduct(rowsOfTouch(point.readings[i]));
+    for (std::size_t i = 0; i < point.readings.size(); ++i)
+      rowsOfTouch(point.readings[i]).noalias() -= basisOf(i).lazyProduct(common);
+  }
+}
+
+/// Touched places as seen from their points' estimates.
+void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
+  const auto rowsOfTouch = [&](int reading) {
+    return error.segment<3>(weights.first_row[static_cast<std::size_t>(reading)]);
+  };
+  for (const auto& point : weights.points) {
+    Vector3d estimate = Vector3d::Zero();
+    for (std::size_t i = 0; i < point.readings.size(); ++i)
+      estimate += point.estimate.middleCols<3>(3 * static_cast<Index>(i)) * rowsOfTouch(point.readings[i]);
+    for (const int k : point.readings) rowsOfTouch(k) -= estimate;
+  }
+}
+
+}  // namespace
+
+std::vector<int> placingsOf(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  std::vector<int> placings;
+  for (const auto& reading : readings) placings.push_back(placingOf(placed, reading));
+  return placings;
+}
+
+void takePointsOff(const ReadingWeights& weights, MatrixXd& columns) { takeWhatPointsAbsorb(weights, columns); }
+
+CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                   Priors priors, StopQuestion stop)
+    : start_(start),
+      unknowns_(unknowns),
+      readings_(readings),
+      weights_(weights),
+      stop_(std::move(stop)),
+      placed_(start) {
+  if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
+  placing_of_ = placingsOf(start, readings);
+  bases_.resize(start.placings.size());
+  bool has_base = false;
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    const Unknown& unknown = unknowns[k];
+    if (unknown.owner == Unknown::Owner::kArm) {
+      variables_.push_back(deflection::Variable::number(unknown.path));
+      numbers_.push_back(static_cast<Index>(k));
+      continue;
+    }
+    has_base = true;
+    auto& base = bases_[static_cast<std::size_t>(unknown.placing)];
+    base.resize(6, -1);
+    base[static_cast<std::size_t>(unknown.component)] = static_cast<Index>(k);
+  }
+  slopes_.resize(numbers_.size());
+  if (!has_base) return;
+  for (int axis = 0; axis < 3; ++axis) variables_.push_back(deflection::Variable::gravityTurn(axis));
+}
+
+CampaignResidual::~CampaignResidual() = default;
+
+void CampaignResidual::moveTo(const VectorXd& x) {
+  apply(start_, unknowns_, x, placed_);
+  if (!numbers_.empty()) batch_.reset();
+  for (std::size_t n = 0; n < numbers_.size(); ++n)
+    slopes_[n] = slopeAt(unknowns_[static_cast<std::size_t>(numbers_[n])], x[numbers_[n]]);
+  turns_.clear();
+  for (const auto& base : bases_) {
+    Vector3d turn = Vector3d::Zero();
+    for (std::size_t axis = 0; axis < 3 && !base.empty(); ++axis)
+      if (base[3 + axis] >= 0) turn[static_cast<Index>(axis)] = x[base[3 + axis]];
+    turns_.push_back(deflection::leftJacobian(turn));
+  }
+}
+
+bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, VectorXd* error) {
+  moveTo(x);
+  r.resize(weights_.rows + prior_slopes_.size());
+  if (jacobian) jacobian->setZero(r.size(), x.size());
+  if (error) error->resize(weights_.rows);
+  const Rows to{&r, jacobian, error};
+  bool is_done = false;
+  if (!fillSideBySide(to, is_done) || (!is_done && !fillOneByOne(to))) return false;
+  takeWhatPointsAbsorb(weights_, r);
+  if (jacobian) takeWhatPointsAbsorb(weights_, *jacobian);
+  if (error) takeEstimatesOff(weights_, *error);
+  if (prior_slopes_.size() == 0) return true;
+  r.tail(x.size()) = priorResiduals(unknowns_, x);
+  if (jacobian) jacobian->bottomRows(x.size()).diagonal() = prior_slopes_;
+  return true;
+}
+
+/// False where a shape does not settle; nothing is done where the arm is none for a kernel.
+bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
+  if (dependsOnPosture(placed_.arm) || readings_.empty()) return true;
+  static const std::vector<deflection::Variable> kNone;
+  if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
+  if (!batch_->isFastFor(to.jacobian ? variables_ : kNone)) return true;
+  is_done = true;
+  if (readings_.size() <= kBlock) return fillBlock(*batch_, 0, readings_.size(), to);
+  std::atomic<bool> ok = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kBlock), [&](const auto& range) {
+    ReadingBatch own(placed_.arm);
+    if (shouldStop(stop_) || !fillBlock(own, range.begin(), range.size(), to)) ok = false;
+  });
+  return ok;
+}
+
+bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, const Rows& to) const {
+  static const std::vector<deflection::Variable> kNone;
+  if (!batch.solve(placed_.placings, readings_, placing_of_, first, count, to.jacobian ? variables_ : kNone))
+    return false;
+  for (std::size_t k = 0; k < count; ++k) fillTip(batch, k, first + k, to);
+  return true;
+}
+
+void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, const Rows& to) const {
+  const Measurement& measured = readings_[reading];
+  const Eigen::Isometry3d& X_WB = placed_.placings[static_cast<std::size_t>(placing_of_[reading])].X_WB;
+  const MatrixXd& whitener = weights_.whitener[reading];
+  const Index row = weights_.first_row[reading];
+  const ToolPose tool = toolOf(batch, k, X_WB, measured);
+  const MeasuredValue error = predictedValue(measured, tool) - kindOf(measured).measured(measured);
+  to.r->segment(row, error.size()) = whitener.lazyProduct(error);
+  if (to.error) to.error->segment(row, error.size()) = error;
+  if (!to.jacobian) return;
+  const MeasuredSlope slope = predictedSlope(measured, tool);
+  WhitenedSlope by{whitener.lazyProduct(slope.by_place), {}};
+  if (slope.by_turn.size()) by.turn = whitener.lazyProduct(slope.by_turn);
+  fillNumbers(batch, k, X_WB.linear(), by, row, *to.jacobian);
+  if (!bases_[static_cast<std::size_t>(placing_of_[reading])].empty()) fillBase(batch, k, reading, by, *to.jacobian);
+}
+
+void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, const Matrix3d& R_WB,
+                                   const WhitenedSlope& by, Index row, MatrixXd& jacobian) const {
+  const MeasuredRows by_tip = by.place * R_WB;
+  const MeasuredRows by_turn = by.turn.size() ? MeasuredRows(by.turn * R_WB) : MeasuredRows();
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    const Vector3d moved = slopes_[n] * batch.column(k, n);
+    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) = by_tip.row(i).dot(moved);
+    if (by_turn.size() == 0) continue;
+    const Vector3d turned = slopes_[n] * batch.turnColumn(k, n);
+    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) += by_turn.row(i).dot(turned);
+  }
+}
+
+void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
+                                MatrixXd& jacobian) const {
+  const auto placing = static_cast<std::size_t>(placing_of_[reading]);
+  const Matrix3d R = placed_.placings[placing].X_WB.linear();
+  Matrix3d by_gravity;
+  for (Index axis = 0; axis < 3; ++axis)
+    by_gravity.col(axis) = batch.column(k, numbers_.size() + static_cast<std::size_t>(axis));
+  // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
+  const Matrix3d by_turn = -deflection::crossMatrix<double>(R * batch.tip(k)) - R * by_gravity * R.transpose();
+  Eigen::Matrix<double, 3, 6> place;
+  place.leftCols<3>().setIdentity();
+  if (kindOf(readings_[reading]).is_displacement) place.leftCols<3>().setZero();
+  place.rightCols<3>() = by_turn * turns_[placing];
+  Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
+  if (by.turn.size()) {
+    for (Index axis = 0; axis < 3; ++axis)
+      by_gravity.col(axis) = batch.turnColumn(k, numbers_.size() + static_cast<std::size_t>(axis));
+    turn.rightCols<3>() = (Matrix3d::Identity() - R * by_gravity * R.transpose()) * turns_[placing];
+  }
+  for (Index c = 0; c < 6; ++c) {
+    const Index column = bases_[placing][static_cast<std::size_t>(c)];
+    if (column < 0) continue;
+    for (Index i = 0; i < by.place.rows(); ++i) {
+      double& entry = jacobian(weights_.first_row[reading] + i, column);
+      entry = by.place.row(i).dot(place.col(c));
+      if (by.turn.size()) entry += by.turn.row(i).dot(turn.col(c));
+    }
+  }
+}
+
+bool CampaignResidual::fillOneByOne(const Rows& to) const {
+  return predictAll(placed_, readings_.size(), stop_, [&](ReadingPredictor& predictor, std::size_t k) {
+    const auto placing = static_cast<std::size_t>(placing_of_[k]);
+    PredictionRequest request;
+    if (to.jacobian) {
+      request.numbers.assign(variables_.begin(), variables_.begin() + static_cast<Index>(numbers_.size()));
+      request.by_base = !bases_[placing].empty();
+    }
+    const Prediction prediction = predictor.predict(placed_.placings[placing].X_WB, readings_[k], request);
+    if (!prediction.ok) return false;
+    const Index row = weights_.first_row[k];
+    const VectorXd error = prediction.value - kindOf(readings_[k]).measured(readings_[k]);
+    to.r->segment(row, error.size()) = weights_.whitener[k] * error;
+    if (to.error) to.error->segment(row, error.size()) = error;
+    if (to.jacobian) scatter(placing_of_[k], prediction, weights_.whitener[k], row, *to.jacobian);
+    return true;
+  });
+}
+
+void CampaignResidual::scatter(int placing, const Prediction& prediction, const MatrixXd& whitener, Index row,
+                               MatrixXd& jacobian) const {
+  const Index rows = prediction.value.size();
+  for (std::size_t n = 0; n < numbers_.size(); ++n)
+    jacobian.block(row, numbers_[n], rows, 1) =
+        whitener * prediction.by_numbers.col(static_cast<Index>(n)) * slopes_[n];
+  const auto& base = bases_[static_cast<std::size_t>(placing)];
+  if (base.empty()) return;
+  MatrixXd by_base = whitener * prediction.by_base;
+  by_base.rightCols<3>() = (by_base.rightCols<3>() * turns_[static_cast<std::size_t>(placing)]).eval();
+  for (Index k = 0; k < 6; ++k)
+    if (base[static_cast<std::size_t>(k)] >= 0)
+      jacobian.block(row, base[static_cast<std::size_t>(k)], rows, 1) = by_base.col(k);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,76 @@
+// The whitened misfit of readings at one state after another, as a fit asks for it: what no variable changes is worked
+// out once.
+#pragma once
+
+#include <memory>
+
+#include "calibration/estimation/whitened_residual.hpp"
+#include "calibration/measurements/measurement_kind.hpp"
+
+namespace tubeplan::calibration {
+
+class ReadingBatch;
+
+/// Index of the placing that each reading was made at.
+[[nodiscard]] std::vector<int> placingsOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
+
+class CampaignResidual {
+ public:
+  /// Whether the unknowns' priors stand as further residuals below those of the readings, one for each unknown.
+  enum class Priors { kNone, kAppended };
+
+  /// All of these must outlive this. Asked to stop, an evaluation ends early, as one that is not possible.
+  CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                   Priors priors = Priors::kNone, StopQuestion stop = {});
+  ~CampaignResidual();
+
+  /// The residual at variables x, its Jacobian where it is not null; false where the model cannot be evaluated.
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
+    return evaluate(x, r, jacobian, nullptr);
+  }
+
+  /// The same with the error in metres, not whitened (WhitenedResidual::error), where it is not null.
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian, Eigen::VectorXd* error);
+
+ private:
+  /// Where results go; null is not asked for.
+  struct Rows {
+    Eigen::VectorXd* r;
+    Eigen::MatrixXd* jacobian;
+    Eigen::VectorXd* error;
+  };
+  /// Residuals by the tip's place and, where that matters, by the tool's turn.
+  struct WhitenedSlope {
+    MeasuredRows place, turn;
+  };
+
+  void moveTo(const Eigen::VectorXd& x);
+  bool fillSideBySide(const Rows& to, bool& is_done);
+  bool fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, const Rows& to) const;
+  void fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, const Rows& to) const;
+  void fillNumbers(const ReadingBatch& batch, std::size_t k, const Eigen::Matrix3d& R_WB, const WhitenedSlope& by,
+                   Eigen::Index row, Eigen::MatrixXd& jacobian) const;
+  void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
+                Eigen::MatrixXd& jacobian) const;
+  bool fillOneByOne(const Rows& to) const;
+  void scatter(int placing, const struct Prediction& prediction, const Eigen::MatrixXd& whitener, Eigen::Index row,
+               Eigen::MatrixXd& jacobian) const;
+
+  const PlacedArm& start_;
+  const std::vector<Unknown>& unknowns_;
+  const std::vector<Measurement>& readings_;
+  const ReadingWeights& weights_;
+  Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
+  StopQuestion stop_;
+  std::vector<int> placing_of_;                   ///< of each reading
+  std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
+  std::vector<Eigen::Index> numbers_;             ///< column of each number
+  std::vector<std::vector<Eigen::Index>> bases_;  ///< of each placing: six columns, or none
+  std::unique_ptr<ReadingBatch> batch_;           ///< of the arm as it is; none where it has changed
+  PlacedArm placed_;                              ///< at the variables asked for last, with ...
+  std::vector<double> slopes_;                    ///< ... the slope of each number by its variable ...
+  std::vector<Eigen::Matrix3d> turns_;            ///< ... and from the rotation vector's rate to the turn's
+};
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,46 @@
+#include "calibration/estimation/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "calibration/estimation/held_out.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr int kLeastPostures = 4;
+constexpr int kLeastFreedom = 6;
+constexpr double kTooGood = 1e-6;    // lower tail of chi-square
+constexpr double kFarTooGood = 0.5;  // of the stated noise: a fit that is better than this is no rounding of sigma
+
+std::string plural(int count, const char* noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }
+
+}  // namespace
+
+std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& readings, int degrees_of_freedom,
+                                                 int numbers_determined) {
+  const auto groups = groupByPose(readings);
+  const int postures = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+  const int needed = std::max(kLeastPostures, numbers_determined / 2 + 1);
+  if (postures >= needed && degrees_of_freedom >= kLeastFreedom) return std::nullopt;
+  return EvidenceProblem{plural(static_cast<int>(readings.size()), "reading") + " at " + plural(postures, "posture") +
+                             " determine " + plural(numbers_determined, "number") + " and leave " +
+                             plural(std::max(0, degrees_of_freedom), "degree") + " of freedom to judge the model by",
+                         "readings at " + std::to_string(std::max(needed, postures + 1)) + " postures or more"};
+}
+
+std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_freedom) {
+  if (degrees_of_freedom <= 0 || !std::isfinite(chi2)) return std::nullopt;
+  const double ratio = std::sqrt(std::max(0., chi2) / degrees_of_freedom);
+  if (ratio > kFarTooGood) return std::nullopt;
+  if (chiSquareLowerTail(chi2, degrees_of_freedom) > kTooGood) return std::nullopt;
+  char text[160];
+  std::snprintf(text, sizeof text, "the readings agree with the model %.3g times better than their stated noise allows",
+                1 / std::max(ratio, 1e-9));
+  return EvidenceProblem{text, "the noise that the readings have: is sigma right, and its unit?"};
+}
+
+}  // namespace tubeplan::calibration

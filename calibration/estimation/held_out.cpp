@@ -1,0 +1,140 @@
+#include "calibration/estimation/held_out.hpp"
+
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kSamePosture = 0.01;  // rad, m: readings of one posture differ by noise, or by what a load asks for
+
+/// Numbers postures: one within reach of the first of a group belongs to it.
+class PostureGroups {
+ public:
+  /// The first posture of the reading's group, as an index of a reading; itself where it is a new one.
+  int leaderOf(const std::vector<Measurement>& readings, int reading) {
+    const Measurement& m = readings[static_cast<std::size_t>(reading)];
+    const long cell = m.q.size() ? std::lround(m.q[0] / kSamePosture) : 0;
+    for (const long near : {cell, cell - 1, cell + 1})
+      for (const int leader : leaders_[{m.setup, near}])
+        if ((m.q - readings[static_cast<std::size_t>(leader)].q).lpNorm<Eigen::Infinity>() < kSamePosture)
+          return leader;
+    leaders_[{m.setup, cell}].push_back(reading);
+    return reading;
+  }
+
+ private:
+  std::map<std::pair<std::string, long>, std::vector<int>> leaders_;  // by set-up and first joint
+};
+
+void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize& part) {
+  if (part.readings == 0) return;
+  squares += part.rms * part.rms * part.readings;
+  lengths += part.mean * part.readings;
+  total.max = std::isnan(total.max) ? part.max : std::max(total.max, part.max);
+  total.readings += part.readings;
+}
+
+}  // namespace
+
+std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
+  PostureGroups postures;
+  std::map<std::string, int> index;
+  std::vector<int> groups;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const std::string& point = readings[k].point;
+    const std::string key = point.empty()
+                                ? "posture " + std::to_string(postures.leaderOf(readings, static_cast<int>(k)))
+                                : "point " + point;
+    groups.push_back(index.emplace(key, static_cast<int>(index.size())).first->second);
+  }
+  return groups;
+}
+
+std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed) {
+  const std::vector<int> groups = groupByPose(readings);
+  const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+  std::vector<int> order(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) order[static_cast<std::size_t>(k)] = k;
+  boost::random::mt19937_64 random(seed);
+  for (int k = count - 1; k > 0; --k)
+    std::swap(order[static_cast<std::size_t>(k)],
+              order[static_cast<std::size_t>(boost::random::uniform_int_distribution<int>(0, k)(random))]);
+  std::vector<int> result;
+  for (const int group : groups) result.push_back(order[static_cast<std::size_t>(group)] % std::max(1, folds));
+  return result;
+}
+
+std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  ReadingPredictor predictor(placed.arm);
+  const std::vector<int> groups = groupByPose(readings);
+  std::map<std::string, std::map<int, double>> reach;  // of each set-up's poses, m
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    Measurement tip = readings[k];
+    tip.kind = MeasurementKind::kPosition;
+    const auto predicted = predictor.predict(Eigen::Isometry3d::Identity(), tip);
+    double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
+    if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
+  }
+  std::map<std::string, double> least;  // reach of the farthest quarter
+  for (const auto& [setup, poses] : reach) {
+    std::vector<double> all;
+    for (const auto& [group, farthest] : poses) all.push_back(farthest);
+    const auto quarter = all.begin() + static_cast<std::ptrdiff_t>(3 * all.size() / 4);
+    std::nth_element(all.begin(), quarter, all.end());
+    least[setup] = *quarter;
+  }
+  std::vector<int> folds;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    folds.push_back(reach[readings[k].setup][groups[k]] >= least[readings[k].setup] ? 0 : -1);
+  return folds;
+}
+
+ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged) {
+  if (judged.empty()) return {};
+  const auto weights = weighReadings(placed, judged);
+  if (!weights) return {};
+  const auto residual = whitenedResidual(placed, {}, judged, *weights, {}, false);
+  return residual.ok ? errorSize(judged, *weights, residual.error) : ErrorSize{};
+}
+
+ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds, const FitToReadings& fit,
+                     const WorkHooks& hooks) {
+  ErrorSize total;
+  double squares = 0, lengths = 0;
+  const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
+  for (int fold = 0; fold < count; ++fold) {
+    tell(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
+    std::vector<Measurement> kept, out;
+    for (std::size_t k = 0; k < readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(readings[k]);
+    if (kept.empty() || out.empty()) continue;
+    const auto fitted = fit(kept);
+    if (!fitted) return {};
+    collect(total, squares, lengths, judge(*fitted, out));
+  }
+  if (total.readings == 0) return {};
+  total.rms = std::sqrt(squares / total.readings);
+  total.mean = lengths / total.readings;
+  return total;
+}
+
+ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                        const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                        const std::vector<int>& folds, const FitOptions& options, const WorkHooks& hooks) {
+  const auto fitted = [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+    const Fit fit = fitUnknowns(start, unknowns, kept, x, options);
+    if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
+    return applied(start, unknowns, fit.solution.x);
+  };
+  return judgeFolds(readings, folds, fitted, hooks);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,42 @@
+// How well a fit predicts readings it has not seen: whole poses, points or set-ups are kept out, never single rows of
+// one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "calibration/estimation/fit.hpp"
+
+namespace tubeplan::calibration {
+
+/// Number of the group each reading belongs to: those of one point's or pose's name, or at one posture, go together.
+[[nodiscard]] std::vector<int> groupByPose(const std::vector<Measurement>& readings);
+
+/// Fold of each reading, 0 to folds - 1, whole groups drawn by the seed; fewer folds where there are fewer groups.
+[[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed);
+
+/// Fold 0 for the quarter of the poses of each set-up that reach farthest from the base, -1 for the others, which are
+/// never kept out: how a fit carries over to where it was not made.
+[[nodiscard]] std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings);
+
+/// Errors of `judged` by the model as it is placed; touched points that nobody measured are estimated from the judged
+/// readings themselves.
+[[nodiscard]] ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged);
+
+/// The model as fitted to some readings; nothing where it cannot be.
+using FitToReadings = std::function<std::optional<PlacedArm>(const std::vector<Measurement>& kept)>;
+
+/// Each fold judged by a fit to the others; all errors together. Nothing where a fit fails. Unwinds where it was
+/// stopped.
+[[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
+                                   const FitToReadings& fit, const WorkHooks& hooks = {});
+
+/// The same with the unknowns fitted from `x`.
+[[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                      const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                                      const std::vector<int>& folds, const FitOptions& options,
+                                      const WorkHooks& hooks = {});
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,69 @@
+// Pattern search (Hooke and Jeeves 1961; section 5.3.3 of the thesis): values alone, no derivatives. Exploratory moves
+// try each variable a step up and down; while they lower chi2, pattern moves repeat the last gain as a whole and
+// explore around it, so that the stride grows; where nothing is lower, the step shrinks.
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/estimation/scaled_problem.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kFirstStep = 0.25;  // in units of each variable's scale
+constexpr double kShrink = 0.5;
+
+struct Place {
+  Eigen::VectorXd x;
+  double chi2;
+};
+
+Place explore(ScaledProblem& problem, Place place, double step) {
+  for (Eigen::Index k = 0; k < place.x.size(); ++k)
+    for (const double move : {step, -step}) {
+      Place trial = place;
+      trial.x[k] = std::clamp(place.x[k] + move, problem.lower()[k], problem.upper()[k]);
+      if (trial.x[k] == place.x[k]) continue;
+      trial.chi2 = problem.chi2At(trial.x);
+      if (!(trial.chi2 < place.chi2)) continue;
+      place = trial;
+      break;
+    }
+  return place;
+}
+
+/// Pattern moves from `base` over `found` onwards until one gains nothing; the last gain.
+Place followPattern(ScaledProblem& problem, Place base, Place found, double step, int max_iterations, int& iterations) {
+  while (found.chi2 < base.chi2 && iterations < max_iterations) {
+    ++iterations;
+    Place ahead{problem.withinBounds(2 * found.x - base.x), 0};
+    ahead.chi2 = problem.chi2At(ahead.x);
+    base = found;
+    found = explore(problem, ahead, step);
+  }
+  return found.chi2 < base.chi2 ? found : base;
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  ScaledProblem scaled(problem);
+  Place base{scaled.start(), 0};
+  base.chi2 = scaled.chi2At(base.x);
+  if (!std::isfinite(base.chi2)) return scaled.failureAtStart();
+  double step = kFirstStep;
+  int iterations = 0;
+  while (step > stop.tolerance && iterations < stop.max_iterations) {
+    ++iterations;
+    const Place found = explore(scaled, base, step);
+    if (found.chi2 < base.chi2)
+      base = followPattern(scaled, base, found, step, stop.max_iterations, iterations);
+    else
+      step *= kShrink;
+  }
+  const bool done = step <= stop.tolerance;
+  return scaled.resultAt(base.x, base.chi2, done ? LeastSquaresStatus::kConverged : LeastSquaresStatus::kIterationLimit,
+                         done ? "the step is within tolerance" : "stopped at the iteration limit", iterations);
+}
+
+}  // namespace tubeplan::calibration

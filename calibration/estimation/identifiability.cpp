@@ -1,0 +1,57 @@
+#include "calibration/estimation/identifiability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kSharpened = 0.5;   // of what a number may be off by: the most that its sigma may be
+constexpr double kCorrelated = 0.3;  // correlation from which a number is named as a partner
+constexpr std::size_t kMostPartners = 4;
+constexpr double kSeen = 2;  // sigmas that a compliance must be from none: else its stiffness has no upper end
+
+/// How far the number may be off as far as anybody knows beforehand.
+double yardstickOf(const Unknown& unknown) { return std::min(unknown.typical, unknown.prior_sigma); }
+
+bool isSharp(const Unknown& unknown, double sigma, double x) {
+  if (!(sigma <= kSharpened * yardstickOf(unknown))) return false;
+  return unknown.scale == Unknown::Scale::kLinear || kSeen * sigma < 1 / valueAt(unknown, x);
+}
+
+std::vector<int> partnersOf(Index k, const MatrixXd& covariance) {
+  const auto correlation = [&](Index other) {
+    return std::abs(covariance(k, other)) / std::sqrt(covariance(k, k) * covariance(other, other));
+  };
+  std::vector<int> partners;
+  for (Index other = 0; other < covariance.rows(); ++other)
+    if (other != k && correlation(other) > kCorrelated) partners.push_back(static_cast<int>(other));
+  std::stable_sort(partners.begin(), partners.end(), [&](int a, int b) { return correlation(a) > correlation(b); });
+  if (partners.size() > kMostPartners) partners.resize(kMostPartners);
+  return partners;
+}
+
+}  // namespace
+
+std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian, const MatrixXd& covariance,
+                                                        const std::vector<Unknown>& unknowns, const VectorXd& at) {
+  std::vector<NumberIdentifiability> numbers(unknowns.size());
+  for (std::size_t n = 0; n < unknowns.size(); ++n) {
+    const auto k = static_cast<Index>(n);
+    const Unknown& unknown = unknowns[n];
+    if (isSharp(unknown, std::sqrt(covariance(k, k)), at[k])) {
+      numbers[n].verdict = Identifiability::kYes;
+      continue;
+    }
+    const double alone = 1 / std::sqrt(jacobian.col(k).squaredNorm() + 1 / (unknown.prior_sigma * unknown.prior_sigma));
+    if (!isSharp(unknown, alone, at[k])) continue;
+    numbers[n].with = partnersOf(k, covariance);
+    if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
+  }
+  return numbers;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,294 @@
+#include "calibration/estimation/identification.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <cmath>
+#include <iterator>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/held_out.hpp"
+#include "calibration/estimation/identified_numbers.hpp"
+#include "calibration/estimation/outliers.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/reading_problems.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kStrongCorrelation = 0.9;
+
+std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
+  std::vector<Measurement> some;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].is_held_out != held_out) continue;
+    some.push_back(all[k]);
+    if (used) used->push_back(static_cast<int>(k));
+  }
+  return some;
+}
+
+void listCorrelations(Identification& result) {
+  const VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
+  for (Index i = 0; i < sigma.size(); ++i)
+    for (Index j = i + 1; j < sigma.size(); ++j) {
+      const double value = result.covariance(i, j) / (sigma[i] * sigma[j]);
+      if (std::abs(value) > kStrongCorrelation)
+        result.correlations.push_back({result.numbers[static_cast<std::size_t>(i)].unknown.name,
+                                       result.numbers[static_cast<std::size_t>(j)].unknown.name, value});
+    }
+}
+
+std::vector<Unknown> basesOf(const std::vector<Unknown>& unknowns) {
+  std::vector<Unknown> bases;
+  std::copy_if(unknowns.begin(), unknowns.end(), std::back_inserter(bases),
+               [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
+  return bases;
+}
+
+FitOptions fitOptions(const IdentificationOptions& options) { return {options.solver, options.loss, {}}; }
+
+void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& held_out, Identification& result) {
+  if (!held_out.empty()) {
+    result.heldout_before = judge(result.start, held_out);
+    result.heldout = judge(result.fitted, held_out);
+    return;
+  }
+  if (model.options.folds < 2) return;
+  const auto folds = foldsOf(model.fitted, model.options.folds, model.options.seed);
+  FitOptions options = fitOptions(model.options);
+  options.model_error = result.model_error;
+  const auto bases = basesOf(model.unknowns);
+  result.heldout_before =
+      crossValidate(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
+  result.heldout = crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds, options,
+                                 model.options.hooks);
+}
+
+/// Singular values of the readings' Jacobian, each column by its number's typical size.
+VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
+  for (std::size_t k = 0; k < unknowns.size(); ++k) jacobian.col(static_cast<Index>(k)) *= unknowns[k].typical;
+  const MatrixXd square = jacobian.transpose() * jacobian;
+  return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
+}
+
+/// Errors [m] at the solution as anybody would find them there: of touches from their points' estimates by the noise,
+/// not by what a robust loss made of it.
+VectorXd errorsOf(const FittedModel& model) {
+  if (model.fit.factors.size() == 0) return model.fit.residual.error;
+  const ReadingWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
+  return whitenedResidual(model.start, model.unknowns, model.fitted, plain, model.fit.solution.x, false,
+                          model.options.hooks.stop)
+      .error;
+}
+
+void summarize(const FittedModel& model, Identification& result) {
+  const Fit& fit = model.fit;
+  result.fitted = applied(model.start, model.unknowns, fit.solution.x);
+  result.chi2 = fit.chi2;
+  result.degrees_of_freedom = fit.degrees_of_freedom;
+  result.p_value = fit.p_value;
+  result.model_error = fit.weights.model_error;
+  result.covariance = fit.covariance;
+  result.singular_values = singularValues(fit.residual.jacobian, model.unknowns);
+  const VectorXd errors = errorsOf(model);
+  result.after = errorSize(model.fitted, fit.weights, errors);
+  result.errors = errorLengths(model.fitted, fit.weights, errors);
+  result.noise_floor = noiseFloor(model.fitted, fit.weights);
+  describeNumbers(model, result);
+  listCorrelations(result);
+  result.outliers = findOutliers(model.fitted, fit, model.options.outlier_level);
+  for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
+}
+
+void countWork(const LeastSquaresResult& solution, Identification& result) {
+  result.iterations += solution.iterations;
+  result.evaluations += solution.evaluations;
+  result.jacobian_evaluations += solution.jacobian_evaluations;
+}
+
+/// Places unknown bases with nothing else free, so that the rest starts from a sensible place.
+void fitBases(FittedModel& model, Identification& result) {
+  const auto bases = basesOf(model.unknowns);
+  if (bases.empty()) return;
+  alignPlacings(model.start, model.fitted);
+  const Fit fit = fitUnknowns(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())),
+                              fitOptions(model.options));
+  countWork(fit.solution, result);
+  if (fit.solution.status == LeastSquaresStatus::kConverged) model.start = applied(model.start, bases, fit.solution.x);
+}
+
+VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int start) {
+  boost::random::mt19937_64 random(seed * 7919 + static_cast<std::uint64_t>(start));
+  boost::random::uniform_real_distribution<double> uniform(-1, 1);
+  VectorXd x(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    const double size = unknown.owner == Unknown::Owner::kBase ? 0.05 * unknown.typical : 1.1 * unknown.typical;
+    x[k] = std::clamp(size * uniform(random), unknown.lower, unknown.upper);
+  }
+  return x;
+}
+
+bool isUsable(const Fit& fit) { return fit.solution.status != LeastSquaresStatus::kFailed && fit.residual.ok; }
+
+/// The lowest of the fits from several starts; false where none is possible.
+bool fitFromStarts(FittedModel& model, Identification& result) {
+  std::vector<double> ends;
+  const int starts = std::max(1, model.options.starts);
+  const auto count = static_cast<Index>(model.unknowns.size());
+  for (int s = 0; s < starts; ++s) {
+    tell(model.options.hooks, "fit", static_cast<std::size_t>(s), starts > 1 ? static_cast<std::size_t>(starts) : 0);
+    Fit fit = fitUnknowns(model.start, model.unknowns, model.fitted,
+                          s == 0 ? VectorXd(VectorXd::Zero(count)) : drawStart(model.unknowns, model.options.seed, s),
+                          fitOptions(model.options));
+    countWork(fit.solution, result);
+    ends.push_back(isUsable(fit) ? fit.chi2 : std::numeric_limits<double>::infinity());
+    if (s == 0 || ends.back() < *std::min_element(ends.begin(), ends.end() - 1)) model.fit = std::move(fit);
+  }
+  const double least = *std::min_element(ends.begin(), ends.end());
+  result.starts_agreeing = static_cast<int>(
+      std::count_if(ends.begin(), ends.end(), [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
+  return isUsable(model.fit);
+}
+
+void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted, ErrorSize& size, double* chi2) {
+  const auto weights = weighReadings(placed, fitted);
+  if (!weights) return;
+  const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
+  if (!residual.ok) return;
+  size = errorSize(fitted, *weights, residual.error);
+  if (chi2) *chi2 = residual.r.squaredNorm();
+}
+
+void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vector<Unknown>& unknowns,
+                        Identification& result) {
+  result.reading_problem = findReadingProblem(fitted, unknowns);
+  if (!result.reading_problem) return;
+  ReadingProblem& problem = *result.reading_problem;
+  result.reason = "found " + problem.found + ", expected " + problem.expected;
+  if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
+}
+
+/// A stiffness that the readings do not need is rigid; any other number stays at its start.
+void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
+  const bool is_stiffness = number.unknown.scale != Unknown::Scale::kLinear;
+  deflection::locate(start.arm, number.unknown.path) = is_stiffness ? deflection::kRigid : number.unknown.start;
+}
+
+/// How many sigmas a number is from what it would be if it were given up.
+double needOf(const IdentifiedNumber& number) {
+  if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;  // of the compliance
+  return std::abs(number.value - number.unknown.start) / number.sigma;
+}
+
+/// The number that the readings need least, where its chance of being nothing is above the level; -1 otherwise.
+int leastNeeded(const Identification& result, double level) {
+  int least = -1;
+  double need = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < static_cast<int>(result.numbers.size()); ++k) {
+    const auto& number = result.numbers[static_cast<std::size_t>(k)];
+    if (number.unknown.owner == Unknown::Owner::kBase || number.unknown.is_geometry) continue;
+    if (needOf(number) < need) need = needOf(number), least = k;
+  }
+  return least >= 0 && chiSquareTail(need * need, 1) > level ? least : -1;
+}
+
+Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
+                            const IdentificationOptions& options);
+
+/// Again and again without what the readings need least, where that is asked for.
+Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
+                              const IdentificationOptions& options) {
+  PlacedArm from = start;
+  IdentificationOptions now = options;
+  now.solver.stop = options.hooks.stop;
+  std::vector<std::string> dropped;
+  while (true) {
+    Identification result = identifyOnce(from, readings, now);
+    const int least = options.drop_level > 0 && result.status == IdentificationStatus::kDone
+                          ? leastNeeded(result, options.drop_level)
+                          : -1;
+    if (least < 0 || result.numbers.size() < 2) {
+      result.dropped = std::move(dropped);
+      return result;
+    }
+    const auto& number = result.numbers[static_cast<std::size_t>(least)];
+    std::vector<std::string> names;
+    for (const auto& group : now.free.names)
+      for (const auto& name : group == "geometry" ? std::vector<std::string>{group} : namesBehind(from.arm, group))
+        if (name != number.unknown.name) names.push_back(name);
+    now.free.names = names;
+    const double p = chiSquareTail(needOf(number) * needOf(number), 1);
+    dropped.push_back(number.unknown.name + ": the readings do not need it (p = " + std::to_string(p).substr(0, 5) +
+                      "); " +
+                      (number.unknown.scale == Unknown::Scale::kLinear ? "kept at its start" : "taken as rigid"));
+    giveUp(number, from);
+  }
+}
+
+Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
+                            const IdentificationOptions& options) {
+  Identification result;
+  const auto fitted = readingsOf(readings, false, &result.used);
+  const auto held_out = readingsOf(readings, true, nullptr);
+  FittedModel model{fitted, options, start, {}, {}};
+  auto unknowns = chooseUnknowns(model.start, options.free);
+  result.problems = unknowns.problems;
+  model.unknowns = std::move(unknowns.list);
+  if (result.problems.empty() && model.unknowns.empty()) result.reason = "nothing is free: name a parameter to find";
+  if (!result.problems.empty()) result.reason = result.problems.front().found;
+  if (result.reason.empty()) noteReadingProblem(fitted, model.unknowns, result);
+  if (!result.reason.empty()) {
+    result.status = IdentificationStatus::kRefused;
+    return result;
+  }
+  measureStart(start, fitted, result.before, &result.chi2_before);
+  fitBases(model, result);
+  result.start = model.start;
+  measureStart(model.start, fitted, result.after_base, nullptr);
+  if (!fitFromStarts(model, result)) {
+    result.status = IdentificationStatus::kNotConverged;
+    result.reason =
+        model.fit.solution.reason.empty() ? "the model cannot be evaluated at the readings" : model.fit.solution.reason;
+    return result;
+  }
+  summarize(model, result);
+  judgeHeldOut(model, held_out, result);
+  const bool converged = model.fit.solution.status == LeastSquaresStatus::kConverged;
+  result.status = converged ? IdentificationStatus::kDone : IdentificationStatus::kNotConverged;
+  if (!converged) result.reason = model.fit.solution.reason;
+  return result;
+}
+
+}  // namespace
+
+Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+                        const IdentificationOptions& options) {
+  try {
+    return identifyNeeded(start, readings, options);
+  } catch (const WorkStopped&) {
+    Identification stopped;
+    stopped.status = IdentificationStatus::kStopped;
+    stopped.reason = kStoppedReason;
+    return stopped;
+  }
+}
+
+std::vector<Unknown> fittedUnknowns(const Identification& result) {
+  std::vector<Unknown> unknowns;
+  for (const IdentifiedNumber& number : result.numbers) unknowns.push_back(rebased(number.unknown, number.value));
+  return unknowns;
+}
+
+Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
+                        const std::vector<Measurement>& readings, const IdentificationOptions& options) {
+  return identify(placeForReadings(arm, X_WB, base_known, readings), readings, options);
+}
+
+}  // namespace tubeplan::calibration

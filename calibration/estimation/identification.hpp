@@ -1,0 +1,119 @@
+// The numbers of the model found from readings, each with its uncertainty and a word on whether the readings can tell
+// it (Calkins 1994, chapter 3).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/estimation/identifiability.hpp"
+#include "calibration/estimation/least_squares.hpp"
+#include "calibration/estimation/whitened_residual.hpp"
+#include "calibration/measurements/reading_problems.hpp"
+
+namespace tubeplan::calibration {
+
+enum class RobustLoss { kNone, kHuber, kCauchy };
+
+struct IdentificationOptions {
+  FreeChoice free;
+  LeastSquaresOptions solver;
+  RobustLoss loss = RobustLoss::kNone;
+  int starts = 1;               ///< the first as given, the others drawn around it
+  std::uint64_t seed = 1;       ///< of the drawn starts and the folds
+  int folds = 5;                ///< of the cross-validation by pose, where no reading is marked held-out; 0: none
+  double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
+  double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
+  bool intervals_by_profile = true;
+  WorkHooks hooks;  ///< the solver is stopped by these too
+};
+
+enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
+
+struct IdentifiedNumber {
+  Unknown unknown;
+  double value = 0;  ///< of the parameter; of a base component: of its step
+  double sigma = std::numeric_limits<double>::quiet_NaN();
+  double lower = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval
+  double upper = std::numeric_limits<double>::quiet_NaN();
+  bool is_profile = false;  ///< the interval is by profile, not by sigma
+  Identifiability identifiable = Identifiability::kNo;
+  std::vector<std::string> with;  ///< names of the unknowns it is determined in combination with
+  double prior_deviation = 0;     ///< from the arm's file, in standard deviations of its prior
+  bool is_at_bound = false;
+  std::string note;  ///< one plain sentence where there is something to say
+};
+
+struct Outlier {
+  int reading = -1;
+  double size = 0;    ///< m, how far the reading is off by the fit without it
+  double sigmas = 0;  ///< the same in noise sigmas
+};
+
+struct StrongCorrelation {
+  std::string a, b;
+  double value = 0;
+};
+
+/// Errors of a set of readings: root mean square and mean of their lengths [m].
+struct ErrorSize {
+  double rms = std::numeric_limits<double>::quiet_NaN();
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  double max = std::numeric_limits<double>::quiet_NaN();
+  int readings = 0;
+};
+
+struct Identification {
+  IdentificationStatus status = IdentificationStatus::kNotRun;
+  std::string reason;
+  std::vector<FreeProblem> problems;              ///< why refused: names that cannot be freed
+  std::optional<ReadingProblem> reading_problem;  ///< why refused: readings that do not tell enough
+  std::vector<std::string> dropped;               ///< "NAME: why", numbers that the readings do not need
+  PlacedArm start, fitted;                        ///< with only the bases placed; with everything
+  std::vector<IdentifiedNumber> numbers;
+  Eigen::MatrixXd covariance;  ///< of the numbers' variables, in their order (compliances of stiffnesses)
+  std::vector<StrongCorrelation> correlations;
+  ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
+  ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
+  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
+  double chi2_before = std::numeric_limits<double>::quiet_NaN();
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
+  int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
+  double p_value = std::numeric_limits<double>::quiet_NaN();
+  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
+                           ///< above 0 where chi-square refuses the stated noise
+  std::vector<Outlier> outliers;
+  Eigen::VectorXd errors;           ///< length of each fitted reading's error [m], in the order of `used`
+  std::vector<int> used;            ///< readings that were fitted
+  Eigen::VectorXd singular_values;  ///< of the readings' Jacobian, each column by its number's typical size
+  int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
+  int starts_agreeing = 1;
+};
+
+/// The numbers in the order of the covariance, as variables that are 0 where the fit left them.
+[[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
+
+/// Finds the free numbers and the placings that are not known. Readings marked held-out are not fitted but judged.
+[[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
+                                      const std::vector<Measurement>& readings, const IdentificationOptions& options);
+
+/// One step of several: what it frees, and the set-up whose readings it uses (empty: all).
+struct IdentificationStage {
+  std::vector<std::string> names;
+  std::string setup;
+};
+
+/// The thesis's way: each stage frees its own numbers with those of the stages before held where they were found, their
+/// covariance carried into its own. Returns one result for each stage, up to one that is refused or stopped; the last
+/// has the whole covariance in its sigmas.
+[[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
+                                                           const std::vector<Measurement>& readings,
+                                                           const std::vector<IdentificationStage>& stages,
+                                                           const IdentificationOptions& options);
+
+/// The same from a state with a placing for every set-up.
+[[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                      const IdentificationOptions& options);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,104 @@
+#include "calibration/estimation/identified_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include "calibration/estimation/profile_interval.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kNormal95 = 1.959963984540054;
+constexpr double kBoundMargin = 1e-4;  // of a typical size, that counts as at the bound
+constexpr double kPoorNormal = 0.2;    // sigma of a compliance over itself from which the normal interval is poor
+constexpr double kLeaning = 0.3;       // correlation with a number near its bound that spoils the normal interval
+
+bool isAtBound(const Unknown& unknown, double x) {
+  const double margin = kBoundMargin * unknown.typical;
+  return x <= unknown.lower + margin || x >= unknown.upper - margin;
+}
+
+std::string namesOf(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  return text;
+}
+
+constexpr double kFarFromDrawing = 3;  // of the prior's standard deviations
+
+bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Scale::kCompliance; }
+
+std::string noteOf(const IdentifiedNumber& number, bool hardly_gives) {
+  if (number.identifiable == Identifiability::kInCombination)
+    return "determined only in combination with " + namesOf(number.with) + "; what is left open is its prior's";
+  if (number.is_at_bound && hardly_gives)
+    return "the readings ask for no compliance at all, or less than none, which no part has: take it as rigid, or look "
+           "for a missing effect";
+  if (number.is_at_bound) return "at its bound: the readings ask for more than is physical";
+  if (hardly_gives) return "its compliance is within two sigmas of none: the readings hardly need it";
+  if (number.identifiable == Identifiability::kNo)
+    return "the readings do not depend on it enough to determine it: it stays near its start";
+  if (number.prior_deviation > kFarFromDrawing) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%.1f standard deviations of its prior from the arm's file: is the file right, or is an effect "
+                  "missing?",
+                  number.prior_deviation);
+    return text;
+  }
+  return "";
+}
+
+/// Whether the normal interval of a stiffness is poor: it is wide, or made wide by another that can hardly go on in the
+/// direction that would make up for it.
+bool isNormalPoor(const std::vector<Unknown>& unknowns, const VectorXd& x, const MatrixXd& covariance, Index k) {
+  const auto sigma = [&](Index i) { return std::sqrt(covariance(i, i)); };
+  if (sigma(k) > kPoorNormal / valueAt(unknowns[static_cast<std::size_t>(k)], x[k])) return true;
+  for (Index i = 0; i < x.size(); ++i) {
+    const Unknown& other = unknowns[static_cast<std::size_t>(i)];
+    const double room = std::min(x[i] - other.lower, other.upper - x[i]);
+    if (i != k && room < 2 * sigma(i) && std::abs(covariance(i, k)) > kLeaning * sigma(i) * sigma(k)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void describeNumbers(const FittedModel& model, Identification& result) {
+  const auto& unknowns = model.unknowns;
+  const VectorXd& x = model.fit.solution.x;
+  const MatrixXd& covariance = model.fit.covariance;
+  const auto identifiable = judgeIdentifiability(model.fit.residual.jacobian, covariance, unknowns, x);
+  for (std::size_t n = 0; n < unknowns.size(); ++n) {
+    tell(model.options.hooks, "intervals", n, unknowns.size());
+    const auto k = static_cast<Index>(n);
+    IdentifiedNumber number;
+    const Unknown& unknown = number.unknown = unknowns[n];
+    const double sigma = std::sqrt(covariance(k, k));
+    number.identifiable = identifiable[n].verdict;
+    for (const int other : identifiable[n].with) number.with.push_back(unknowns[static_cast<std::size_t>(other)].name);
+    number.value = valueAt(unknown, x[k]);
+    number.sigma = sigma * std::abs(slopeAt(unknown, x[k]));
+    number.prior_deviation = std::abs(x[k] - unknown.prior_mean) / unknown.prior_sigma;
+    double lower = std::max(unknown.lower, x[k] - kNormal95 * sigma);
+    double upper = std::min(unknown.upper, x[k] + kNormal95 * sigma);
+    if (model.options.intervals_by_profile && isCompliance(unknown) && isNormalPoor(unknowns, x, covariance, k)) {
+      const auto profile = profileInterval(model.start, unknowns, model.fitted, model.fit, static_cast<int>(n), sigma,
+                                           model.options.hooks.stop);
+      lower = profile.lower, upper = profile.upper;
+      number.is_profile = true;
+    }
+    std::tie(number.lower, number.upper) = valuesBetween(unknown, lower, upper);
+    number.is_at_bound = isAtBound(unknown, x[k]);
+    number.note = noteOf(number, isCompliance(unknown) && 1 / number.value < 2 * sigma);
+    result.numbers.push_back(std::move(number));
+  }
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,203 @@
+// The one place that knows Ipopt.
+#include <IpIpoptApplication.hpp>
+#include <IpSolveStatistics.hpp>
+#include <IpTNLP.hpp>
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "calibration/estimation/scaled_problem.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+using Ipopt::Index, Ipopt::Number;
+constexpr double kUnbounded = 2e19;  // what Ipopt takes for infinity
+constexpr double kRounding = 1e-13;  // of chi2
+constexpr double kNearBound = 1e-2;  // in units of a variable's scale
+
+/// Half the squared residual as Ipopt asks for it. Trial points are asked for values alone; the Jacobian of a point
+/// that was accepted serves its gradient and its Hessian.
+class NonlinearProgram : public Ipopt::TNLP {
+ public:
+  explicit NonlinearProgram(ScaledProblem& problem) : problem_(problem), n_(problem.lower().size()) {}
+
+  VectorXd solution;
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
+
+  bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian, IndexStyleEnum& style) override {
+    n = static_cast<Index>(n_);
+    m = jacobian = 0;
+    hessian = n * (n + 1) / 2;
+    style = C_STYLE;
+    return true;
+  }
+
+  bool get_bounds_info(Index n, Number* lower, Number* upper, Index, Number*, Number*) override {
+    Eigen::Map<VectorXd>(lower, n) = problem_.lower().cwiseMax(-kUnbounded);
+    Eigen::Map<VectorXd>(upper, n) = problem_.upper().cwiseMin(kUnbounded);
+    return true;
+  }
+
+  bool get_starting_point(Index n, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
+    Eigen::Map<VectorXd>(x, n) = problem_.start();
+    return true;
+  }
+
+  bool eval_f(Index, const Number* x, bool, Number& value) override {
+    value = chi2At(x) / 2;
+    return std::isfinite(value);
+  }
+
+  bool eval_grad_f(Index n, const Number* x, bool, Number* gradient) override {
+    if (!linearize(x)) return false;
+    Eigen::Map<VectorXd>(gradient, n) = J_.transpose() * r_;
+    return true;
+  }
+
+  bool eval_g(Index, const Number*, bool, Index, Number*) override { return true; }
+  bool eval_jac_g(Index, const Number*, bool, Index, Index, Index*, Index*, Number*) override { return true; }
+
+  bool eval_h(Index n, const Number* x, bool, Number factor, Index, const Number*, bool, Index, Index* rows,
+              Index* columns, Number* values) override {
+    if (values && !linearize(x)) return false;
+    const MatrixXd H = values ? MatrixXd(factor * J_.transpose() * J_) : MatrixXd();
+    for (Index i = 0, k = 0; i < n; ++i)
+      for (Index j = 0; j <= i; ++j, ++k) {
+        if (values)
+          values[k] = H(i, j);
+        else
+          rows[k] = i, columns[k] = j;
+      }
+    return true;
+  }
+
+  /// Ipopt's own test is absolute in the gradient; with a large misfit rounding keeps it from ever being met. Where the
+  /// best step foretells no fall beyond rounding, or twice there has been none, this is as far down as it goes.
+  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number value, Number, Number, Number, Number, Number, Number,
+                             Number, Index, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+    resting_ = std::abs(value - last_value_) <= kRounding * std::abs(value) ? resting_ + 1 : 0;
+    last_value_ = value;
+    return resting_ < 2 && !isAtBottom(value);
+  }
+
+  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index,
+                         const Number*, const Number*, Number, const Ipopt::IpoptData*,
+                         Ipopt::IpoptCalculatedQuantities*) override {
+    solution = Eigen::Map<const VectorXd>(x, n);
+    chi2 = chi2At(x);  // Ipopt's own value means nothing after a failed evaluation
+  }
+
+ private:
+  /// Away from all bounds, whose barriers have a part in every step, a Gauss-Newton step foretells the fall.
+  [[nodiscard]] bool isAtBottom(Number value) const {
+    const double now = 2 * value;
+    if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRounding * now)) return false;
+    const VectorXd room =
+        (linearized_x_ - problem_.lower()).cwiseMin(problem_.upper() - linearized_x_).cwiseMin(1 / kNearBound);
+    if (!(room.minCoeff() >= kNearBound)) return false;
+    const VectorXd gradient = J_.transpose() * r_;
+    const Eigen::LLT<MatrixXd> normal(J_.transpose() * J_);
+    if (normal.info() != Eigen::Success) return false;
+    return normal.matrixL().solve(gradient).squaredNorm() <= kRounding * now;
+  }
+
+  double chi2At(const Number* at) {
+    const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
+    if (linearized_ && isAt(x, linearized_x_)) return r_.squaredNorm();
+    if (isAt(x, x_)) return chi2_;
+    x_ = x;
+    return chi2_ = problem_.chi2At(x);
+  }
+
+  bool linearize(const Number* at) {
+    const VectorXd x = Eigen::Map<const VectorXd>(at, n_);
+    if (isAt(x, linearized_x_)) return linearized_;
+    linearized_x_ = x;
+    return linearized_ = problem_.linearizeAt(x, r_, J_);
+  }
+
+  static bool isAt(const VectorXd& x, const VectorXd& known) { return known.size() == x.size() && known == x; }
+
+  ScaledProblem& problem_;
+  Eigen::Index n_;
+  VectorXd x_;  // where chi2_ was asked
+  double chi2_ = std::numeric_limits<double>::quiet_NaN();
+  VectorXd linearized_x_, r_;  // where r_ and J_ were asked
+  MatrixXd J_;
+  bool linearized_ = false;
+  double last_value_ = std::numeric_limits<double>::quiet_NaN();
+  int resting_ = 0;
+};
+
+/// Null where Ipopt could not start.
+Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
+  Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = IpoptApplicationFactory();
+  auto settings = solver->Options();
+  settings->SetIntegerValue("print_level", 0);
+  settings->SetStringValue("sb", "yes");
+  // Whitened residuals need no second scaling, and a least-squares start should not be pushed off its bounds.
+  settings->SetStringValue("nlp_scaling_method", "none");
+  settings->SetNumericValue("bound_relax_factor", 0);
+  settings->SetStringValue("mu_strategy", "adaptive");
+  // Every solution of the few equations costs MUMPS far more than arithmetic: one for each step, not three, and refined
+  // only where it is not accurate.
+  settings->SetStringValue("mu_oracle", "loqo");
+  settings->SetIntegerValue("min_refinement_steps", 0);
+  if (solver->Initialize("") != Ipopt::Solve_Succeeded) return nullptr;
+  return solver;
+}
+
+struct Meaning {
+  LeastSquaresStatus status;
+  const char* reason;
+};
+
+Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
+  using Status = LeastSquaresStatus;
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return {Status::kConverged, "the gradient is within tolerance"};
+    case Ipopt::Solved_To_Acceptable_Level:
+      return {Status::kConverged, "the gradient rests within a thousand tolerances"};
+    case Ipopt::User_Requested_Stop:
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+      return {Status::kConverged, "chi2 falls no further than by rounding"};
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return {Status::kIterationLimit, "stopped at the iteration limit"};
+    case Ipopt::Restoration_Failed:
+      return {Status::kFailed, "no step lowers the error"};
+    case Ipopt::Error_In_Step_Computation:
+      return {Status::kFailed, "the steps have become too small"};
+    case Ipopt::Invalid_Number_Detected:
+      return {Status::kFailed, "the model could not be evaluated"};
+    default:
+      return {Status::kFailed, "the solver failed"};
+  }
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  // MUMPS, the linear solver that Debian's Ipopt brings, keeps its instances in an unguarded table of the process. One
+  // Ipopt serves all then: making it ready takes longer than many a problem.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();
+  using Status = LeastSquaresStatus;
+  ScaledProblem scaled(problem);
+  Ipopt::SmartPtr<NonlinearProgram> program = new NonlinearProgram(scaled);
+  if (!Ipopt::IsValid(solver))
+    return scaled.resultAt(scaled.start(), program->chi2, Status::kFailed, "Ipopt could not start");
+  solver->Options()->SetNumericValue("tol", stop.tolerance);
+  solver->Options()->SetNumericValue("acceptable_tol", stop.tolerance * 1e3);
+  solver->Options()->SetIntegerValue("max_iter", stop.max_iterations);
+  const auto [status, reason] = meaningOf(solver->OptimizeTNLP(program));
+  if (!std::isfinite(program->chi2)) return scaled.failureAtStart();
+  const int iterations = Ipopt::IsValid(solver->Statistics()) ? solver->Statistics()->IterationCount() : 0;
+  return scaled.resultAt(program->solution, program->chi2, status, reason, iterations);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,100 @@
+// The table of least-squares methods, and the cases that need none.
+#include "calibration/estimation/least_squares.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "calibration/estimation/scaled_problem.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+bool isWellFormed(const LeastSquaresProblem& problem) {
+  const Eigen::Index n = problem.start.size();
+  return problem.lower.size() == n && problem.upper.size() == n && problem.scale.size() == n &&
+         problem.start.allFinite() && (problem.scale.array() > 0).all() && problem.evaluate;
+}
+
+LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
+  ScaledProblem scaled(problem);
+  const Eigen::VectorXd x = scaled.start();
+  const double chi2 = scaled.chi2At(x);
+  return std::isfinite(chi2) ? scaled.resultAt(x, chi2, LeastSquaresStatus::kConverged, "every variable is fixed")
+                             : scaled.failureAtStart();
+}
+
+/// Nothing can be evaluated any more once a stop is asked for: every method then ends at once.
+LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
+                                        const LeastSquaresStop& rest, const StopQuestion& stop) {
+  bool is_stopped = false;
+  LeastSquaresProblem asking = problem;
+  asking.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
+    is_stopped = is_stopped || stop();
+    return !is_stopped && problem.evaluate(x, r, jacobian);
+  };
+  LeastSquaresResult result = kind.minimize(asking, rest);
+  if (is_stopped) {
+    result.status = LeastSquaresStatus::kStopped;
+    result.reason = kStoppedReason;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
+  using Method = LeastSquaresMethod;
+  static constexpr std::array kMethods{
+      LeastSquaresMethodKind{Method::kInTurn,
+                             "in-turn",
+                             "Levenberg-Marquardt; where that does not rest soon, the interior point too",
+                             {1e-9, 400},
+                             minimizeInTurn},
+      LeastSquaresMethodKind{
+          Method::kInteriorPoint,
+          "ipopt",
+          "interior point (Ipopt) on the Gauss-Newton Hessian, until the gradient is within tolerance",
+          {1e-10, 200},
+          minimizeByInteriorPoint},
+      LeastSquaresMethodKind{Method::kLevenbergMarquardt,
+                             "levenberg-marquardt",
+                             "damped Gauss-Newton, until no step would lower chi-square by more than a share of it",
+                             {1e-9, 100},
+                             minimizeByLevenbergMarquardt},
+      LeastSquaresMethodKind{Method::kHookeJeeves,
+                             "hooke-jeeves",
+                             "pattern search by values alone, until its step is within tolerance",
+                             {1e-6, 10000},
+                             minimizeByHookeJeeves},
+      LeastSquaresMethodKind{Method::kSteepestDescent,
+                             "steepest-descent",
+                             "straight down the gradient with a line search, until the gradient is within tolerance",
+                             {1e-6, 1000},
+                             minimizeBySteepestDescent},
+  };
+  return kMethods;
+}
+
+LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, const LeastSquaresOptions& options) {
+  assert(isWellFormed(problem));
+  if ((problem.lower.array() > problem.upper.array()).any()) {
+    LeastSquaresResult refused;
+    refused.status = LeastSquaresStatus::kFailed;
+    refused.reason = "a lower bound lies above its upper bound";
+    refused.x = problem.start;
+    return refused;
+  }
+  if ((problem.lower.array() == problem.upper.array()).all()) return evaluateFixed(problem);
+  const auto kinds = leastSquaresMethods();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.method == options.method; });
+  assert(kind != kinds.end());
+  const LeastSquaresStop stop{options.tolerance.value_or(kind->stop.tolerance),
+                              options.max_iterations.value_or(kind->stop.max_iterations)};
+  assert(stop.tolerance > 0 && stop.max_iterations >= 0);
+  return options.stop ? minimizeUntilStopped(*kind, problem, stop, options.stop) : kind->minimize(problem, stop);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,199 @@
+// Levenberg-Marquardt with bounds, as a trust region: Gauss-Newton steps in the variables that no bound holds, damped
+// until they are no longer than the model has proved good for (Moré 1978, "The Levenberg-Marquardt algorithm:
+// implementation and theory"). Cheap to start, so it is what repeated refits use.
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/estimation/scaled_problem.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double kFirstRadius = 1;            // of a typical size, in the mean over the variables
+constexpr double kLeastRadius = 1e-14;        // of the same: shorter steps change nothing
+constexpr double kRest = 1e-13;               // of a variable's own curvature: what only rounding would move stays
+constexpr double kUnseen = 1e-30;             // of the largest curvature: what no residual depends on stays
+constexpr double kLengthRest = 0.1;           // of the radius, by which a damped step may be longer
+constexpr int kDampings = 20;                 // tries to bring a step to the radius
+constexpr int kFactorisations = 100;          // tries to make the damped matrix positive definite, doubling each time
+constexpr double kNoMisfit = 1e-6;            // chi2 below which the tolerance is no longer a share of it
+constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the foretold fall for a longer, and for a shorter radius
+
+/// Half of chi2's change by a step, to second order: gradient . step + step . normal step / 2.
+struct Valley {
+  VectorXd gradient;
+  MatrixXd normal;
+
+  void open(const MatrixXd& jacobian, const VectorXd& r) {
+    gradient = jacobian.transpose() * r;
+    normal = jacobian.transpose() * jacobian;
+  }
+  [[nodiscard]] double fallBy(const VectorXd& step) const { return -2 * gradient.dot(step) - step.dot(normal * step); }
+};
+
+/// Variables at a bound that the gradient presses against take no part in a step.
+std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
+  std::vector<Index> free;
+  for (Index k = 0; k < x.size(); ++k) {
+    const bool is_pressed =
+        (x[k] <= problem.lower()[k] && gradient[k] > 0) || (x[k] >= problem.upper()[k] && gradient[k] < 0);
+    if (!is_pressed && problem.lower()[k] < problem.upper()[k]) free.push_back(k);
+  }
+  return free;
+}
+
+/// -(normal + damping) \ pull; where it is to be no longer than `radius`, the damping grows until it is (Newton's
+/// method on the length's inverse).
+VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
+  normal.diagonal() *= 1 + kRest;
+  normal.diagonal().array() += kUnseen * normal.diagonal().maxCoeff() + damping;
+  Eigen::LLT<MatrixXd> factor;
+  int indefinite = 0;
+  for (int k = 0; k <= kDampings; ++k) {
+    factor.compute(normal);
+    if (factor.info() != Eigen::Success) {  // by rounding: the damping is too small to be seen
+      if (++indefinite > kFactorisations) break;
+      const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
+      normal.diagonal().array() += more;
+      damping += more;
+      --k;
+      continue;
+    }
+    VectorXd step = -factor.solve(pull);
+    const double length = step.norm();
+    if (length <= (1 + kLengthRest) * radius || k == kDampings) return step;
+    const double more = (length - radius) / radius * length * length / factor.matrixL().solve(step).squaredNorm();
+    normal.diagonal().array() += more;
+    damping += more;
+  }
+  return VectorXd::Zero(pull.size());
+}
+
+/// The step of the free variables, of `radius` at most; what would leave its bounds goes to the bound, and the others
+/// are solved for again with it there, under the same damping.
+VectorXd boundedStep(const ScaledProblem& problem, const Valley& valley, const VectorXd& x, std::vector<Index> free,
+                     double radius, double& damping) {
+  VectorXd step = VectorXd::Zero(x.size());
+  damping = 0;
+  while (!free.empty()) {
+    const VectorXd pull = valley.gradient + valley.normal * step;
+    const VectorXd part = dampedSolution(valley.normal(free, free), pull(free), radius, damping);
+    radius = std::numeric_limits<double>::infinity();
+    std::vector<Index> inside;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      const Index v = free[k];
+      const double to = x[v] + part[static_cast<Index>(k)];
+      if (to >= problem.lower()[v] && to <= problem.upper()[v])
+        inside.push_back(v);
+      else
+        step[v] = (to < problem.lower()[v] ? problem.lower()[v] : problem.upper()[v]) - x[v];
+    }
+    if (inside.size() == free.size()) {
+      for (std::size_t k = 0; k < free.size(); ++k) step[free[k]] = part[static_cast<Index>(k)];
+      break;
+    }
+    free = inside;
+  }
+  return step;
+}
+
+/// One descent, point after point.
+class Descent {
+ public:
+  explicit Descent(const LeastSquaresProblem& problem)
+      : scaled_(problem), x_(scaled_.start()), size_(std::sqrt(static_cast<double>(x_.size()))) {}
+
+  LeastSquaresResult run(const LeastSquaresStop& stop);
+
+ private:
+  enum class Step { kTaken, kAtRest, kOnlyRounding };
+
+  Step step(double tolerance);
+  bool moveTo(const VectorXd& next, double foretold, bool is_first);
+  void settleRadius(double length, double fall, double foretold);
+  [[nodiscard]] LeastSquaresResult end(LeastSquaresStatus status, const char* reason) const {
+    return scaled_.resultAt(x_, chi2_, status, reason, iterations_);
+  }
+
+  ScaledProblem scaled_;
+  VectorXd x_, r_, next_r_;
+  MatrixXd jacobian_, next_jacobian_;
+  double size_;
+  double radius_ = kFirstRadius * size_;
+  double chi2_ = std::numeric_limits<double>::quiet_NaN();
+  Valley valley_;
+  std::vector<Index> free_;
+  double last_fall_ = std::numeric_limits<double>::infinity();
+  bool is_linear_ = true;  ///< r_ and jacobian_ are those of x_
+  int iterations_ = 0;
+};
+
+/// How far steps may go, by how well the last one was foretold.
+void Descent::settleRadius(double length, double fall, double foretold) {
+  const double share = fall > 0 ? fall / foretold : 0;  // a step that ran against bounds may foretell a rise
+  if (share > kGood)
+    radius_ = std::max(radius_, 2 * length);
+  else if (!(share > kPoor))
+    radius_ = kPoor * std::min(radius_, length);
+}
+
+/// Whether chi2 falls there; then x_ is moved. Most steps are taken, so the Jacobian comes with the value; after one
+/// that was not, the value alone.
+bool Descent::moveTo(const VectorXd& next, double foretold, bool is_first) {
+  const bool is_linear = foretold > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
+  const double tried = is_linear ? next_r_.squaredNorm() : foretold > 0 ? scaled_.chi2At(next) : chi2_;
+  const double fall = chi2_ - tried;
+  settleRadius((next - x_).norm(), fall, foretold);
+  if (!(fall > 0)) return false;
+  last_fall_ = fall;
+  x_ = next;
+  chi2_ = tried;
+  is_linear_ = is_linear;
+  if (is_linear) r_.swap(next_r_), jacobian_.swap(next_jacobian_);
+  return true;
+}
+
+/// Shortens the step until chi2 falls by it.
+Descent::Step Descent::step(double tolerance) {
+  for (bool is_first = true;; is_first = false) {
+    double damping = 0;
+    const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, valley_, x_, free_, radius_, damping));
+    const double foretold = valley_.fallBy(next - x_);
+    const double little = tolerance * std::max(chi2_, kNoMisfit);
+    // Where steps had to be kept short, the last one must have brought as little as this one would.
+    if (std::abs(foretold) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
+    if (moveTo(next, foretold, is_first)) return Step::kTaken;
+    if (radius_ <= kLeastRadius * size_) return Step::kOnlyRounding;
+  }
+}
+
+LeastSquaresResult Descent::run(const LeastSquaresStop& stop) {
+  using Status = LeastSquaresStatus;
+  if (!scaled_.linearizeAt(x_, r_, jacobian_)) return scaled_.failureAtStart();
+  for (;; ++iterations_) {
+    chi2_ = r_.squaredNorm();
+    valley_.open(jacobian_, r_);
+    free_ = movable(scaled_, x_, valley_.gradient);
+    if (!valley_.gradient.allFinite() || !valley_.normal.allFinite())
+      return end(Status::kFailed, "the derivatives are too large to be squared");
+    if (free_.empty()) return end(Status::kConverged, "every variable rests on a bound");
+    if (valley_.gradient(free_).isZero(0)) return end(Status::kConverged, "chi2 does not depend on the variables here");
+    if (iterations_ == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
+    const Step taken = step(stop.tolerance);
+    if (taken == Step::kAtRest) return end(Status::kConverged, "no step would lower chi2 by more than the tolerance");
+    if (taken == Step::kOnlyRounding) return end(Status::kConverged, "chi2 falls no further than by rounding");
+    if (!is_linear_ && !scaled_.linearizeAt(x_, r_, jacobian_))
+      return end(Status::kFailed, "the model could not be differentiated");
+  }
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  return Descent(problem).run(stop);
+}
+
+}  // namespace tubeplan::calibration

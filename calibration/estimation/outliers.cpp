@@ -1,0 +1,81 @@
+#include "calibration/estimation/outliers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// A reading's error by the fit without it.
+struct Alone {
+  VectorXd error;     // m
+  double square = 0;  // against its covariance: chi-square of as many degrees of freedom as it has rows
+};
+
+/// Rows of each reading in the basis of its unknown point; empty for others.
+std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t readings) {
+  std::vector<MatrixXd> blocks(readings);
+  for (const auto& point : weights.points)
+    for (std::size_t i = 0; i < point.readings.size(); ++i)
+      blocks[static_cast<std::size_t>(point.readings[i])] = point.Q.middleRows(3 * static_cast<Index>(i), 3);
+  return blocks;
+}
+
+/// With H the reading's block of the projection on what was fitted, the error without it is (I - H)^-1 r and its
+/// covariance (I - H)^-1, both in units of the reading's weighted noise; a robust fit's factor f gives the noise back:
+/// the reading's own part of that covariance stays 1, the others' part grows by 1 / f.
+Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const MatrixXd& covariance) {
+  const Index n = r.size();
+  const auto left = (MatrixXd::Identity(n, n) - H).completeOrthogonalDecomposition();
+  const VectorXd error = left.solve(r) / std::sqrt(factor);
+  const MatrixXd others = (left.solve(MatrixXd::Identity(n, n)) - MatrixXd::Identity(n, n)) / factor;
+  const MatrixXd spread = MatrixXd::Identity(n, n) + others;
+  return {covariance.llt().matrixL() * error, error.dot(spread.ldlt().solve(error))};
+}
+
+std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit& fit) {
+  const auto points = pointBlocks(fit.weights, readings.size());
+  const MatrixXd& J = fit.residual.jacobian;
+  std::vector<Alone> all;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Index row = fit.weights.first_row[k], rows = rowsOf(readings[k]);
+    MatrixXd H = MatrixXd::Zero(rows, rows);
+    if (J.cols()) H += J.middleRows(row, rows) * fit.covariance * J.middleRows(row, rows).transpose();
+    if (points[k].size()) H += points[k] * points[k].transpose();
+    const double factor = fit.factors.size() ? fit.factors[static_cast<Index>(k)] : 1;
+    all.push_back(judgeAlone(fit.residual.r.segment(row, rows), H, factor, fit.weights.covariance(k)));
+  }
+  return all;
+}
+
+/// Square of the factor by which most readings are off by more than their noise; 1 where they are not.
+double usualSquare(const std::vector<Measurement>& readings, const std::vector<Alone>& all) {
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < all.size(); ++k) sizes.push_back(all[k].square / rowsOf(readings[k]));
+  return std::max(1., median(std::move(sizes)) / 0.79);  // median of chi-square of three, over three
+}
+
+}  // namespace
+
+std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level) {
+  const auto all = judgeAll(readings, fit);
+  std::vector<Outlier> outliers;
+  if (all.empty()) return outliers;
+  const double usual = usualSquare(readings, all);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const double limit = chiSquareQuantile(level / static_cast<double>(all.size()), rowsOf(readings[k]));
+    if (all[k].square > limit * usual)
+      outliers.push_back({static_cast<int>(k), all[k].error.norm(), std::sqrt(all[k].square)});
+  }
+  std::stable_sort(outliers.begin(), outliers.end(),
+                   [](const Outlier& a, const Outlier& b) { return a.sigmas > b.sigmas; });
+  return outliers;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,81 @@
+#include "calibration/estimation/profile_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/estimation/prior.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kRise = 3.841458820694124;  // 95 % of chi-square with one degree of freedom
+constexpr int kMaxSteps = 12;
+constexpr double kFarthest = 40;  // sigmas; a variable that can go farther is not bounded on that side
+
+/// Each fit starts at the last.
+LeastSquaresOptions nearby(const StopQuestion& stop) {
+  return {1e-6, 30, LeastSquaresMethod::kLevenbergMarquardt, stop};
+}
+
+struct Profile {
+  const PlacedArm& start;
+  const std::vector<Unknown>& unknowns;
+  const std::vector<Measurement>& readings;
+  const Fit& best;
+  int variable;
+  double least;  ///< chi-square of readings and priors at the best
+  LeastSquaresOptions solver;
+
+  /// Root of the misfit's rise over what it may rise, at an offset: -1 at the best, 0 at the interval's end.
+  [[nodiscard]] double riseAt(double offset, VectorXd& x) const {
+    std::vector<Unknown> fixed = unknowns;
+    const double value = best.solution.x[variable] + offset;
+    fixed[static_cast<std::size_t>(variable)].lower = fixed[static_cast<std::size_t>(variable)].upper = value;
+    x[variable] = value;
+    const auto solution = minimizeOrUnwind(fitProblem(start, fixed, readings, best.weights, x, solver.stop), solver);
+    if (solution.status == LeastSquaresStatus::kFailed) return std::numeric_limits<double>::quiet_NaN();
+    x = solution.x;
+    return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
+  }
+
+  /// The offset in one direction where the rise is reached; infinite where it is not.
+  [[nodiscard]] double end(double direction, double sigma) const {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(variable)];
+    const double room =
+        direction > 0 ? unknown.upper - best.solution.x[variable] : best.solution.x[variable] - unknown.lower;
+    double inside = 0, inside_rise = -1, outside = std::numeric_limits<double>::quiet_NaN(), outside_rise = 0;
+    double step = std::min(1.96 * sigma, room);
+    VectorXd x = best.solution.x;
+    for (int n = 0; n < kMaxSteps; ++n) {
+      const double rise = riseAt(direction * step, x);
+      if (std::isnan(rise)) break;
+      if (std::abs(rise) < 1e-3) return direction * step;
+      if (rise < 0) {
+        if (step >= room || step > kFarthest * sigma) return direction * std::numeric_limits<double>::infinity();
+        inside = step, inside_rise = rise;
+      } else {
+        outside = step, outside_rise = rise;
+      }
+      step = std::isnan(outside)
+                 ? std::min(room, std::max(step * 1.5, std::min(3 * step, step / std::max(0.2, 1 + rise))))
+                 : inside + (outside - inside) * std::clamp(-inside_rise / (outside_rise - inside_rise), 0.05, 0.95);
+    }
+    return direction * (std::isnan(outside) ? std::numeric_limits<double>::infinity() : outside);
+  }
+};
+
+}  // namespace
+
+ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                const std::vector<Measurement>& readings, const Fit& best, int variable, double sigma,
+                                const StopQuestion& stop) {
+  const double least = best.solution.chi2 + priorResiduals(unknowns, best.solution.x).squaredNorm();
+  const Profile profile{start, unknowns, readings, best, variable, least, nearby(stop)};
+  const double at = best.solution.x[variable];
+  return {at + profile.end(-1, sigma), at + profile.end(1, sigma)};
+}
+
+}  // namespace tubeplan::calibration

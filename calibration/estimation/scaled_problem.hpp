@@ -1,0 +1,43 @@
+// A least-squares problem as the methods see it: variables in units of their scale, always within bounds, and every
+// evaluation counted.
+#pragma once
+
+#include <string>
+
+#include "calibration/estimation/least_squares.hpp"
+
+namespace tubeplan::calibration {
+
+class ScaledProblem {
+ public:
+  /// `problem` must outlive this.
+  explicit ScaledProblem(const LeastSquaresProblem& problem);
+
+  // All in units of the scale.
+  [[nodiscard]] Eigen::VectorXd start() const { return withinBounds(problem_.start.cwiseQuotient(problem_.scale)); }
+  [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
+  [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
+  [[nodiscard]] Eigen::VectorXd withinBounds(const Eigen::VectorXd& x) const {
+    return x.cwiseMax(lower_).cwiseMin(upper_);
+  }
+
+  /// r . r at scaled x; infinity where the problem cannot be evaluated or is not finite.
+  [[nodiscard]] double chi2At(const Eigen::VectorXd& x);
+
+  /// Residuals at scaled x and their Jacobian by the scaled variables; false as above.
+  [[nodiscard]] bool linearizeAt(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& jacobian);
+
+  /// What a method found at scaled x, with the evaluations counted so far.
+  [[nodiscard]] LeastSquaresResult resultAt(const Eigen::VectorXd& x, double chi2, LeastSquaresStatus status,
+                                            std::string reason, int iterations = 0) const;
+  [[nodiscard]] LeastSquaresResult failureAtStart() const;
+
+ private:
+  [[nodiscard]] Eigen::VectorXd unscaled(const Eigen::VectorXd& x) const;
+
+  const LeastSquaresProblem& problem_;
+  Eigen::VectorXd lower_, upper_;
+  int evaluations_ = 0, jacobian_evaluations_ = 0;
+};
+
+}  // namespace tubeplan::calibration

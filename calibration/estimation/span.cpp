@@ -1,0 +1,28 @@
+#include "calibration/estimation/span.hpp"
+
+#include <Eigen/QR>
+
+namespace tubeplan::calibration {
+
+using Eigen::MatrixXd;
+
+namespace {
+
+constexpr double kRank = 1e-8;  // of columns of unit length
+
+}  // namespace
+
+MatrixXd spanOf(MatrixXd columns) {
+  if (columns.size() == 0) return MatrixXd(columns.rows(), 0);
+  for (auto column : columns.colwise())
+    if (column.norm() > 0) column.normalize();
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  qr.setThreshold(kRank);
+  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+MatrixXd without(const MatrixXd& Q, const MatrixXd& columns) {
+  return Q.cols() == 0 ? columns : MatrixXd(columns - Q * (Q.transpose() * columns));
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/identification.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// What the stages so far have found: variables that are 0 where they stand now, and their covariance.
+struct Found {
+  std::vector<Unknown> unknowns;
+  MatrixXd covariance;
+};
+
+/// A stage's readings, and where each stands among all.
+struct StageReadings {
+  std::vector<Measurement> list;
+  std::vector<int> among_all;
+};
+
+StageReadings readingsOf(const std::vector<Measurement>& all, const std::string& setup) {
+  StageReadings some;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!setup.empty() && all[k].setup != setup) continue;
+    some.list.push_back(all[k]);
+    some.among_all.push_back(static_cast<int>(k));
+  }
+  return some;
+}
+
+/// Whoever reads the result knows all readings, not the stage's.
+void countAmongAll(const StageReadings& some, Identification& stage) {
+  const auto rename = [&](int& reading) { reading = some.among_all[static_cast<std::size_t>(reading)]; };
+  for (auto& outlier : stage.outliers) rename(outlier.reading);
+  for (int& reading : stage.used) rename(reading);
+  if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
+}
+
+/// Sigmas and intervals again, from a larger covariance.
+void widen(Identification& stage) {
+  for (std::size_t i = 0; i < stage.numbers.size(); ++i) {
+    auto& number = stage.numbers[i];
+    const double sigma = std::sqrt(stage.covariance(static_cast<Index>(i), static_cast<Index>(i)));
+    const Unknown unknown = rebased(number.unknown, number.value);
+    number.sigma = sigma * std::abs(slopeAt(unknown, 0));
+    std::tie(number.lower, number.upper) = valuesBetween(unknown, -1.959964 * sigma, 1.959964 * sigma);
+    number.is_profile = false;
+  }
+}
+
+/// Errors of the held numbers move a stage's optimum by A = -C J^T J_held, C its posterior covariance: theirs comes in
+/// by it.
+void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
+  auto own = fittedUnknowns(stage);
+  const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);
+  std::vector<Unknown> both = own;
+  both.insert(both.end(), found.unknowns.begin(), found.unknowns.end());
+  if (!weights) return;
+  const auto residual =
+      whitenedResidual(stage.fitted, both, readings, *weights, VectorXd::Zero(static_cast<Index>(both.size())), true);
+  if (!residual.ok) return;
+  const auto n = static_cast<Index>(own.size()), held = static_cast<Index>(found.unknowns.size());
+  const MatrixXd J = residual.jacobian.leftCols(n), J_held = residual.jacobian.rightCols(held);
+  const MatrixXd A = -stage.covariance * (J.transpose() * J_held);
+  const MatrixXd cross = found.covariance * A.transpose();
+  stage.covariance += A * cross;
+  widen(stage);
+  MatrixXd whole(n + held, n + held);
+  whole << stage.covariance, cross.transpose(), cross, found.covariance;
+  found.covariance = whole;
+  found.unknowns = both;
+}
+
+}  // namespace
+
+std::vector<Identification> identifyInStages(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                             const std::vector<IdentificationStage>& stages,
+                                             const IdentificationOptions& options) {
+  std::vector<Identification> results;
+  PlacedArm state = start;
+  Found found;
+  found.covariance.resize(0, 0);
+  for (const auto& stage : stages) {
+    IdentificationOptions now = options;
+    now.free.names = stage.names;
+    const auto some = readingsOf(readings, stage.setup);
+    PlacedArm from{state.arm, {}};
+    for (const auto& placing : state.placings)
+      if (stage.setup.empty() || placing.setup == stage.setup) from.placings.push_back(placing);
+    results.push_back(identify(from, some.list, now));
+    Identification& result = results.back();
+    countAmongAll(some, result);
+    if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
+    std::vector<Measurement> fitted;
+    for (const int k : result.used) fitted.push_back(readings[static_cast<std::size_t>(k)]);
+    // Only numbers of the arm are carried: a stage finds its own placings.
+    Found carried;
+    std::vector<Index> arm_numbers;
+    for (std::size_t k = 0; k < found.unknowns.size(); ++k)
+      if (found.unknowns[k].owner == Unknown::Owner::kArm) {
+        carried.unknowns.push_back(found.unknowns[k]);
+        arm_numbers.push_back(static_cast<Index>(k));
+      }
+    carried.covariance = found.covariance(arm_numbers, arm_numbers);
+    if (results.size() == 1) {
+      carried.unknowns = fittedUnknowns(result);
+      carried.covariance = result.covariance;
+    } else {
+      carry(fitted, carried, result);
+    }
+    found = carried;
+    state.arm = result.fitted.arm;
+    for (const auto& placing : result.fitted.placings)
+      for (auto& known : state.placings)
+        if (known.setup == placing.setup) known.X_WB = placing.X_WB;
+  }
+  return results;
+}
+
+}  // namespace tubeplan::calibration

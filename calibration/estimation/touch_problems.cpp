@@ -1,0 +1,48 @@
+// Touches that cannot place a base, told before anything is solved.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "calibration/estimation/base_calibration.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kSameHole = 2.5e-3;  ///< m; no two holes of a sheet are so near (0.1 in)
+
+/// Least spread of the points across any line, against their longest spread: zero on a line.
+double flatness(const std::vector<Measurement>& touches) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const auto& touch : touches) centre += (*touch.p_W) / static_cast<double>(touches.size());
+  Eigen::Matrix3Xd points(3, touches.size());
+  for (std::size_t k = 0; k < touches.size(); ++k) points.col(static_cast<Eigen::Index>(k)) = *touches[k].p_W - centre;
+  const Eigen::Vector3d spread = Eigen::JacobiSVD<Eigen::MatrixXd>(points).singularValues();
+  return spread[0] > 0 ? spread[1] / spread[0] : 0;
+}
+
+}  // namespace
+
+std::string findTouchProblem(const std::vector<Measurement>& touches, const BaseCalibrationOptions& options) {
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (touches[i].point != touches[j].point && (*touches[i].p_W - *touches[j].p_W).norm() < kSameHole)
+        return "holes " + touches[j].point + " and " + touches[i].point + " are one and the same place";
+  std::set<std::string> holes;
+  std::set<std::pair<std::string, double>> seen;
+  for (const auto& touch : touches) {
+    holes.insert(touch.point);
+    if (!seen.insert({touch.point, touch.load}).second)
+      return "hole " + touch.point + " is touched twice under the same load (second time by " + touch.id +
+             "): every touch needs a hole of its own";
+  }
+  if (holes.size() < 3)
+    return "a base needs at least three touched holes, and there " + std::string(holes.size() == 1 ? "is " : "are ") +
+           std::to_string(holes.size());
+  if (flatness(touches) < options.collinear_ratio)
+    return "the touched holes lie nearly on a line, so the turn about that line cannot be told: touch one hole well "
+           "off it";
+  return {};
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,164 @@
+#include "calibration/estimation/whitened_residual.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "calibration/estimation/campaign_residual.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/predict_all.hpp"
+#include "calibration/measurements/reading_batch.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& weights) {
+  std::map<std::string, std::size_t> index;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    if (!touchesUnknownPoint(readings[k])) continue;
+    const auto [at, is_new] = index.emplace(readings[k].point, weights.points.size());
+    if (is_new) weights.points.push_back({readings[k].point, {}, {}, {}});
+    weights.points[at->second].readings.push_back(static_cast<int>(k));
+  }
+  for (auto& point : weights.points) {
+    const auto n = static_cast<Index>(point.readings.size());
+    MatrixXd stacked(3 * n, 3);
+    for (Index i = 0; i < n; ++i)
+      stacked.middleRows(3 * i, 3) =
+          weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+    const Eigen::HouseholderQR<MatrixXd> qr(stacked);
+    point.Q = qr.householderQ() * MatrixXd::Identity(3 * n, 3);
+    const MatrixXd R = point.Q.transpose() * stacked;
+    point.estimate = R.inverse() * point.Q.transpose();
+    for (Index i = 0; i < n; ++i)
+      point.estimate.middleCols(3 * i, 3) *=
+          weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+    weights.degrees_of_freedom -= 3;
+  }
+}
+
+/// Weight of a reading by its covariance: L^-1 of L L^T.
+template <int Rows>
+MatrixXd whitenerOf(const MatrixXd& covariance) {
+  using Square = Eigen::Matrix<double, Rows, Rows>;
+  return Eigen::LLT<Square>(Square(covariance)).matrixL().solve(Square::Identity(covariance.rows(), covariance.rows()));
+}
+
+/// How a reading changes with the joints, from the tip of a batch.
+MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB,
+                       const Measurement& reading, std::size_t joints) {
+  const Eigen::Matrix3d R = X_WB.linear();
+  const MeasuredSlope slope = predictedSlope(reading, toolOf(batch, k, X_WB, reading));
+  MatrixXd slopes(slope.by_place.rows(), static_cast<Index>(joints));
+  if (reading.reference) {  // two postures, each with the encoders' noise of its own
+    slopes.resize(Eigen::NoChange, 2 * static_cast<Index>(joints));
+    for (std::size_t j = 0; j < joints; ++j) {
+      slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.ownColumn(k, j));
+      slopes.col(static_cast<Index>(joints + j)) = -slope.by_place * (R * batch.referenceColumn(k, j));
+    }
+    return slopes;
+  }
+  for (std::size_t j = 0; j < joints; ++j) {
+    slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.column(k, j));
+    if (slope.by_turn.size()) slopes.col(static_cast<Index>(j)) += slope.by_turn * (R * batch.turnColumn(k, j));
+  }
+  return slopes;
+}
+
+/// How each reading changes with the joints that it was read at.
+bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
+                 const StopQuestion& stop) {
+  by_joints.resize(readings.size());
+  const auto placing_of = placingsOf(placed, readings);
+  const auto joints = deflection::jointVariables(placed.arm);
+  if (!dependsOnPosture(placed.arm) && !readings.empty()) {
+    ReadingBatch batch(placed.arm);
+    if (batch.isFastFor(joints)) {
+      if (!batch.solve(placed.placings, readings, placing_of, 0, readings.size(), joints)) return false;
+      for (std::size_t k = 0; k < readings.size(); ++k)
+        by_joints[k] = jointSlopesOf(batch, k, placed.placings[static_cast<std::size_t>(placing_of[k])].X_WB,
+                                     readings[k], joints.size());
+      return true;
+    }
+  }
+  PredictionRequest request;
+  request.by_joints = true;
+  return predictAll(placed, readings.size(), stop, [&](ReadingPredictor& predictor, std::size_t k) {
+    Prediction prediction =
+        predictor.predict(placed.placings[static_cast<std::size_t>(placing_of[k])].X_WB, readings[k], request);
+    by_joints[k] = std::move(prediction.by_joints);
+    return prediction.ok;
+  });
+}
+
+}  // namespace
+
+MatrixXd ReadingWeights::covariance(std::size_t reading) const {
+  MatrixXd sum = noise[reading];
+  sum.diagonal().array() += model_error * model_error;
+  return sum;
+}
+
+ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measurement>& readings, double model_error,
+                          const VectorXd& factors) {
+  assert(factors.size() == 0 || factors.size() == static_cast<Index>(readings.size()));
+  ReadingWeights other = weights;
+  other.model_error = model_error;
+  other.points.clear();
+  other.degrees_of_freedom = other.rows;
+  other.whitener.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const MatrixXd covariance = other.covariance(k);
+    other.whitener[k] = covariance.rows() == 1   ? whitenerOf<1>(covariance)
+                        : covariance.rows() == 3 ? whitenerOf<3>(covariance)
+                                                 : whitenerOf<Eigen::Dynamic>(covariance);
+    if (factors.size()) other.whitener[k] *= std::sqrt(factors[static_cast<Index>(k)]);
+  }
+  eliminatePoints(readings, other);
+  return other;
+}
+
+std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                                            const VectorXd& factors, double model_error, const StopQuestion& stop) {
+  ReadingWeights weights;
+  for (const auto& reading : readings) {
+    weights.first_row.push_back(weights.rows);
+    weights.rows += rowsOf(reading);
+  }
+  std::vector<MatrixXd> by_joints;
+  if (!jointSlopes(placed, readings, by_joints, stop)) return std::nullopt;
+  weights.noise.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    weights.noise[k] = readingCovariance(placed.arm, readings[k], by_joints[k]);
+  return reweighted(weights, readings, model_error, factors);
+}
+
+WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                  const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                  const VectorXd& x, bool with_jacobian, const StopQuestion& stop) {
+  WhitenedResidual result;
+  result.ok = CampaignResidual(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, stop)
+                  .evaluate(x, result.r, with_jacobian ? &result.jacobian : nullptr, &result.error);
+  return result;
+}
+
+VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
+  VectorXd lengths(static_cast<Index>(readings.size()));
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    lengths[static_cast<Index>(k)] = error.segment(weights.first_row[k], rowsOf(readings[k])).norm();
+  return lengths;
+}
+
+double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights& weights) {
+  double sum = 0;
+  for (const auto& noise : weights.noise) sum += noise.trace();
+  for (const auto& point : weights.points)
+    for (const int k : point.readings)
+      sum -= weights.noise[static_cast<std::size_t>(k)].trace() / static_cast<double>(point.readings.size());
+  return std::sqrt(sum / static_cast<double>(readings.size()));
+}
+
+}  // namespace tubeplan::calibration

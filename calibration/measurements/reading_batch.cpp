@@ -1,0 +1,60 @@
+#include "calibration/measurements/reading_batch.hpp"
+
+#include <algorithm>
+
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::Vector3d;
+
+void ReadingBatch::place(const Measurement& reading, double load, const Vector3d& gravity_B, Index at) {
+  postures_.q.col(at) = reading.q;
+  postures_.load[at] = load;
+  postures_.gravity_B.col(at) = gravity_B;
+}
+
+bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector<Measurement>& readings,
+                         const std::vector<int>& placing_of, std::size_t first, std::size_t count,
+                         const std::vector<deflection::Variable>& variables) {
+  std::vector<Vector3d> gravity_B;
+  for (const auto& placing : placings) gravity_B.push_back(deflection::gravityInBase(arm_, placing.X_WB));
+  from_.assign(count, -1);
+  auto postures = static_cast<Index>(count);
+  for (std::size_t k = 0; k < count; ++k)
+    if (kindOf(readings[first + k]).is_displacement) from_[k] = postures++;
+  postures_.resize(readings[first].q.size(), postures);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Measurement& reading = readings[first + k];
+    const Vector3d& gravity = gravity_B[static_cast<std::size_t>(placing_of[first + k])];
+    place(reading, reading.load, gravity, static_cast<Index>(k));
+    if (from_[k] < 0) continue;
+    const bool is_elsewhere = reading.reference != nullptr;
+    place(is_elsewhere ? *reading.reference : reading, is_elsewhere ? reading.reference->load : 0, gravity, from_[k]);
+  }
+  kinematics_.solveWithDerivatives(postures_, variables, tips_);
+  return std::all_of(tips_.status.begin(), tips_.status.end(),
+                     [](auto status) { return status == deflection::KinematicsStatus::kConverged; });
+}
+
+Vector3d ReadingBatch::tip(std::size_t k) const {
+  Vector3d p = tips_.poses.col(static_cast<Index>(k)).head<3>();
+  if (from_[k] >= 0) p -= tips_.poses.col(from_[k]).head<3>();
+  return p;
+}
+
+Vector3d ReadingBatch::column(std::size_t k, std::size_t variable) const {
+  Vector3d by = ownColumn(k, variable);
+  if (from_[k] >= 0) by -= referenceColumn(k, variable);
+  return by;
+}
+
+ToolPose toolOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB, const Measurement& reading) {
+  ToolPose tool;
+  tool.p_W = X_WB.linear() * batch.tip(k);
+  if (!kindOf(reading).is_displacement) tool.p_W += X_WB.translation();
+  if (seesTurn(reading)) tool.R_WT = X_WB.linear() * batch.turn(k);
+  return tool;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,187 @@
+#include "calibration/measurements/reading_prediction.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "calibration/measurements/measurement_posture.hpp"
+#include "deflection/effects/effect.hpp"
+#include "deflection/rotation.hpp"
+#include "deflection/tip_differentiation.hpp"
+
+namespace tubeplan::calibration {
+
+using deflection::Variable;
+using Eigen::Matrix3d, Eigen::Matrix3Xd, Eigen::MatrixXd, Eigen::Vector3d;
+
+namespace {
+
+constexpr double kLeastSigma = 1e-6;  // m
+
+bool isMeasurementScale(const deflection::Arm& arm, const Variable& variable) {
+  if (variable.type != Variable::Type::kParameter || variable.parameter.effect < 0) return false;
+  const auto& effect = arm.effects.at(static_cast<std::size_t>(variable.parameter.effect));
+  return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).stage ==
+         deflection::EffectStage::kMeasurement;
+}
+
+/// True lengths to measured ones, where the arm carries an error of the measuring scale: the first rows, all but turns.
+/// Touches of unknown points measure nothing in the world.
+void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
+                      Prediction& prediction) {
+  const double scale = deflection::measurementScale(arm);
+  const Eigen::Index rows = prediction.value.size() - kindOf(reading).turn_rows;
+  if (!kindOf(reading).is_by_scale) return;
+  for (std::size_t k = 0; k < request.numbers.size(); ++k) {
+    auto column = prediction.by_numbers.col(static_cast<Eigen::Index>(k)).head(rows);
+    if (isMeasurementScale(arm, request.numbers[k]))
+      column = prediction.value.head(rows);
+    else if (scale != 1)
+      column *= scale;
+  }
+  if (scale == 1) return;
+  prediction.value.head(rows) *= scale;
+  if (prediction.by_base.size()) prediction.by_base.topRows(rows) *= scale;
+  if (prediction.by_joints.size()) prediction.by_joints.topRows(rows) *= scale;
+}
+
+/// The tool's pose with its derivatives, 6 rows: the tip's place [m], then the turn [rad] about the world's axes.
+struct ToolPrediction {
+  bool ok = false;
+  ToolPose pose;
+  Eigen::MatrixXd by_numbers, by_base, by_joints;
+};
+
+ToolPrediction predictTool(deflection::TipDifferentiation& tip, const Eigen::Isometry3d& X_WB,
+                           const deflection::Posture& posture, const PredictionRequest& request) {
+  std::vector<Variable> variables = request.numbers;
+  const auto numbers = static_cast<Eigen::Index>(variables.size());
+  if (request.by_base)
+    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
+  if (request.by_joints)
+    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(Variable::joint(joint));
+  ToolPrediction tool;
+  const Matrix3d R = X_WB.linear();
+  tool.ok = tip.solve(posture, variables) == deflection::KinematicsStatus::kConverged;
+  const auto X_BD = tip.arm().X_BD();
+  const Vector3d r_W = R * X_BD.p;
+  tool.pose = {X_WB.translation() + r_W, R * X_BD.R};
+  if (variables.empty()) return tool;
+  MatrixXd by(6, tip.columns().cols());
+  by << R * tip.columns().topRows<3>(), R * tip.columns().bottomRows<3>();
+  tool.by_numbers = by.leftCols(numbers);
+  if (request.by_base) {
+    tool.by_base = MatrixXd::Identity(6, 6);
+    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
+    tool.by_base.rightCols<3>() -= by.middleCols<3>(numbers) * R.transpose();
+    tool.by_base.topRightCorner<3, 3>() -= deflection::crossMatrix<double>(r_W);
+  }
+  if (request.by_joints) tool.by_joints = by.rightCols(posture.q.size());
+  return tool;
+}
+
+/// From the tool to what is measured of it; of a displacement to how far the tip is from where it rests unloaded.
+Prediction measured(const Measurement& reading, const ToolPrediction& tool) {
+  const MeasuredSlope slope = predictedSlope(reading, tool.pose);
+  const auto seen = [&](const MatrixXd& by) -> MatrixXd {
+    if (by.size() == 0) return {};
+    MatrixXd rows = slope.by_place * by.topRows<3>();
+    if (slope.by_turn.size()) rows += slope.by_turn * by.bottomRows<3>();
+    return rows;
+  };
+  return {tool.ok, predictedValue(reading, tool.pose), seen(tool.by_numbers), seen(tool.by_base), seen(tool.by_joints)};
+}
+
+/// `shares_joints` where both stand at the same joint readings, and so share the encoders' noise.
+void subtract(ToolPrediction& a, const ToolPrediction& b, bool shares_joints) {
+  a.ok = a.ok && b.ok;
+  a.pose.p_W -= b.pose.p_W;
+  if (a.by_numbers.size()) a.by_numbers -= b.by_numbers;
+  if (a.by_base.size()) a.by_base -= b.by_base;
+  if (!a.by_joints.size()) return;
+  if (shares_joints) {
+    a.by_joints -= b.by_joints;
+    return;
+  }
+  const MatrixXd own = a.by_joints;
+  a.by_joints.resize(6, 2 * own.cols());
+  a.by_joints << own, -b.by_joints;
+}
+
+}  // namespace
+
+deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
+  return postureOf(reading, deflection::gravityInBase(arm, X_WB));
+}
+
+ReadingPredictor::ReadingPredictor(const deflection::Arm& arm)
+    : arm_(arm), tip_(std::make_unique<deflection::TipDifferentiation>(arm)) {}
+
+ReadingPredictor::~ReadingPredictor() = default;
+
+Prediction ReadingPredictor::predictTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
+                                        const PredictionRequest& request) {
+  const ToolPrediction tool = predictTool(*tip_, X_WB, posture, request);
+  const auto placeOf = [](const MatrixXd& by) -> MatrixXd {
+    return by.size() ? MatrixXd(by.topRows<3>()) : MatrixXd();
+  };
+  return {tool.ok, tool.pose.p_W, placeOf(tool.by_numbers), placeOf(tool.by_base), placeOf(tool.by_joints)};
+}
+
+Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                          const PredictionRequest& request) {
+  return ReadingPredictor(arm).predict(X_WB, reading, request);
+}
+
+Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                                     const PredictionRequest& request) {
+  ToolPrediction tool = predictTool(*tip_, X_WB, postureOf(reading, arm_, X_WB), request);
+  if (const auto from = referencePostureOf(reading, deflection::gravityInBase(arm_, X_WB)))
+    subtract(tool, predictTool(*tip_, X_WB, *from, request), !reading.reference);
+  Prediction prediction = measured(reading, tool);
+  if (!touchesUnknownPoint(reading)) scaleCoordinates(arm_, reading, request, prediction);
+  return prediction;
+}
+
+Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
+                      double load) {
+  PredictionRequest request;
+  request.by_base = request.by_joints = true;
+  return ReadingPredictor(arm).predictTip(X_WB, {q, load, deflection::gravityInBase(arm, X_WB)}, request);
+}
+
+std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                               const deflection::FlexibleKinematicsOptions& options) {
+  const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, arm, X_WB), options);
+  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
+  return ToolPose{X_WB * shape.X_BD.p, X_WB.linear() * shape.X_BD.R};
+}
+
+MatrixXd encoderCovariance(const deflection::Arm& arm, const MatrixXd& by_joints) {
+  MatrixXd covariance = MatrixXd::Zero(by_joints.rows(), by_joints.rows());
+  const auto active = deflection::activeRows(arm);
+  const auto joints = static_cast<Eigen::Index>(active.size());
+  assert(by_joints.cols() % joints == 0);
+  for (Eigen::Index k = 0; k < by_joints.cols(); ++k) {
+    const auto row = static_cast<std::size_t>(active[static_cast<std::size_t>(k % joints)]);
+    const Eigen::VectorXd column = by_joints.col(k) * arm.rows[row].joint.encoder_sigma;
+    covariance += column * column.transpose();
+  }
+  return covariance;
+}
+
+Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
+                       const Eigen::Matrix<double, 6, 6>& base_covariance) {
+  return tip.by_base * base_covariance * tip.by_base.transpose() + encoderCovariance(arm, tip.by_joints);
+}
+
+MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading, const MatrixXd& by_joints) {
+  MatrixXd covariance = encoderCovariance(arm, by_joints);
+  const MeasuredValue sigmas = rowSigmas(reading);
+  for (Eigen::Index row = 0; row < sigmas.size(); ++row) {
+    const double sigma = std::isfinite(sigmas[row]) ? std::max(sigmas[row], kLeastSigma) : kLeastSigma;
+    covariance(row, row) += sigma * sigma;
+  }
+  return covariance;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,64 @@
+#include "calibration/measurements/reading_problems.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+bool isOnePosture(const std::vector<Measurement>& readings) {
+  return std::all_of(readings.begin(), readings.end(), [&](const Measurement& m) {
+    return (m.q - readings.front().q).cwiseAbs().maxCoeff() < 1e-3 && m.load == readings.front().load;
+  });
+}
+
+/// The reading that touched a point of unknown place alone, or nothing.
+std::optional<int> loneTouch(const std::vector<Measurement>& readings) {
+  std::map<std::string, std::vector<int>> touched;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (touchesUnknownPoint(readings[k])) touched[readings[k].point].push_back(static_cast<int>(k));
+  for (const auto& [point, by] : touched)
+    if (by.size() == 1) return by.front();
+  return std::nullopt;
+}
+
+}  // namespace
+
+int numbersMeasured(const std::vector<Measurement>& readings) {
+  std::map<std::string, int> points;
+  int count = 0;
+  for (const auto& reading : readings) {
+    count += rowsOf(reading);
+    if (touchesUnknownPoint(reading)) points[reading.point] = 1;
+  }
+  return count - 3 * static_cast<int>(points.size());
+}
+
+std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
+                                                 const std::vector<Unknown>& unknowns) {
+  if (readings.empty())
+    return ReadingProblem{-1, "no reading to fit", "readings that are not marked held-out", "mark some as fit"};
+  if (const auto lone = loneTouch(readings)) {
+    const Measurement& touch = readings[static_cast<std::size_t>(*lone)];
+    return ReadingProblem{*lone, "the only touch of point " + touch.point + " (reading " + touch.id + ")",
+                          "two touches or more of a point whose place is not given",
+                          "touch it again, give its place, or remove the reading: it tells nothing"};
+  }
+  if (isOnePosture(readings))
+    return ReadingProblem{-1, "all readings at one posture under one load", "several postures or loads",
+                          "they tell one point and no more: measure elsewhere too"};
+  const auto named = std::count_if(unknowns.begin(), unknowns.end(), [](const Unknown& u) { return !u.is_geometry; });
+  const int measured = numbersMeasured(readings);
+  if (measured < named)
+    return ReadingProblem{-1, "readings that hold " + std::to_string(measured) + " numbers",
+                          "as many as the " + std::to_string(named) + " that are free", "measure more or free fewer"};
+  return std::nullopt;
+}
+
+}  // namespace tubeplan::calibration

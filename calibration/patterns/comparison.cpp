@@ -1,0 +1,210 @@
+#include "calibration/patterns/comparison.hpp"
+
+#include <algorithm>
+
+#include "calibration/diagnosis/explanation_model.hpp"
+#include "calibration/estimation/evidence.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+/// A model at the readings that were not held out.
+struct Evaluation {
+  PlacedArm placed;
+  ReadingWeights weights;
+  WhitenedResidual residual;
+  ReadingScene scene;
+  bool ok = false;
+};
+
+Evaluation evaluate(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  Evaluation result{placed, {}, {}, observe(placed, readings), false};
+  auto weights = weighReadings(placed, readings);
+  if (!result.scene.ok || !weights) return result;
+  result.weights = std::move(*weights);
+  result.residual = whitenedResidual(placed, {}, readings, result.weights, VectorXd::Zero(0), true);
+  result.ok = result.residual.ok;
+  return result;
+}
+
+bool fallsShort(const ModelMisfit& misfit, double level) {
+  const bool by_repeats = disagreesWithStatedNoise(misfit.repeats, level) && misfit.repeats.lack_freedom > 0;
+  return (by_repeats ? misfit.repeats.lack_of_fit_p_value : misfit.p_value) < level;
+}
+
+std::string inconclusiveSince(const ModelMisfit& misfit, const std::vector<Measurement>& readings, int numbers) {
+  auto problem = findLackOfFreedom(readings, misfit.degrees_of_freedom, numbers);
+  if (!problem) problem = findOverstatedNoise(misfit.chi2, misfit.degrees_of_freedom);
+  return problem ? problem->what + " (needed: " + problem->needed + ")" : "";
+}
+
+ModelMisfit misfitOf(const Evaluation& model, int fitted_numbers, double level) {
+  ModelMisfit misfit;
+  misfit.errors = errorSize(model.scene.readings, model.weights, model.residual.error);
+  misfit.noise_floor = noiseFloor(model.scene.readings, model.weights);
+  misfit.chi2 = model.residual.r.squaredNorm();
+  misfit.degrees_of_freedom = model.weights.degrees_of_freedom - fitted_numbers;
+  misfit.p_value = chiSquareTail(misfit.chi2, misfit.degrees_of_freedom);
+  misfit.repeats =
+      judgeRepeats(model.scene.readings, model.weights, model.residual.error, misfit.chi2, misfit.degrees_of_freedom);
+  misfit.inconclusive = inconclusiveSince(misfit, model.scene.readings, fitted_numbers);
+  misfit.adequacy = fallsShort(misfit, level)     ? Adequacy::kFallsShort
+                    : misfit.inconclusive.empty() ? Adequacy::kAdequate
+                                                  : Adequacy::kInconclusive;
+  return misfit;
+}
+
+/// The error in the world: one that is measured along a line lies along it, a mere turn has none.
+Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
+  const auto& reading = model.scene.readings[k];
+  const Index row = model.weights.first_row[k];
+  return placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(reading));
+}
+
+double sigmasOf(const Evaluation& model, std::size_t k) {
+  return model.residual.r.segment(model.weights.first_row[k], rowsOf(model.scene.readings[k])).norm();
+}
+
+void describeReadings(const Evaluation& before, const Evaluation& after, const std::vector<int>& which,
+                      Comparison& result) {
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    auto& reading = result.readings[static_cast<std::size_t>(which[k])];
+    if (before.ok) {
+      reading.tip_before = before.scene.tips.col(static_cast<Index>(k));
+      reading.error_before = errorInWorld(before, k);
+      reading.sigmas_before = sigmasOf(before, k);
+    }
+    if (!after.ok) continue;
+    reading.tip_after = after.scene.tips.col(static_cast<Index>(k));
+    reading.error_after = errorInWorld(after, k);
+    reading.sigmas_after = sigmasOf(after, k);
+  }
+}
+
+/// Readings kept from the fit, judged by themselves.
+void describeHeldOut(const PlacedArm& start, const std::vector<Measurement>& readings, Comparison& result) {
+  std::vector<int> which;
+  std::vector<Measurement> held_out;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (readings[k].is_held_out) which.push_back(static_cast<int>(k)), held_out.push_back(readings[k]);
+  if (held_out.empty()) return;
+  for (const int k : which) result.readings[static_cast<std::size_t>(k)].is_held_out = true;
+  describeReadings(evaluate(start, held_out), evaluate(result.fitted, held_out), which, result);
+}
+
+void listWorst(Comparison& result) {
+  result.worst = result.used;
+  std::stable_sort(result.worst.begin(), result.worst.end(), [&](int a, int b) {
+    return result.readings[static_cast<std::size_t>(a)].sigmas_after >
+           result.readings[static_cast<std::size_t>(b)].sigmas_after;
+  });
+}
+
+/// Fits what is free. False where there is no model to go on with; `result` says why.
+bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options,
+           Comparison& result) {
+  result.fitted = start;
+  const bool has_base = options.refit.free.base && std::any_of(start.placings.begin(), start.placings.end(),
+                                                               [](const Placing& p) { return !p.is_known; });
+  if (options.refit.free.names.empty() && !has_base) return true;
+  IdentificationOptions refit = options.refit;
+  refit.hooks = options.hooks;
+  result.refit = identify(start, readings, refit);
+  goOn(options.hooks.stop);
+  result.reason = result.refit.reason;
+  result.problems = result.refit.problems;
+  if (result.refit.status == IdentificationStatus::kRefused) result.status = ComparisonStatus::kRefused;
+  if (result.refit.status == IdentificationStatus::kNotConverged) result.status = ComparisonStatus::kNotConverged;
+  if (result.refit.fitted.arm.rows.empty()) return false;
+  result.fitted = result.refit.fitted;
+  return true;
+}
+
+/// The fitted model with its Jacobian by what was fitted.
+Evaluation evaluateFitted(const Comparison& result, const std::vector<Measurement>& fitted) {
+  Evaluation after = evaluate(result.fitted, fitted);
+  if (!after.ok || result.refit.status == IdentificationStatus::kNotRun) return after;
+  DiagnosisBasis basis = basisOf(result.refit, fitted);
+  after.ok = basis.residual.ok;
+  after.residual = std::move(basis.residual);
+  return after;
+}
+
+void giveVerdict(Comparison& result, double level) {
+  const auto& misfit = result.after_refit;
+  result.noise_disagrees = disagreesWithStatedNoise(misfit.repeats, level);
+  if (result.status == ComparisonStatus::kNotConverged) result.grounds.emplace_back("the refit did not converge");
+  if (misfit.adequacy == Adequacy::kFallsShort)
+    result.grounds.emplace_back(result.noise_disagrees ? "the misfit is more than repeated readings scatter"
+                                                       : "the misfit is more than the stated noise allows");
+  if (!result.patterns.findings.empty()) {
+    const auto& first = result.patterns.findings.front();
+    result.grounds.push_back(first.trend.size() == 1 ? "a part of the error is the same everywhere"
+                                                     : "the error follows " + first.variable);
+  }
+  result.verdict = result.grounds.empty() ? misfit.adequacy : Adequacy::kFallsShort;
+  if (result.verdict == Adequacy::kInconclusive) result.grounds.push_back(misfit.inconclusive);
+}
+
+Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                const ComparisonOptions& options) {
+  Comparison result;
+  result.readings.resize(readings.size());
+  std::vector<Measurement> fitted;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (!readings[k].is_held_out) result.used.push_back(static_cast<int>(k)), fitted.push_back(readings[k]);
+  if (fitted.empty()) {
+    result.status = ComparisonStatus::kRefused;
+    result.reason = "every reading is held out";
+    return result;
+  }
+  const Evaluation before = evaluate(start, fitted);
+  if (before.ok) {
+    result.as_it_stands = misfitOf(before, 0, options.level);
+    result.joints_before = equivalentJoints(start, fitted, before.residual.error);
+  }
+  if (!refit(start, readings, options, result)) return result;
+  const Evaluation after = evaluateFitted(result, fitted);
+  if (!after.ok) {
+    result.status = ComparisonStatus::kRefused;
+    result.reason = "the deflected shape does not settle: the arm is too soft for its load";
+    return result;
+  }
+  if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;
+  const bool is_refitted = result.refit.status != IdentificationStatus::kNotRun;
+  const int numbers = is_refitted ? after.weights.degrees_of_freedom - result.refit.degrees_of_freedom : 0;
+  result.after_refit = misfitOf(after, numbers, options.level);
+  result.joints_after = equivalentJoints(result.fitted, fitted, after.residual.error);
+  describeReadings(before, after, result.used, result);
+  describeHeldOut(start, readings, result);
+  listWorst(result);
+  result.patterns = searchPatterns(after.scene, after.weights, after.residual, options.level, options.hooks);
+  giveVerdict(result, options.level);
+  return result;
+}
+
+}  // namespace
+
+bool disagreesWithStatedNoise(const Repeats& repeats, double level) {
+  return repeats.groups > 0 && repeats.noise_p_value < level;
+}
+
+Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {
+  try {
+    return compareUnlessStopped(start, readings, options);
+  } catch (const WorkStopped&) {
+    Comparison stopped;
+    stopped.status = ComparisonStatus::kStopped;
+    stopped.reason = kStoppedReason;
+    return stopped;
+  }
+}
+
+}  // namespace tubeplan::calibration

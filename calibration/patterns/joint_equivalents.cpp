@@ -1,0 +1,82 @@
+#include "calibration/patterns/joint_equivalents.hpp"
+
+#include <cmath>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kLeastLever = 1e-4;  // squared, of the longest, that a direction must have to be turned into angles
+
+struct Turned {
+  VectorXd correction;
+  double chi2 = 0;
+  int rank = 0;
+};
+
+Turned turned(const MatrixXd& by_joints, const VectorXd& sigma, const VectorXd& error) {
+  const MatrixXd scaled = by_joints * sigma.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> spread(scaled * scaled.transpose());
+  Turned result{VectorXd::Zero(sigma.size()), 0, 0};
+  const double most = spread.eigenvalues().maxCoeff();
+  for (Index k = 0; k < error.size(); ++k) {
+    const double value = spread.eigenvalues()[k];
+    if (value <= kLeastLever * most || value <= 0) continue;
+    const VectorXd direction = spread.eigenvectors().col(k);
+    const double along = direction.dot(error);
+    result.correction -= sigma.asDiagonal() * (scaled.transpose() * direction) * (along / value);
+    result.chi2 += along * along / value;
+    ++result.rank;
+  }
+  return result;
+}
+
+VectorXd encoderSigmas(const deflection::Arm& arm) {
+  const auto active = deflection::activeRows(arm);
+  VectorXd sigma(static_cast<Index>(active.size()));
+  for (std::size_t j = 0; j < active.size(); ++j)
+    sigma[static_cast<Index>(j)] = arm.rows[static_cast<std::size_t>(active[j])].joint.encoder_sigma;
+  return sigma;
+}
+
+}  // namespace
+
+JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                                  const VectorXd& error) {
+  JointEquivalents result;
+  result.sigma = encoderSigmas(placed.arm);
+  const bool is_stated = result.sigma.size() > 0 && result.sigma.maxCoeff() > 0;
+  const VectorXd weight = is_stated ? result.sigma : VectorXd::Ones(result.sigma.size());
+  result.corrections.resize(weight.size(), static_cast<Index>(readings.size()));
+  PredictionRequest request;
+  request.by_joints = true;
+  double chi2 = 0;
+  Index row = 0;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
+    const Prediction prediction = predictReading(placed.arm, X_WB, readings[k], request);
+    if (!prediction.ok) return result;
+    const Turned one =
+        turned(prediction.by_joints.leftCols(weight.size()), weight, error.segment(row, rowsOf(readings[k])));
+    result.corrections.col(static_cast<Index>(k)) = one.correction;
+    chi2 += one.chi2;
+    result.degrees_of_freedom += one.rank;
+    row += rowsOf(readings[k]);
+  }
+  result.ok = true;
+  result.mean = result.corrections.rowwise().mean();
+  const double others = std::max<double>(1, static_cast<double>(readings.size()) - 1);
+  result.spread = ((result.corrections.colwise() - result.mean).rowwise().squaredNorm() / others).cwiseSqrt();
+  if (!is_stated) return result;
+  result.chi2 = chi2;
+  result.p_value = chiSquareTail(chi2, result.degrees_of_freedom);
+  return result;
+}
+
+}  // namespace tubeplan::calibration

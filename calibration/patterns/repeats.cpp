@@ -1,0 +1,97 @@
+#include "calibration/patterns/repeats.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kSameJoint = 2e-3;  // rad, m
+constexpr double kSameLoad = 1e-6;   // N
+
+bool areAlike(const Measurement& a, const Measurement& b) {
+  const bool same_anchor = kindOf(a).is_place || (a.p_W == b.p_W && a.direction_W == b.direction_W);
+  return a.kind == b.kind && a.setup == b.setup && a.point == b.point && a.senses == b.senses &&
+         a.reference == b.reference && same_anchor && std::abs(a.load - b.load) <= kSameLoad &&
+         (a.q - b.q).cwiseAbs().maxCoeff() <= kSameJoint;
+}
+
+/// Chi-square of some readings' errors about their own weighted mean.
+double scatterOf(const std::vector<int>& members, const ReadingWeights& weights, const VectorXd& error, Index rows) {
+  const auto n = static_cast<Index>(members.size());
+  MatrixXd design(n * rows, rows);
+  VectorXd whitened(n * rows);
+  for (Index i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(members[static_cast<std::size_t>(i)]);
+    design.middleRows(i * rows, rows) = weights.whitener[k];
+    whitened.segment(i * rows, rows) = weights.whitener[k] * error.segment(weights.first_row[k], rows);
+  }
+  return (whitened - design * design.householderQr().solve(whitened)).squaredNorm();
+}
+
+}  // namespace
+
+std::vector<int> groupRepeats(const std::vector<Measurement>& readings) {
+  // Only those whose first joint reads nearly the same can be alike: looked for among neighbouring cells.
+  std::map<std::tuple<std::string, std::string, long>, std::vector<int>> firsts;
+  std::vector<int> groups;
+  int count = 0;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Measurement& reading = readings[k];
+    const long cell = reading.q.size() ? std::lround(reading.q[0] / (2 * kSameJoint)) : 0;
+    int found = -1;
+    for (const long near : {cell - 1, cell, cell + 1})
+      for (const int first : firsts[{reading.setup, reading.point, near}])
+        if (areAlike(readings[static_cast<std::size_t>(first)], reading) &&
+            (found < 0 || groups[static_cast<std::size_t>(first)] < found))
+          found = groups[static_cast<std::size_t>(first)];
+    if (found < 0) {
+      found = count++;
+      firsts[{reading.setup, reading.point, cell}].push_back(static_cast<int>(k));
+    }
+    groups.push_back(found);
+  }
+  return groups;
+}
+
+Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error,
+                     double chi2, int freedom) {
+  Repeats result;
+  std::vector<std::vector<int>> members;
+  const std::vector<int> groups = groupRepeats(readings);
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    members.resize(std::max(members.size(), static_cast<std::size_t>(groups[k]) + 1));
+    members[static_cast<std::size_t>(groups[k])].push_back(static_cast<int>(k));
+  }
+  double scatter = 0;
+  for (const auto& group : members) {
+    if (group.size() < 2) continue;
+    const Index rows = rowsOf(readings[static_cast<std::size_t>(group.front())]);
+    scatter += scatterOf(group, weights, error, rows);
+    result.pure_freedom += static_cast<int>((static_cast<Index>(group.size()) - 1) * rows);
+    result.readings += static_cast<int>(group.size());
+    ++result.groups;
+  }
+  if (result.groups == 0) return result;
+  result.pure_error = scatter;
+  result.noise_ratio = std::sqrt(scatter / result.pure_freedom);
+  result.noise_p_value = std::min(
+      1., 2 * std::min(chiSquareLowerTail(scatter, result.pure_freedom), chiSquareTail(scatter, result.pure_freedom)));
+  result.lack_freedom = freedom - result.pure_freedom;
+  if (result.lack_freedom < 1 || scatter <= 0) return result;
+  result.lack_of_fit_F = std::max(0., chi2 - scatter) / result.lack_freedom / (scatter / result.pure_freedom);
+  result.lack_of_fit_p_value = fisherTail(result.lack_of_fit_F, result.lack_freedom, result.pure_freedom);
+  return result;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,32 @@
+// The noise by what repeated readings differ, whatever the model: pure error, and the misfit beyond it.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "calibration/estimation/whitened_residual.hpp"
+
+namespace tubeplan::calibration {
+
+/// Chi-squares by the stated noise. NaN where nothing was read twice.
+struct Repeats {
+  int groups = 0;                                                ///< of readings made alike
+  int readings = 0;                                              ///< in them
+  double pure_error = std::numeric_limits<double>::quiet_NaN();  ///< chi-square about the groups' means
+  int pure_freedom = 0;
+  double noise_ratio = std::numeric_limits<double>::quiet_NaN();    ///< noise by repeats over the stated noise
+  double noise_p_value = std::numeric_limits<double>::quiet_NaN();  ///< two-sided, that both are the same
+  double lack_of_fit_F = std::numeric_limits<double>::quiet_NaN();
+  int lack_freedom = 0;
+  double lack_of_fit_p_value = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Group of each reading: those of one set-up, point, load and approach, at one posture within what encoders and a hand
+/// repeat. Readings of one point from different postures are no repeats.
+[[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& readings);
+
+/// `error` [m] of the readings by a model whose misfit is `chi2` for `freedom` degrees.
+[[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                   const Eigen::VectorXd& error, double chi2, int freedom);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,49 @@
+// What a simulated reading is taken under: when, how warm, in which sense each joint arrived, and with what noise.
+#pragma once
+
+#include "calibration/measurement.hpp"
+#include "calibration/simulation/campaign_random.hpp"
+#include "deflection/arm.hpp"
+
+namespace tubeplan::calibration {
+
+struct CampaignPace {
+  double shortest = 60, longest = 180;  ///< s between two readings
+  double swing = 6;                     ///< K, amplitude of the slow drift about the arm's reference temperature
+  double longest_period = 28800;        ///< s, of that drift; a campaign sees half a period at least
+  double flutter = 0.3;                 ///< K, one standard deviation of what comes on top at each reading
+  double overshoot = 0.5;               ///< how often a joint passes its goal and comes back
+};
+
+/// Those of one reading, drawn before its posture is known.
+struct ReadingConditions {
+  double time = 0;         ///< s since the campaign began
+  double temperature = 0;  ///< K
+  std::vector<int> turns;  ///< of each joint: +1 it stops where it arrives, -1 it passes and comes back
+  std::vector<int> rests;  ///< of each joint, the sense in which one that need not move comes back to its place
+  Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< m
+  Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< rad
+  Eigen::VectorXd encoder_noise;                               ///< rad or m
+
+  /// The sense of each joint's last motion on the way from one posture to another.
+  [[nodiscard]] std::vector<int> senses(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
+};
+
+/// A series of conditions, in order of time.
+class ConditionSeries {
+ public:
+  /// For so many readings; sigma [m] of each coordinate, turn_sigma [rad] of each angle.
+  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, double sigma, double turn_sigma,
+                  std::uint64_t seed);
+
+  [[nodiscard]] ReadingConditions next();
+
+ private:
+  CampaignPace pace_;
+  double sigma_, turn_sigma_, reference_, period_, phase_ = 0, time_ = 0;
+  std::vector<double> encoder_sigmas_;
+  bool is_first_ = true;
+  CampaignRandom conditions_, noise_;
+};
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,114 @@
+#include "calibration/simulation/campaign_design.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kPoundForce = 4.4482216152605;  // N
+
+CampaignDesign makeBench(bool) {
+  CampaignDesign design;
+  design.name = "bench";
+  design.loads = usualLoads();
+  return design;
+}
+
+CampaignDesign makeBowl(bool has_sheet) {
+  CampaignDesign design;
+  design.name = "bowl";
+  design.kind = MeasurementKind::kTouch;
+  design.place = has_sheet ? CampaignPlace::kHoles : CampaignPlace::kPlane;
+  design.loads = usualLoads();
+  design.sigma = kTouchSigma;
+  return design;
+}
+
+CampaignDesign makeTouch(bool) {
+  CampaignDesign design;
+  design.name = "touch";
+  design.kind = MeasurementKind::kTouch;
+  design.points_known = false;
+  design.loads = usualLoads();
+  design.sigma = kTouchSigma;
+  return design;
+}
+
+constexpr std::array<NamedDesign, 3> kDesigns{{
+    {"bench", "the tip's position at random postures, each under every load", makeBench},
+    {"bowl", "touches of known points (the sheet's holes, else points of a plane), each under every load", makeBowl},
+    {"touch", "touches of unknown points, each under every load", makeTouch},
+}};
+
+int readingsPerPoint(const CampaignDesign& design) {
+  return static_cast<int>(design.loads.size()) * design.postures_per_point;
+}
+
+std::string findLoadProblem(const CampaignDesign& design) {
+  const auto& loads = design.loads;
+  if (loads.empty()) return "no loads";
+  if (!std::all_of(loads.begin(), loads.end(), [](double load) { return std::isfinite(load) && load >= 0; }))
+    return "a load that is negative or not finite";
+  if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading &&
+      *std::min_element(loads.begin(), loads.end()) <= 0)
+    return "a deflection under no load, which is nothing";
+  const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
+  if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes looked at under a load";
+  return {};
+}
+
+std::string findKindProblem(const CampaignDesign& design) {
+  const MeasurementKindRow& kind = kindOf(design.kind);
+  const bool is_touch = kind.is_touch;
+  if (kind.has_anchor && !design.anchor_W) return std::string("readings of kind ") + kind.name + " without an anchor";
+  if (kind.has_direction && !design.direction_W)
+    return std::string("readings of kind ") + kind.name + " without a direction";
+  if (!is_touch && design.place == CampaignPlace::kPlane) return "points of a plane that are not touched";
+  const bool is_of_holes = kind.is_place || kind.names_hole;
+  if (!is_of_holes && design.place == CampaignPlace::kHoles) return "holes that are neither touched nor looked at";
+  if (kind.names_hole && !is_touch && design.place != CampaignPlace::kHoles)
+    return std::string("readings of kind ") + kind.name + " elsewhere than at holes of the sheet";
+  if (!is_touch && design.postures_per_point != 1) return "several postures for a point that is not touched";
+  if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
+    return "unknown points, each touched only once, which tell nothing";
+  return {};
+}
+
+}  // namespace
+
+std::span<const NamedDesign> campaignDesigns() { return kDesigns; }
+
+const NamedDesign* findCampaignDesign(std::string_view name) {
+  const auto found = std::find_if(kDesigns.begin(), kDesigns.end(), [&](const auto& row) { return row.name == name; });
+  return found == kDesigns.end() ? nullptr : &*found;
+}
+
+std::vector<double> usualLoads() { return {0, 20 * kPoundForce, 40 * kPoundForce}; }
+
+int pointsOf(const CampaignDesign& design, int readings) {
+  const int each = readingsPerPoint(design);
+  return (readings + each - 1) / each;
+}
+
+std::string findDesignProblem(const CampaignDesign& design, int readings) {
+  if (readings < 1 || readings > kMostReadings)
+    return std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
+  for (const double sigma : {design.sigma, design.turn_sigma})
+    if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma that is negative or not finite";
+  if (!(design.held_out >= 0 && design.held_out < 1)) return "a held-out share that is not from 0 to below 1";
+  if (design.postures_per_point < 1 || design.setups < 1) return "no posture for a point, or no set-up";
+  if (auto problem = findLoadProblem(design); !problem.empty()) return problem;
+  if (auto problem = findKindProblem(design); !problem.empty()) return problem;
+  const int points = pointsOf(design, readings);
+  if (points < design.setups)
+    return std::to_string(design.setups) + " set-ups for " + std::to_string(points) + " points or postures";
+  if (points < 2 && design.held_out > 0) return "a held-out share of a single point or posture";
+  return {};
+}
+
+}  // namespace tubeplan::calibration

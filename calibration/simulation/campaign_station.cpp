@@ -1,0 +1,197 @@
+#include "calibration/simulation/campaign_station.hpp"
+
+#include "calibration/measurements/measurement_posture.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/tip_placement.hpp"
+#include "deflection/effects/situation.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::Vector3d, Eigen::VectorXd;
+
+std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
+  return toolAt(arm, site.X_WB, reading, {1e-13, 100});
+}
+
+/// What the reading states beside what it measures.
+void stateConditions(const deflection::Arm& arm, const CampaignDesign& design, const std::optional<Vector3d>& point_W,
+                     Measurement& reading) {
+  const MeasurementKindRow& kind = kindOf(reading);
+  if (kind.names_hole && (!kind.is_touch || design.points_known)) reading.p_W = point_W;
+  if (kind.has_anchor) reading.p_W = design.anchor_W;
+  if (kind.has_direction) reading.direction_W = design.direction_W;
+  if (kind.is_to_gravity) reading.direction_W = -arm.gravity_W;
+}
+
+/// Of each row [m]; a tip that is centred has its noise in where it is.
+MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
+  MeasuredValue noise = MeasuredValue::Zero(kind.rows);
+  if (kind.is_centring) return noise;
+  const int turns = kind.turn_rows;
+  noise.head(kind.rows - turns) = conditions.coordinate_noise.head(kind.rows - turns);
+  noise.tail(turns) = kTurnLever * conditions.turn_noise.head(turns);
+  return noise;
+}
+
+/// What is read of the arm as it stands.
+PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
+                       ToolPose tool, Measurement& reading) {
+  const MeasurementKindRow& kind = kindOf(reading);
+  if (kind.is_displacement && !kind.is_from_reading) {
+    Measurement unloaded = reading;
+    unloaded.load = 0;
+    const auto rest = toolIn(arm, site, unloaded);
+    if (!rest) return PostureRefusal::kUnsettled;
+    tool.p_W -= rest->p_W;
+  }
+  kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
+  return kind.is_above_zero && reading.own[0] <= 0 ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
+}
+
+Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
+                         const ReadingConditions& conditions) {
+  Measurement reading;
+  reading.kind = design.kind;
+  reading.setup = site.name;
+  reading.load = design.loads[index % design.loads.size()];
+  const MeasurementKindRow& kind = kindOf(reading);
+  if (design.sigma > 0 && kind.rows > kind.turn_rows && !kind.counts_steps) reading.sigma = design.sigma;
+  if (design.turn_sigma > 0 && kind.turn_rows > 0) reading.turn_sigma = design.turn_sigma;
+  reading.temperature = conditions.temperature;
+  reading.time = conditions.time;
+  return reading;
+}
+
+}  // namespace
+
+CampaignStation::CampaignStation(const deflection::Arm& arm, const CampaignDesign& design,
+                                 const CampaignOptions& options)
+    : arm_(arm),
+      design_(design),
+      options_(options),
+      source_(arm, options.seed),
+      reach_(deflection::reachOf(arm)),
+      fresh_holes_(options.holes),
+      here_(source_.anywhere()) {}
+
+StationReadings CampaignStation::read(const CampaignSite& site, int number,
+                                      const std::vector<ReadingConditions>& conditions) {
+  StationReadings taken;
+  taken.name = (kindOf(design_.kind).is_touch ? "H" : "P") + std::to_string(number);
+  VectorXd here = here_, q = here_;
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    if (k % design_.loads.size() == 0) taken.refusal = begin(site, taken, q);
+    if (taken.refusal != PostureRefusal::kNone) return taken;
+    Measurement reading = readingUnder(design_, site, k, conditions[k]);
+    reading.point = taken.name;
+    reading.q = q;
+    Vector3d tip_W;
+    taken.refusal = take(site, conditions[k], taken, here, reading, tip_W);
+    if (taken.refusal != PostureRefusal::kNone) return taken;
+    here = q = reading.q;
+    reading.q += conditions[k].encoder_noise;
+    taken.tips_W.push_back(tip_W);
+    taken.readings.push_back(std::move(reading));
+  }
+  here_ = here;
+  std::erase_if(fresh_holes_, [&](const auto& hole) { return hole.name == taken.name; });
+  if (fresh_holes_.empty()) renewHoles();
+  return taken;
+}
+
+TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
+  Measurement reading;
+  reading.q = source_.anywhere();
+  reading.load = design_.loads.front();
+  return check(site, reading);
+}
+
+PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+  if (design_.place == CampaignPlace::kHoles) return beginAtHole(site, taken, q);
+  q = source_.anywhere();
+  if (!kindOf(design_.kind).is_touch || taken.p_W) return PostureRefusal::kNone;
+  Measurement first;
+  first.q = q;
+  first.load = design_.loads.front();
+  const auto tool = toolIn(arm_, site, first);
+  if (!tool) return PostureRefusal::kUnsettled;
+  taken.p_W = tool->p_W;
+  const Vector3d up = -arm_.gravity_W;
+  if (design_.place == CampaignPlace::kPlane) *taken.p_W += (plane_height_ - up.dot(*taken.p_W)) * up;
+  return PostureRefusal::kNone;
+}
+
+PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+  const double below = kindOf(design_.kind).is_centring ? 0 : options_.standoff;
+  std::vector<CampaignPoint> again;
+  if (taken.p_W) again.push_back({taken.name, *taken.p_W});
+  const auto start =
+      source_.atHole(site, taken.p_W ? again : fresh_holes_, options_.hole_axis_W, below, design_.loads.front());
+  q = start.q;
+  taken.name = start.hole.name;
+  taken.p_W = start.hole.p_W;
+  return start.refusal;
+}
+
+PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingConditions& conditions,
+                                     const StationReadings& taken, const VectorXd& here, Measurement& reading,
+                                     Vector3d& tip_W) const {
+  reading.senses = conditions.senses(here, reading.q);
+  if (const auto goal_W = goalOf(taken, conditions.coordinate_noise)) {
+    const auto refusal = bringTip(site, conditions, *goal_W, here, reading);
+    if (refusal != PostureRefusal::kNone) return refusal;
+  }
+  const TipTrial trial = check(site, reading);
+  if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
+  stateConditions(arm_, design_, taken.p_W, reading);
+  tip_W = trial.tool.p_W;
+  return measure(arm_, site, conditions, trial.tool, reading);
+}
+
+/// What the arm does may depend on the senses in which its joints arrive, and those on where they have to be.
+PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const ReadingConditions& conditions,
+                                         const Vector3d& goal_W, const VectorXd& here, Measurement& reading) const {
+  constexpr int kMostPasses = 4;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const auto placed = placeTip(arm_, postureOf(reading, site.gravity_B), site.X_WB.inverse() * goal_W);
+    if (placed.status == TipPlacementStatus::kStretched) return PostureRefusal::kStretched;
+    if (placed.status != TipPlacementStatus::kPlaced) return PostureRefusal::kOutOfReach;
+    reading.q = placed.q;
+    const auto senses = conditions.senses(here, reading.q);
+    if (senses == reading.senses) return PostureRefusal::kNone;
+    reading.senses = senses;
+  }
+  return PostureRefusal::kUnsettled;
+}
+
+std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, const Vector3d& noise) const {
+  if (!taken.p_W) return std::nullopt;
+  if (kindOf(design_.kind).is_centring) return *taken.p_W + noise;
+  return *taken.p_W - options_.standoff * options_.hole_axis_W;
+}
+
+TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& reading) const {
+  TipTrial trial;
+  const auto tool = toolIn(arm_, site, reading);
+  if (!source_.isWithinLimits(reading.q))
+    trial.refusal = PostureRefusal::kPastLimit;
+  else if (!tool)
+    trial.refusal = PostureRefusal::kUnsettled;
+  else if (!isInRegion(site, tool->p_W))
+    trial.refusal = PostureRefusal::kOutsideRegion;
+  else if (options_.is_clear && !options_.is_clear(site.setup, reading.load, reading.q))
+    trial.refusal = PostureRefusal::kNotClear;
+  if (tool) trial.tool = *tool;
+  return trial;
+}
+
+bool CampaignStation::isInRegion(const CampaignSite& site, const Vector3d& tip_W) const {
+  if (design_.region_W) return design_.region_W->contains(tip_W);
+  if (design_.place == CampaignPlace::kHoles) return true;
+  const Vector3d tip_B = site.X_WB.inverse() * tip_W;
+  return tip_B.z() > 0 && tip_B.norm() >= options_.least_reach * reach_;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,187 @@
+#include "calibration/simulation/simulated_campaign.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/simulation/campaign_station.hpp"
+#include "calibration/statistics.hpp"
+#include "deflection/effects/situation.hpp"
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using RefusalCounts = std::array<int, kPostureRefusals>;
+
+constexpr int kHeightDraws = 101;
+constexpr int kFreshDraws = 200;  // after so many draws in vain, hardly any hole in reach has not been read
+
+std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
+  std::vector<CampaignSite> sites;
+  for (const auto& base : truth.bases)
+    sites.push_back(
+        {static_cast<int>(sites.size()), base.setup, base.X_WB, deflection::gravityInBase(truth.arm, base.X_WB)});
+  return sites;
+}
+
+/// "2000 postures were drawn: 1400 not clear of the scene, 600 past a joint limit".
+std::string explain(const RefusalCounts& counts) {
+  int drawn = 0;
+  std::string text;
+  for (int k = 1; k < kPostureRefusals; ++k) {
+    if (counts[k] == 0) continue;
+    drawn += counts[k];
+    text += (text.empty() ? "" : ", ") + std::to_string(counts[k]) + " " + describe(static_cast<PostureRefusal>(k));
+  }
+  return std::to_string(drawn) + " postures were drawn: " + text;
+}
+
+std::string findCampaignProblem(const CampaignTruth& truth, const CampaignDesign& design,
+                                const CampaignOptions& options) {
+  if (design.place == CampaignPlace::kHoles && options.holes.empty()) return "a design at holes without holes";
+  if (static_cast<int>(truth.bases.size()) != design.setups)
+    return std::to_string(truth.bases.size()) + " bases for " + std::to_string(design.setups) + " set-ups";
+  return findDesignProblem(design, options.readings);
+}
+
+class CampaignMaker {
+ public:
+  CampaignMaker(const CampaignTruth& truth, const CampaignDesign& design, const CampaignOptions& options,
+                const CampaignHooks& hooks)
+      : arm_(truth.arm),
+        design_(design),
+        options_(options),
+        hooks_(hooks),
+        sites_(sitesOf(truth)),
+        series_(truth.arm, options.pace, options.readings, design.sigma, design.turn_sigma, options.seed),
+        station_(truth.arm, design, options) {}
+
+  SimulatedCampaign make() {
+    const int points = pointsOf(design_, options_.readings);
+    bool goes_on = design_.place != CampaignPlace::kPlane || findPlane();
+    for (int point = 0; goes_on && point < points; ++point) {
+      const auto site = static_cast<std::size_t>(point) * sites_.size() / static_cast<std::size_t>(points);
+      goes_on = addPoint(sites_[site], point + 1);
+    }
+    if (!goes_on) return std::move(result_);
+    relate();
+    holdOut();
+    result_.status = CampaignStatus::kDone;
+    return std::move(result_);
+  }
+
+ private:
+  bool wantsStop() {
+    if (!hooks_.stop || !hooks_.stop()) return false;
+    result_.status = CampaignStatus::kStopped;
+    result_.reason = "stopped after " + std::to_string(result_.readings.size()) + " readings";
+    return true;
+  }
+
+  bool failFor(const std::string& what, const RefusalCounts& counts) {
+    result_.status = CampaignStatus::kOutOfReach;
+    result_.reason = "no posture for " + what + ": " + explain(counts);
+    return false;
+  }
+
+  /// The height that half of the arm's postures exceed.
+  bool findPlane() {
+    RefusalCounts counts{};
+    std::vector<double> heights;
+    for (int draws = 0; draws < options_.max_draws && heights.size() < kHeightDraws; ++draws) {
+      if (wantsStop()) return false;
+      const TipTrial trial = station_.tryAnywhere(sites_.front());
+      ++counts[static_cast<std::size_t>(trial.refusal)];
+      if (trial.refusal == PostureRefusal::kNone) heights.push_back(-arm_.gravity_W.dot(trial.tool.p_W));
+    }
+    if (heights.empty()) return failFor("the height of the plane", counts);
+    station_.setPlaneHeight(median(std::move(heights)));
+    return true;
+  }
+
+  /// All readings of one point, or of one posture.
+  bool addPoint(const CampaignSite& site, int number) {
+    const std::size_t each = design_.loads.size() * static_cast<std::size_t>(design_.postures_per_point);
+    const std::size_t left = static_cast<std::size_t>(options_.readings) - result_.readings.size();
+    std::vector<ReadingConditions> conditions;
+    while (conditions.size() < std::min(each, left)) conditions.push_back(series_.next());
+    RefusalCounts counts{};
+    for (int draws = 0; draws < options_.max_draws; ++draws) {
+      if (wantsStop()) return false;
+      if (draws == kFreshDraws) station_.renewHoles();
+      StationReadings taken = station_.read(site, number, conditions);
+      ++counts[static_cast<std::size_t>(taken.refusal)];
+      if (taken.refusal != PostureRefusal::kNone) continue;
+      keep(std::move(taken));
+      return true;
+    }
+    return failFor("reading " + std::to_string(result_.readings.size() + 1), counts);
+  }
+
+  void keep(StationReadings taken) {
+    const bool is_new = names_.insert(taken.name).second;
+    if (taken.p_W && is_new) result_.points.push_back({taken.name, *taken.p_W});
+    tips_W_.insert(tips_W_.end(), taken.tips_W.begin(), taken.tips_W.end());
+    for (auto& reading : taken.readings) {
+      reading.id = std::to_string(result_.readings.size() + 1);
+      result_.readings.push_back(std::move(reading));
+    }
+    if (hooks_.progress) hooks_.progress(result_.readings.size(), static_cast<std::size_t>(options_.readings));
+  }
+
+  /// Ways from the reading before, in each set-up; to its first reading from its last.
+  void relate() {
+    auto& readings = result_.readings;
+    if (!kindOf(design_.kind).is_from_reading) return;
+    const double scale = deflection::measurementScale(arm_);
+    for (std::size_t first = 0, end = 0; first < readings.size(); first = end) {
+      while (end < readings.size() && readings[end].setup == readings[first].setup) ++end;
+      for (std::size_t k = first; k < end; ++k) {
+        const std::size_t from = k > first ? k - 1 : end - 1;
+        *readings[k].p_W -= scale * tips_W_[from];
+        readings[k].reference = std::make_shared<Measurement>(readings[from]);
+      }
+    }
+    linkReferences(readings);
+  }
+
+  /// Whole points or postures: readings of the same one would not judge each other.
+  void holdOut() {
+    if (design_.held_out == 0 || names_.size() < 2) return;
+    std::vector<std::string> names(names_.begin(), names_.end());
+    CampaignRandom random(options_.seed, CampaignRandom::Stream::kSplit);
+    random.shuffle(names);
+    const auto wanted = static_cast<std::size_t>(std::lround(design_.held_out * static_cast<double>(names.size())));
+    names.resize(std::clamp<std::size_t>(wanted, 1, names.size() - 1));
+    const std::set<std::string> kept(names.begin(), names.end());
+    for (auto& reading : result_.readings) reading.is_held_out = kept.contains(reading.point);
+  }
+
+  const deflection::Arm& arm_;
+  const CampaignDesign& design_;
+  const CampaignOptions& options_;
+  const CampaignHooks& hooks_;
+  std::vector<CampaignSite> sites_;
+  ConditionSeries series_;
+  CampaignStation station_;
+  std::vector<Eigen::Vector3d> tips_W_;  ///< of the readings, without noise
+  std::set<std::string> names_;          ///< of points and postures
+  SimulatedCampaign result_;
+};
+
+}  // namespace
+
+SimulatedCampaign simulateCampaign(const CampaignTruth& truth, const CampaignDesign& design,
+                                   const CampaignOptions& options, const CampaignHooks& hooks) {
+  SimulatedCampaign refused;
+  refused.reason = findCampaignProblem(truth, design, options);
+  refused.status = CampaignStatus::kRefused;
+  if (!refused.reason.empty()) return refused;
+  return CampaignMaker(truth, design, options, hooks).make();
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,115 @@
+#include "deflection/inverse/branch_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+
+namespace tubeplan::deflection {
+
+namespace {
+
+using Eigen::VectorXd;
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr const char* kStretched = "the arm is stretched or folded: smallest singular value below the floor";
+
+std::string degrees(double angle) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << angle * 360 / kTurn;
+  return text.str();
+}
+
+int severity(BranchStatus status) {
+  switch (status) {
+    case BranchStatus::kConverged:
+      return 0;
+    case BranchStatus::kPastJointLimit:
+      return 1;
+    case BranchStatus::kTiltTooLarge:
+      return 2;
+    case BranchStatus::kSingular:
+      return 3;
+    case BranchStatus::kNotConverged:
+      return 4;
+    default:
+      return 5;
+  }
+}
+
+}  // namespace
+
+std::string wrapIntoLimits(const Arm& arm, VectorXd& q) {
+  Eigen::Index k = 0;
+  for (const auto& row : arm.rows) {
+    const auto& joint = row.joint;
+    if (joint.type == JointType::kPassive) continue;
+    if (joint.type == JointType::kRevolute) {
+      q[k] = std::remainder(q[k], kTurn);
+      if (q[k] < joint.lower && q[k] + kTurn <= joint.upper) q[k] += kTurn;
+      if (q[k] > joint.upper && q[k] - kTurn >= joint.lower) q[k] -= kTurn;
+    }
+    if (q[k] < joint.lower || q[k] > joint.upper) return joint.name;
+    ++k;
+  }
+  return {};
+}
+
+void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& branch) {
+  const bool flat = branch.smallest_singular_value < options.singular_floor;
+  if (branch.status != BranchStatus::kConverged) {
+    branch.status = flat ? BranchStatus::kSingular : BranchStatus::kNotConverged;
+    branch.reason = flat ? kStretched : "Newton's method did not reach the goal";
+    return;
+  }
+  const std::string joint = wrapIntoLimits(arm, branch.q);
+  if (!joint.empty()) {
+    branch.status = BranchStatus::kPastJointLimit;
+    branch.reason = "past the limit of joint " + joint;
+  } else if (flat) {
+    branch.status = BranchStatus::kSingular;
+    branch.reason = kStretched;
+  } else if (branch.tilt > options.max_tilt) {
+    branch.status = BranchStatus::kTiltTooLarge;
+    branch.reason = "the tool leans by " + degrees(branch.tilt) + " deg at the least, more than the " +
+                    degrees(options.max_tilt) + " deg that are allowed";
+  }
+}
+
+bool isSameBranch(const VectorXd& a, const VectorXd& b) {
+  return ((a - b).unaryExpr([](double d) { return std::remainder(d, kTurn); })).cwiseAbs().maxCoeff() < 1e-4;
+}
+
+void summarise(InverseKinematics& result) {
+  std::stable_sort(result.branches.begin(), result.branches.end(),
+                   [](const Branch& a, const Branch& b) { return severity(a.status) < severity(b.status); });
+  if (result.branches.empty()) {
+    result.status = BranchStatus::kOutOfReach;
+    result.reason = "the place is out of the arm's reach";
+    return;
+  }
+  result.status = result.branches.front().status;
+  result.reason = result.branches.front().reason;
+}
+
+const char* nameOf(BranchStatus status) {
+  switch (status) {
+    case BranchStatus::kNotRun:
+      return "not-run";
+    case BranchStatus::kConverged:
+      return "converged";
+    case BranchStatus::kOutOfReach:
+      return "out-of-reach";
+    case BranchStatus::kPastJointLimit:
+      return "past-joint-limit";
+    case BranchStatus::kSingular:
+      return "singular";
+    case BranchStatus::kNotConverged:
+      return "not-converged";
+    case BranchStatus::kTiltTooLarge:
+      return "tilt-too-large";
+  }
+  return "";
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,194 @@
+#include "deflection/inverse/inverse_kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "deflection/hinges/hinge_chain.hpp"
+#include "deflection/hinges/kernels.hpp"
+#include "deflection/inverse/branch_verdict.hpp"
+#include "deflection/inverse/goal_newton.hpp"
+#include "deflection/inverse/inverse_solver.hpp"
+#include "deflection/inverse/start_postures.hpp"
+#include "deflection/prepared_arm.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+using Eigen::Vector3d, Eigen::VectorXd;
+constexpr int kStraightSteps = 12;  ///< without damping; a goal that takes more is met alone
+
+hinges::Tool toolOf(const Arm& arm, const hinges::HingeChain& chain) {
+  const hinges::TurnDirection& last = chain.lastAxis();
+  hinges::Tool tool{{}, last.turn, {}};
+  std::copy_n(arm.tool_axis_L.data(), 3, tool.axis);
+  std::copy_n(last.direction.data(), 3, tool.hand_axis);
+  return tool;
+}
+
+void setLane(const ToolGoal& goal, const VectorXd& start, std::size_t lane, hinges::Goals& lanes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    lanes.p_BT[axis][lane] = goal.p_BT[axis];
+    lanes.axis_B[axis][lane] = goal.axis_B[axis];
+  }
+  for (int j = 0; j < 4; ++j) lanes.start[j][lane] = start[j];
+}
+
+Branch branchOf(const hinges::Reached& reached, std::size_t lane) {
+  Branch branch;
+  if (reached.done[lane] == 1) branch.status = BranchStatus::kConverged;
+  branch.q = Eigen::Vector4d(reached.q[0][lane], reached.q[1][lane], reached.q[2][lane], reached.q[3][lane]);
+  branch.position_error = reached.position_error[lane];
+  branch.tilt = std::atan2(reached.tilt_sine[lane], reached.tilt_cosine[lane]);
+  branch.smallest_singular_value = reached.smallest_singular_value[lane];
+  branch.iterations = static_cast<int>(reached.steps[lane]);
+  return branch;
+}
+
+}  // namespace
+
+/// What leads starts to their goals: kernels where they can, else one by one.
+class InverseSolver::Parts {
+ public:
+  Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
+      : options(asked), branches(arm, options), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
+
+  /// Each start led to its goal.
+  std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
+    std::vector<Branch> found(goals.size());
+    std::vector<std::size_t> open(goals.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    const hinges::HingeChain* chain = prepared_.hinges();
+    // Most goals are met straight away; those that are not would keep their neighbours waiting.
+    if (branches.isTurret() && chain && chain->hasJacobian())
+      for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
+    for (const std::size_t k : open) found[k] = leadAlone(goals[k], starts[k]);
+    for (Branch& branch : found) judge(arm_, options, branch);
+    return found;
+  }
+
+  const InverseKinematicsOptions options;
+  StartPostures branches;
+
+ private:
+  /// Those of `which` that a kernel leads to their goals or as near as they come; returns the others.
+  std::vector<std::size_t> leadSideBySide(const hinges::HingeChain& chain, std::span<const ToolGoal> goals,
+                                          std::span<const VectorXd> starts, std::span<const std::size_t> which,
+                                          bool damped, std::vector<Branch>& found);
+  hinges::Goals goalsFor(const hinges::HingeArm& numbers, bool damped) const;
+  Branch leadAlone(const ToolGoal& goal, const VectorXd& start);
+
+  const Arm& arm_;
+  double load_;
+  Vector3d gravity_B_;
+  PreparedArm prepared_;
+  std::optional<GoalProblem> problem_;  ///< made when a kernel leaves something over
+};
+
+std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const hinges::HingeChain& chain,
+                                                              std::span<const ToolGoal> goals,
+                                                              std::span<const VectorXd> starts,
+                                                              std::span<const std::size_t> which, bool damped,
+                                                              std::vector<Branch>& found) {
+  const hinges::HingeArm numbers = chain.numbers();
+  const hinges::Tool tool = toolOf(arm_, chain);
+  hinges::Goals lanes = goalsFor(numbers, damped);
+  hinges::Reached reached{};
+  std::vector<std::size_t> open;
+  for (std::size_t first = 0; first < which.size();) {
+    const hinges::Kernel& kernel = hinges::kernelFor(static_cast<int>(which.size() - first));
+    const std::size_t width = static_cast<std::size_t>(kernel.lanes), count = std::min(which.size() - first, width);
+    for (std::size_t l = 0; l < width; ++l) {
+      const std::size_t k = which[first + std::min(l, count - 1)];
+      setLane(goals[k], starts[k], l, lanes);
+    }
+    kernel.meet(numbers, tool, lanes, reached);
+    for (std::size_t l = 0; l < count; ++l) {
+      if (reached.done[l] == 0)
+        open.push_back(which[first + l]);
+      else
+        found[which[first + l]] = branchOf(reached, l);
+    }
+    first += count;
+  }
+  return open;
+}
+
+hinges::Goals InverseSolver::Parts::goalsFor(const hinges::HingeArm& numbers, bool damped) const {
+  hinges::Goals lanes{};
+  lanes.tolerance = options.kinematics.tolerance * numbers.reach;
+  lanes.position_tolerance = options.position_tolerance;
+  lanes.pitch_tolerance = options.pitch_tolerance;
+  lanes.max_sweeps = options.kinematics.max_iterations;
+  lanes.damped = damped;
+  lanes.max_steps = damped ? options.max_iterations : std::min(options.max_iterations, kStraightSteps);
+  for (std::size_t l = 0; l < 8; ++l) {
+    lanes.load[l] = load_;
+    for (int axis = 0; axis < 3; ++axis) lanes.gravity_B[axis][l] = gravity_B_[axis];
+  }
+  return lanes;
+}
+
+Branch InverseSolver::Parts::leadAlone(const ToolGoal& goal, const VectorXd& start) {
+  if (!problem_)
+    problem_.emplace(arm_, branches.isTurret(), deflectedTip(arm_, load_, gravity_B_, options.kinematics), options);
+  Branch branch = leadToGoal(*problem_, goal, start);
+  if (!dependsOnPosture(arm_) || branch.status != BranchStatus::kConverged) return branch;
+  // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
+  VectorXd wrapped = branch.q;
+  wrapIntoLimits(arm_, wrapped);
+  return wrapped == branch.q ? branch : leadToGoal(*problem_, goal, wrapped);
+}
+
+InverseSolver::InverseSolver(const Arm& arm, double load, const Vector3d& gravity_B,
+                             const InverseKinematicsOptions& options)
+    : parts_(std::make_unique<Parts>(arm, load, gravity_B, options)) {}
+
+InverseSolver::~InverseSolver() = default;
+
+std::vector<Branch> InverseSolver::refine(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
+  return parts_->lead(goals, starts);
+}
+
+std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> goals) {
+  std::vector<ToolGoal> goal_of;
+  std::vector<VectorXd> starts;
+  std::vector<std::size_t> ends;
+  for (const ToolGoal& goal : goals) {
+    parts_->branches.addStarts(goal, starts);
+    goal_of.resize(starts.size(), goal);
+    ends.push_back(starts.size());
+  }
+  std::vector<Branch> found = parts_->lead(goal_of, starts);
+  std::vector<InverseKinematics> results(goals.size());
+  for (std::size_t g = 0, k = 0; g < goals.size(); ++g) {
+    auto& branches = results[g].branches;
+    branches.reserve(parts_->branches.isTurret() ? ends[g] - k : 0);
+    for (; k < ends[g]; ++k) {
+      Branch& branch = found[k];
+      const bool known = std::any_of(branches.begin(), branches.end(),
+                                     [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
+      // What a search found near the goal and the bent arm does not reach is no branch.
+      if (!known && (parts_->branches.isTurret() || branch.position_error < parts_->options.position_tolerance))
+        branches.push_back(std::move(branch));
+    }
+    summarise(results[g]);
+  }
+  return results;
+}
+
+InverseKinematics InverseSolver::solve(const ToolGoal& goal) { return std::move(solve(std::span(&goal, 1)).front()); }
+
+Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B, const VectorXd& start,
+                    const InverseKinematicsOptions& options) {
+  return InverseSolver(arm, load, gravity_B, options).refine(std::span(&goal, 1), std::span(&start, 1)).front();
+}
+
+InverseKinematics solveInverseKinematics(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B,
+                                         const InverseKinematicsOptions& options) {
+  return InverseSolver(arm, load, gravity_B, options).solve(goal);
+}
+
+}  // namespace tubeplan::deflection

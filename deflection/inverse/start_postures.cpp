@@ -1,0 +1,79 @@
+#include "deflection/inverse/start_postures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "deflection/inverse/turret_branches.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+using Eigen::VectorXd;
+constexpr double kBends = 0.03;   ///< of the reach, how far the tip may be off where the bent arm may still get there
+constexpr double kBendsBy = 0.1;  ///< scaled and rad, how much of a limit or tilt the bent arm may make good
+constexpr double kUnlike = 0.3;   ///< scaled, between postures of a continuum that are taken first
+constexpr double kSame = 1e-3;    ///< scaled, between postures that are the same
+constexpr int kMostSpoilt = 4;    ///< postures past limits or too tilted that go on, to say why a goal is not met
+constexpr double kTurn = 2 * std::numbers::pi;
+
+InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
+  options.position_tolerance = options.pitch_tolerance = 1e-6;
+  return options;
+}
+
+}  // namespace
+
+StartPostures::StartPostures(const Arm& arm, const InverseKinematicsOptions& options)
+    : axes_(axesAtZero(arm)),
+      is_turret_(carriesPlane(arm, axes_)),
+      options_(roughly(options)),
+      rigid_(
+          arm, false, [this](const VectorXd& q, TipMotion& tip) { placeRigidTip(axes_, q, tip); }, options_) {
+  if (!is_turret_) lattice_ = latticeStarts(arm, options.lattice_starts);
+}
+
+std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal) {
+  std::vector<Candidate> met, near;
+  for (const VectorXd& start : lattice_) {
+    const Branch found = leadToGoal(rigid_, goal, start);
+    if (!(found.position_error < kBends * rigid_.reach())) continue;
+    const double tilted = std::max(0., found.tilt - options_.max_tilt);
+    const bool is_met = found.status == BranchStatus::kConverged;
+    (is_met ? met : near).push_back({found.q, rigid_.pastLimits(found.q).cwiseAbs().maxCoeff() + tilted});
+  }
+  return met.empty() ? near : met;
+}
+
+std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidates, int most) const {
+  const auto apart = [this](const VectorXd& a, const VectorXd& b) {
+    double most_apart = 0;
+    for (Eigen::Index j = 0; j < a.size(); ++j)
+      most_apart = std::max(most_apart, rigid_.scale()[j] == 1 ? std::abs(std::remainder(a[j] - b[j], kTurn))
+                                                               : std::abs(a[j] - b[j]) / rigid_.scale()[j]);
+    return most_apart;
+  };
+  std::vector<VectorXd> chosen;
+  // In the lattice's order, the same for every goal: so neighbouring goals have branches that go with each other.
+  for (const double least : {kUnlike, kSame})
+    for (const Candidate& candidate : candidates) {
+      if (static_cast<int>(chosen.size()) >= most) return chosen;
+      if (std::ranges::all_of(chosen, [&](const VectorXd& other) { return apart(candidate.q, other) > least; }))
+        chosen.push_back(candidate.q);
+    }
+  return chosen;
+}
+
+void StartPostures::addStarts(const ToolGoal& goal, std::vector<VectorXd>& starts) {
+  if (is_turret_) return addTurretBranches(axes_, goal, starts);
+  std::vector<Candidate> found = search(goal);
+  const auto spoilt =
+      std::stable_partition(found.begin(), found.end(), [](const Candidate& c) { return c.spoilt <= kBendsBy; });
+  std::stable_sort(spoilt, found.end(), [](const Candidate& a, const Candidate& b) { return a.spoilt < b.spoilt; });
+  const auto good = static_cast<std::size_t>(spoilt - found.begin());
+  for (auto& q : unlike(std::span(found).first(good), options_.most_branches)) starts.push_back(std::move(q));
+  for (auto& q : unlike(std::span(found).subspan(good), kMostSpoilt)) starts.push_back(std::move(q));
+}
+
+}  // namespace tubeplan::deflection

@@ -1,0 +1,15 @@
+// The closed form of turret arms. Internal to the inverse.
+#pragma once
+
+#include "deflection/inverse/rigid_branches.hpp"
+#include "deflection/rigid_tip.hpp"
+
+namespace tubeplan::deflection {
+
+/// Whether an arm of these axes is a turret arm.
+[[nodiscard]] bool carriesPlane(const Arm& arm, const AxesAtZero& axes);
+
+/// Adds what turretBranches() has.
+void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector<Eigen::VectorXd>& branches);
+
+}  // namespace tubeplan::deflection

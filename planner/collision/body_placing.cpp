@@ -1,0 +1,191 @@
+#include "planner/collision/body_placing.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "deflection/hinges/hinge_chain.hpp"
+#include "deflection/hinges/kernels.hpp"
+#include "planner/collision/arm_clearance.hpp"
+#include "planner/collision/frames_along_chords.hpp"
+#include "planner/collision/kernels/plain_pose.hpp"
+
+namespace tubeplan::planner {
+
+using deflection::KinematicsStatus, deflection::hinges::HingeChain;
+using Eigen::Index, Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
+using kernels::copy, kernels::plainPose;
+
+namespace {
+
+/// The tolerance of shapes that everybody has who asks for nothing else.
+constexpr deflection::FlexibleKinematicsOptions kUsual;
+constexpr double kBowMargin = 1.1;
+
+}  // namespace
+
+/// The arm as plain numbers.
+struct BodyPlacing::Plain {
+  const HingeChain& chain;
+  std::vector<kernels::PlainRow> rows;
+  std::vector<kernels::BentPiece> pieces;
+  kernels::PlainPose X_WB;
+
+  [[nodiscard]] kernels::PlainArm arm() const {
+    return {rows.data(), pieces.data(), static_cast<int>(rows.size()), X_WB};
+  }
+
+  /// Null where a kernel cannot take the arm. `components` are the arm's elements in order.
+  static std::unique_ptr<const Plain> of(const Workcell& cell, const deflection::PreparedArm& arm,
+                                         const std::vector<deflection::ComponentState>& components) {
+    const HingeChain* chain = arm.hinges();
+    if (!chain || chain->rows().size() != cell.arm.rows.size() || chain->rows().size() > kernels::kMostRows)
+      return nullptr;
+    auto plain = std::make_unique<Plain>(Plain{*chain, {}, {}, plainPose(cell.X_WB)});
+    for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) plain->addRow(cell.arm, row, components);
+    return plain;
+  }
+
+  void addRow(const deflection::Arm& arm, int row, const std::vector<deflection::ComponentState>& components) {
+    const auto& found = chain.rows()[static_cast<std::size_t>(row)];
+    assert(found.row == row);
+    const Vector3d member = memberOf(arm, row);
+    kernels::PlainRow plain{};
+    plain.turn = found.turn;
+    plain.X_TL = plainPose(found.X_TL.R, found.X_TL.p);
+    plain.is_at_turn = found.X_TL.R.isIdentity(0) && found.X_TL.p.isZero(0);
+    plain.along_chord = arm.rows[static_cast<std::size_t>(row)].beam && !member.isZero(0);
+    copy(member, plain.member);
+    plain.first_piece = static_cast<int>(pieces.size());
+    if (plain.along_chord) addPieces(row, member, components);
+    plain.pieces = static_cast<int>(pieces.size()) - plain.first_piece;
+    plain.bow_factor = kBowMargin * member.norm() / 8;
+    rows.push_back(plain);
+  }
+
+  void addPieces(int row, const Vector3d& member, const std::vector<deflection::ComponentState>& components) {
+    const auto numbers = chain.numbers();
+    for (std::size_t e = 0; e < components.size(); ++e) {
+      const auto& hinge = chain.elements()[e];
+      if (components[e].row != row || hinge.turn < 0 ||
+          deflection::elementKinds()[static_cast<std::size_t>(components[e].kind)].place !=
+              deflection::ElementPlace::kMember)
+        continue;
+      kernels::BentPiece piece{};
+      piece.turn = hinge.turn;
+      piece.bends = hinge.is_beam;
+      piece.compliance = hinge.compliance;
+      piece.others = numbers.turns[hinge.turn].compliance - hinge.compliance;
+      copy(hinge.member, piece.along);
+      copy(hinge.axis.cross(hinge.member), piece.across);
+      copy(hinge.axis.cross(member), piece.turning);
+      pieces.push_back(piece);
+    }
+  }
+};
+
+Isometry3d PlacedPostures::X_WL(int row, int lane) const {
+  const double* at = frames.data() + 12 * row * kernel->lanes + lane;
+  const auto number = [&](int k) { return at[k * kernel->lanes]; };
+  Isometry3d X = Isometry3d::Identity();
+  X.translation() = Vector3d(number(0), number(1), number(2));
+  for (int k = 0; k < 9; ++k) X.linear()(k % 3, k / 3) = number(3 + k);
+  return X;
+}
+
+BodyPlacing::BodyPlacing(const Workcell& cell)
+    : cell_(cell), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)), arm_(cell.arm) {
+  const auto joints = static_cast<Index>(deflection::activeRows(cell.arm).size());
+  constexpr std::size_t kLanes = kernels::kMostLanes;
+  if (arm_.hinges()) {
+    arm_.solve({VectorXd::Zero(joints), cell.load, gravity_B_});
+    plain_ = Plain::of(cell, arm_, arm_.shape().components);
+  }
+  q_.resize(static_cast<std::size_t>(joints) * kLanes);
+  load_.assign(kLanes, cell.load);
+  placed_.frames.resize(12 * kLanes * cell.arm.rows.size());
+  placed_.bow.resize(kLanes);
+  placed_.settles.resize(kLanes);
+  if (!plain_) return;
+  const auto turns = static_cast<std::size_t>(plain_->chain.numbers().count);
+  tip_.resize(12 * kLanes);
+  turns_.resize(12 * kLanes * turns);
+  gives_.resize(4 * kLanes * turns);
+  sweeps_.resize(kLanes);
+}
+
+BodyPlacing::~BodyPlacing() = default;
+
+int BodyPlacing::lanes() const { return kernels::kernels().back().lanes; }
+
+const PlacedPostures& BodyPlacing::place(const deflection::Side& q, Index first) {
+  const int count = static_cast<int>(std::min<Index>(q.cols() - first, lanes()));
+  assert(count > 0 && q.rows() * kernels::kMostLanes == static_cast<Index>(q_.size()));
+  placed_.kernel =
+      &*std::ranges::find_if(kernels::kernels(), [&](const auto& kernel) { return kernel.lanes >= count; });
+  const int width = placed_.kernel->lanes;
+  for (Index joint = 0; joint < q.rows(); ++joint)
+    for (int l = 0; l < width; ++l)
+      q_[static_cast<std::size_t>(joint * width + l)] = q(joint, first + std::min(l, count - 1));
+  return run(count);
+}
+
+const PlacedPostures& BodyPlacing::place(const VectorXd& q) {
+  assert(q.size() * kernels::kMostLanes == static_cast<Index>(q_.size()));
+  placed_.kernel = &kernels::kernels().front();
+  std::copy_n(q.data(), q.size(), q_.begin());
+  return run(1);
+}
+
+const PlacedPostures& BodyPlacing::run(int count) {
+  placed_.count = count;
+  if (plain_)
+    runKernel();
+  else
+    runOneByOne();
+  return placed_;
+}
+
+void BodyPlacing::runKernel() {
+  const int width = placed_.kernel->lanes;
+  const auto& kernel =
+      deflection::hinges::kernels()[static_cast<std::size_t>(placed_.kernel - kernels::kernels().data())];
+  assert(kernel.lanes == width);
+  const deflection::hinges::HingeArm arm = plain_->chain.numbers();
+  double gravity[3 * kernels::kMostLanes];
+  for (int k = 0; k < 3 * width; ++k) gravity[k] = gravity_B_[k / width];
+  deflection::hinges::Shapes shapes{};
+  shapes.pose = tip_.data();
+  shapes.sweeps = sweeps_.data();
+  shapes.gives = gives_.data();
+  shapes.turns = turns_.data();
+  shapes.stride = width;
+  kernel.solve(arm, {q_.data(), load_.data(), gravity, width, kUsual.tolerance * arm.reach, kUsual.max_iterations},
+               shapes);
+  placed_.kernel->place(plain_->arm(), {tip_.data(), turns_.data(), gives_.data(), width},
+                        {placed_.frames.data(), placed_.bow.data(), width});
+  for (int l = 0; l < width; ++l)
+    placed_.settles[static_cast<std::size_t>(l)] = !(sweeps_[static_cast<std::size_t>(l)] < 0);
+}
+
+void BodyPlacing::runOneByOne() {
+  const int width = placed_.kernel->lanes;
+  VectorXd q(static_cast<Index>(q_.size()) / kernels::kMostLanes);
+  for (int l = 0; l < width; ++l) {
+    const auto lane = static_cast<std::size_t>(l);
+    for (Index joint = 0; joint < q.size(); ++joint) q[joint] = q_[static_cast<std::size_t>(joint * width + l)];
+    // The last one stands again in the lanes that are left over.
+    if (l < placed_.count)
+      placed_.settles[lane] = arm_.solve({q, cell_.load, gravity_B_}) == KinematicsStatus::kConverged;
+    else
+      placed_.settles[lane] = placed_.settles[lane - 1];
+    const auto frames = placed_.settles[lane] ? framesAlongChords(cell_, arm_.shape(), &placed_.bow[lane])
+                                              : std::vector<Isometry3d>(cell_.arm.rows.size(), Isometry3d::Identity());
+    for (std::size_t row = 0; row < frames.size(); ++row) {
+      double* to = placed_.frames.data() + 12 * row * static_cast<std::size_t>(width) + lane;
+      for (int k = 0; k < 3; ++k) to[k * width] = frames[row].translation()[k];
+      for (int k = 0; k < 9; ++k) to[(3 + k) * width] = frames[row].linear()(k % 3, k / 3);
+    }
+  }
+}
+
+}  // namespace tubeplan::planner

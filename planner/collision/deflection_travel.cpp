@@ -1,0 +1,186 @@
+#include "planner/collision/deflection_travel.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "deflection/chain.hpp"
+#include "deflection/effects/situation.hpp"
+#include "deflection/elements/element.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+using deflection::Arm;
+
+constexpr double kMostBending = 0.1;  // rad, of one element; the law of bending holds up to there
+constexpr int kMostTerms = 200;
+constexpr double kBowShare = 0.3;  // of what a member's end moves: how far its bow from the chord can change
+
+/// All numbers are greatest values over every posture. A row's origin stands for the place of its joint's element, the
+/// far end of its member for that of its beam.
+struct Place {
+  int row;
+  bool is_member;
+  double compliance;  ///< rad/(N m)
+  double length;      ///< m, of the member; 0 for a joint
+  double moment;      ///< N m per unit of gravity: first moment about the near end of all that hangs beyond
+  double weight;      ///< N beyond the near end
+  double reach;       ///< m, of any body point beyond, from the near end
+  double bending;     ///< rad
+};
+
+/// How far a point can jump where clearances snap over: every gap times the reach beyond it.
+double jumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
+  const deflection::Posture posture{
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(deflection::activeRows(cell.arm).size())), cell.load,
+      deflection::gravityInBase(cell.arm, cell.X_WB)};
+  const auto situation = deflection::situationOf(cell.arm, posture);
+  double jump = 0, reach = 0;
+  for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
+    reach = std::max(reach + deflection::undeflectedMember(situation.arm, row).norm(),
+                     body_reach[static_cast<std::size_t>(row)]);
+    const auto& addition = situation.arm.rows[static_cast<std::size_t>(row)].addition;
+    if (addition) jump += addition->gap.cwiseAbs().sum() * reach;
+  }
+  return jump;
+}
+
+double weightOf(const deflection::Row<double>& row, double length) {
+  double weight = row.weight.distributed * length + row.weight.end;
+  for (const auto& lump : row.weight.lumps) weight += std::abs(lump.weight);
+  return weight;
+}
+
+double momentOf(const deflection::Row<double>& row, double length) {
+  double moment = row.weight.distributed * length * length / 2 + row.weight.end * length;
+  for (const auto& lump : row.weight.lumps) moment += std::abs(lump.weight) * lump.at.norm();
+  return moment;
+}
+
+double complianceOf(const deflection::Row<double>& row, deflection::ElementPlace place, const Eigen::Vector3d& member) {
+  for (const auto& kind : deflection::elementKinds()) {
+    if (kind.place != place || !kind.isFlexible(row)) continue;
+    const auto flexibility = kind.flexibilityOf(row, member);
+    const Eigen::Matrix3d C = flexibility.compliance;
+    return C.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() + flexibility.softness.maxCoeff();
+  }
+  return 0;
+}
+
+class Bound {
+ public:
+  Bound(const Workcell& cell, const std::vector<double>& body_reach) : arm_(cell.arm) {
+    const int rows = static_cast<int>(arm_.rows.size());
+    // From the tip inwards: what hangs beyond each place.
+    double weight = cell.load, moment = 0, reach = 0;
+    for (int row = rows - 1; row >= 0; --row) {
+      const auto& numbers = arm_.rows[static_cast<std::size_t>(row)];
+      const Eigen::Vector3d member = deflection::undeflectedMember(arm_, row);
+      const double length = member.norm() * kLengthening;
+      moment += weight * length + momentOf(numbers, length);
+      weight += weightOf(numbers, length);
+      reach = std::max(reach + length, body_reach[static_cast<std::size_t>(row)]);
+      add({row, true, complianceOf(numbers, deflection::ElementPlace::kMember, member), length, moment, weight, reach,
+           0});
+      add({row, false, complianceOf(numbers, deflection::ElementPlace::kOrigin, member), 0, moment, weight, reach, 0});
+      at_origin_.push_back({row, false, 0, 0, moment, weight, reach, 0});
+    }
+    std::ranges::reverse(places_);
+    std::ranges::reverse(at_origin_);
+    spread();
+  }
+
+  [[nodiscard]] bool bendsLittle() const {
+    return std::ranges::all_of(places_, [](const Place& place) { return place.bending <= kMostBending; });
+  }
+
+  /// Travel per radian of the joint at a row's origin; not finite where the series does not settle.
+  [[nodiscard]] double travelBy(int row) const {
+    Eigen::VectorXd first(static_cast<Eigen::Index>(places_.size()));
+    for (std::size_t e = 0; e < places_.size(); ++e) {
+      const bool is_beyond = isBeyond(places_[e], row);
+      const double moment = is_beyond ? places_[e].moment : at_origin_[static_cast<std::size_t>(row)].moment;
+      first[static_cast<Eigen::Index>(e)] = places_[e].compliance * moment;
+    }
+    Eigen::VectorXd sum = first, term = first;
+    for (int k = 0; k < kMostTerms && term.sum() > 1e-12 * sum.sum(); ++k) {
+      term = spread_ * term;
+      sum += term;
+      if (!(sum.sum() < 1e3)) return std::numeric_limits<double>::infinity();
+    }
+    return moved(sum);
+  }
+
+  static constexpr double kLengthening = 1 + kMostBending * kMostBending;
+
+ private:
+  /// Whether an element is on the far side of the joint at a row's origin: that joint's own element turns with it.
+  static bool isBeyond(const Place& place, int row) { return place.row >= row; }
+
+  /// The displacement of a member's end for the rotation that it gains.
+  static double displacement(const Place& place) { return place.length * (1 + 2 * place.bending); }
+
+  void add(Place place) {
+    if (place.compliance <= 0) return;
+    place.bending = place.compliance * place.moment;
+    places_.push_back(place);
+  }
+
+  /// How the rotation that one element gains turns the others.
+  void spread() {
+    const auto count = static_cast<Eigen::Index>(places_.size());
+    spread_ = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index e = 0; e < count; ++e)
+      for (Eigen::Index other = 0; other < count; ++other) {
+        const Place& here = places_[static_cast<std::size_t>(e)];
+        const Place& there = places_[static_cast<std::size_t>(other)];
+        const double by_displacement = there.weight * displacement(there);
+        // What turns before an element, itself included, turns gravity as the loads beyond it see it.
+        const double moment = other < e ? here.moment : there.moment + by_displacement;
+        spread_(e, other) = here.compliance * moment;
+      }
+  }
+
+  /// What all gained rotations move a point beyond them, the frames that lie along bent chords and their bow included.
+  [[nodiscard]] double moved(const Eigen::VectorXd& rotations) const {
+    double travel = 0;
+    for (std::size_t e = 0; e < places_.size(); ++e) {
+      const Place& place = places_[e];
+      const double bow = kBowShare * displacement(place);
+      travel += rotations[static_cast<Eigen::Index>(e)] * ((1 + 2 * place.bending) * place.reach + bow);
+    }
+    return travel;
+  }
+
+  const Arm& arm_;
+  std::vector<Place> places_, at_origin_;
+  Eigen::MatrixXd spread_;
+};
+
+}  // namespace
+
+DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<double>& body_reach) {
+  DeflectionTravel travel;
+  const auto active = deflection::activeRows(cell.arm);
+  const auto refuse = [&](std::string reason) {
+    travel.reason = std::move(reason);
+    return travel;
+  };
+  if (dependsOnPosture(cell.arm)) travel.jump = jumpOf(cell, body_reach);
+  if (dependsOnPosture(cell.arm)) return refuse("the arm has effects beyond its elements");
+  for (const auto& row : cell.arm.rows)
+    if (row.joint.type == deflection::JointType::kPrismatic) return refuse("the arm has a sliding joint");
+  const Bound bound(cell, body_reach);
+  if (!bound.bendsLittle()) return refuse("an element may bend by more than 0.1 rad");
+  travel.per_joint.resize(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t j = 0; j < active.size(); ++j)
+    travel.per_joint[static_cast<Eigen::Index>(j)] = bound.travelBy(active[j]);
+  if (!travel.per_joint.allFinite()) return refuse("the arm is too soft for its loads");
+  travel.stretch = Bound::kLengthening;
+  travel.is_proved = true;
+  return travel;
+}
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,135 @@
+// Distances between segments and what they may meet, side by side. See lanes.hpp for the numbers.
+//
+// Those of planes, spheres and other segments are closed forms. Along a segment the squared distance from a box or a
+// cylinder is convex: its slope's zero is found by Newton steps kept within a bracket, as in segment_distance.hpp, each
+// lane until it rests. What is given is then the gap between the planes that support the two across the points found:
+// never more than the distance, wherever the search ended.
+#pragma once
+
+#include "planner/collision/kernels/row_kernel.hpp"
+
+namespace {
+
+constexpr double kContactGap = 1e-9;   // m; a gap that is smaller counts as contact
+constexpr double kFinestStep = 1e-15;  // as a share of the segment
+constexpr int kMostSteps = 100;
+
+struct Segment {
+  Vec from, to;
+};
+
+inline Real squared(Vec v) { return dot(v, v); }
+inline Real clamped(Real x, Real low, Real high) { return least(greatest(x, low), high); }
+
+/// Of two segments (Ericson 2005, 5.1.9): the nearest points have an end of one, or are where the common perpendicular
+/// stands. All of these are tried.
+inline Real squaredDistance(const Segment& a, const Segment& b) {
+  const Real zero = constant(0), one = constant(1);
+  const Vec along_a = a.to - a.from, along_b = b.to - b.from, offset = a.from - b.from;
+  const Real aa = squared(along_a), bb = squared(along_b), ab = dot(along_a, along_b), ao = dot(along_a, offset),
+             bo = dot(along_b, offset);
+  const Bits has_a = isLess(zero, aa), has_b = isLess(zero, bb);
+  const auto onA = [&](Real t) { return select(has_a, clamped((ab * t - ao) / aa, zero, one), zero); };
+  const auto onB = [&](Real s) { return select(has_b, clamped((ab * s + bo) / bb, zero, one), zero); };
+  const auto at = [&](Real s, Real t) { return squared((offset + s * along_a) - t * along_b); };
+  const Real determinant = aa * bb - ab * ab;
+  const Real inner = select(isLess(zero, determinant), clamped((ab * bo - ao * bb) / determinant, zero, one), zero);
+  const Real t = onB(inner);
+  return least(least(least(at(onA(t), t), at(zero, onB(zero))), least(at(one, onB(one)), at(onA(zero), zero))),
+               at(onA(one), one));
+}
+
+/// Half the slope of the squared distance along a segment, and the slope of that.
+struct Slope {
+  Real slope, curvature;
+};
+
+/// Where on the segment, 0 to 1, the slope passes zero; `asked` are the lanes that matter.
+template <class SlopeAt>
+inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
+  const Real zero = constant(0), one = constant(1);
+  const Slope start = slope_at(zero), end = slope_at(one);
+  const Bits at_start = isAtMost(zero, start.slope), at_end = isAtMost(end.slope, zero);
+  Real low = zero, high = one, s = start.slope / (start.slope - end.slope);
+  Bits active = asked & ~at_start & ~at_end;
+  for (int step = 0; step < kMostSteps && any(active); ++step) {
+    const Slope here = slope_at(s);
+    active = active & (isLess(here.slope, zero) | isLess(zero, here.slope));
+    const Bits rises = isLess(here.slope, zero);
+    low = select(active & rises, s, low);
+    high = select(active & ~rises, s, high);
+    Real next = s - here.slope / here.curvature;
+    const Bits inside = isLess(low, next) & isLess(next, high);
+    next = select(inside, next, 0.5 * (low + high));
+    const Bits rests = isAtMost(absolute(next - s), constant(kFinestStep));
+    s = select(active, next, s);
+    active = active & ~rests;
+  }
+  return select(at_start, zero, select(at_end, one, s));
+}
+
+/// The gap across the points found: `reach` of the solid towards the segment, for a direction of length 1.
+template <class Reach>
+inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real radius, const Reach& reach) {
+  const Vec way = on_solid - on_segment;
+  const Real distance = squareRoot(squared(way));
+  const Vec across = (1. / distance) * way;
+  const Real gap = -reach(across) - greatest(dot(across, segment.from), dot(across, segment.to)) - radius;
+  return select(isLess(constant(kContactGap), distance), gap, -greatest(radius, constant(kContactGap)));
+}
+
+/// Of a capsule from the box of half the size `half` about the origin.
+inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec half) {
+  const Real zero = constant(0);
+  const Vec along = segment.to - segment.from;
+  const auto slopeAt = [&](Real s) {
+    const Vec p = segment.from + s * along;
+    Slope sum{zero, zero};
+    const auto add = [&](Real place, Real way, Real most) {
+      const Real beyond = absolute(place) - most;
+      const Bits is_out = isLess(zero, beyond);
+      sum.slope = sum.slope + select(is_out, way * withSign(beyond, place), zero);
+      sum.curvature = sum.curvature + select(is_out, way * way, zero);
+    };
+    add(p.x, along.x, half.x);
+    add(p.y, along.y, half.y);
+    add(p.z, along.z, half.z);
+    return sum;
+  };
+  const Vec p = segment.from + levelPlace(asked, slopeAt) * along;
+  const Vec on_box{clamped(p.x, -half.x, half.x), clamped(p.y, -half.y, half.y), clamped(p.z, -half.z, half.z)};
+  return gapAcross(segment, p, on_box, radius, [&](Vec across) {
+    return (absolute(across.x) * half.x + absolute(across.y) * half.y) + absolute(across.z) * half.z;
+  });
+}
+
+/// Of a capsule from the cylinder about z.
+inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius, Real thick, Real half) {
+  const Real zero = constant(0);
+  const Vec along = segment.to - segment.from;
+  const Real level = along.x * along.x + along.y * along.y;
+  const auto slopeAt = [&](Real s) {
+    const Vec p = segment.from + s * along;
+    const Real beyond = absolute(p.z) - half, r = squareRoot(p.x * p.x + p.y * p.y);
+    const Bits past_end = isLess(zero, beyond), past_side = isLess(thick, r);
+    const Real outwards = (along.x * p.x + along.y * p.y) / r;
+    const Real side = outwards * (r - thick), bend = level - thick / r * (level - outwards * outwards);
+    return Slope{select(past_end, along.z * withSign(beyond, p.z), zero) + select(past_side, side, zero),
+                 select(past_end, along.z * along.z, zero) + select(past_side, bend, zero)};
+  };
+  const Vec p = segment.from + levelPlace(asked, slopeAt) * along;
+  const Real r = squareRoot(p.x * p.x + p.y * p.y), shrink = select(isLess(thick, r), thick / r, constant(1));
+  const Vec on_cylinder{shrink * p.x, shrink * p.y, clamped(p.z, -half, half)};
+  return gapAcross(segment, p, on_cylinder, radius, [&](Vec across) {
+    return thick * squareRoot(across.x * across.x + across.y * across.y) + half * absolute(across.z);
+  });
+}
+
+/// Square of how far a point is outside the box.
+inline Real squaredBeyondBox(Vec p, Vec half) {
+  const Real zero = constant(0);
+  return squared({greatest(absolute(p.x) - half.x, zero), greatest(absolute(p.y) - half.y, zero),
+                  greatest(absolute(p.z) - half.z, zero)});
+}
+
+}  // namespace

@@ -1,0 +1,19 @@
+// The clearance kernels for this processor: the same numbers, bit for bit, some postures at a time.
+#pragma once
+
+#include <span>
+
+#include "planner/collision/kernels/plain_cell.hpp"
+
+namespace tubeplan::planner::kernels {
+
+struct Kernel {
+  int lanes;
+  void (*place)(const PlainArm&, const BentShapes&, const PlacedRows&);
+  void (*nearest)(const PlainScene&, const double* frames, const FoundPairs&);
+};
+
+/// As many as deflection/hinges/kernels.hpp has, of the same widths.
+std::span<const Kernel> kernels();
+
+}  // namespace tubeplan::planner::kernels

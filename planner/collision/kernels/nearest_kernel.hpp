@@ -1,0 +1,112 @@
+// The nearest pair of each of the postures side by side. See plain_cell.hpp for what is given.
+//
+// Pairs are taken one after the other, all postures at once. Before a search, or two segments, the sphere around the
+// capsule tells whether a pair can be nearer than the nearest so far; a lane where it cannot is left as it is even when
+// its neighbours go on, so that every posture has the same bits in any company.
+#pragma once
+
+#include "planner/collision/kernels/distance_kernel.hpp"
+
+namespace {
+
+constexpr double kInfinity = __builtin_inf();
+
+/// Whether things whose middles are so far apart (squared) can be nearer than `limit`, all within `reach` of the
+/// middles.
+inline Bits mayBeNearer(Real squared_apart, Real limit, double reach) {
+  const Real most = limit + reach;
+  return isLess(constant(0), most) & ~isLess(most * most, squared_apart);
+}
+
+inline Vec middleOf(const Segment& segment) { return constant(0.5) * (segment.from + segment.to); }
+
+inline Vec inFrame(const PlainPose& X_CW, Vec p) { return same(X_CW.p) + turnedBy(X_CW, p); }
+
+struct Found {
+  Real distance;
+  Bits asked;  ///< lanes where it may be less than the limit
+};
+
+inline Found capsulesApart(const Segment& a, const PlainBody& body, const Segment& b, double radius, double half_length,
+                           Real limit) {
+  const Real radii = constant(body.radius) + constant(radius);
+  const double reach = body.radius + radius + body.half_length + half_length;
+  const Bits asked = mayBeNearer(squared(middleOf(a) - middleOf(b)), limit, reach);
+  if (!any(asked)) return {constant(kInfinity), asked};
+  return {squareRoot(squaredDistance(a, b)) - radii, asked};
+}
+
+inline Found fromPlane(const Segment& a, const PlainBody& body, const PlainObstacle& plane, Real limit) {
+  const Vec normal = same(plane.normal), point = same(plane.from);
+  const Real distance = least(dot(normal, a.from - point), dot(normal, a.to - point)) - body.radius;
+  return {distance, isLess(distance, limit)};
+}
+
+inline Found withinSphere(const Segment& a, const PlainBody& body, const PlainObstacle& sphere, Real limit) {
+  const Vec centre = same(sphere.from);
+  const Real farthest = greatest(squared(a.from - centre), squared(a.to - centre));
+  const Real distance = (sphere.radius - squareRoot(farthest)) - body.radius;
+  return {distance, isLess(distance, limit)};
+}
+
+inline Found fromSearched(const Segment& a_W, const PlainBody& body, const PlainObstacle& solid, bool is_box,
+                          Real limit) {
+  const Segment a{inFrame(solid.X_CW, a_W.from), inFrame(solid.X_CW, a_W.to)};
+  const Real thick = constant(solid.radius), half_length = constant(solid.half_length);
+  const Vec half = is_box ? same(solid.half) : Vec{thick, thick, half_length};
+  const Bits asked = mayBeNearer(squaredBeyondBox(middleOf(a), half), limit, body.radius + body.half_length);
+  if (!any(asked)) return {constant(kInfinity), asked};
+  const Real radius = constant(body.radius);
+  return {is_box ? distanceFromBox(asked, a, radius, half) : distanceFromCylinder(asked, a, radius, thick, half_length),
+          asked};
+}
+
+inline Segment axisOf(const FoundPairs& out, int body) {
+  const double* from = out.ends + 6 * body * out.stride;
+  return {loadVec(from, out.stride), loadVec(from + 3 * out.stride, out.stride)};
+}
+
+inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPairs& out, Real limit) {
+  const PlainBody& body = scene.bodies[pair.body];
+  const Segment a = axisOf(out, pair.body);
+  if (pair.kind == kBodyAndBody) {
+    const PlainBody& other = scene.bodies[pair.other];
+    return capsulesApart(a, body, axisOf(out, pair.other), other.radius, other.half_length, limit);
+  }
+  const PlainObstacle& other = scene.obstacles[pair.other];
+  switch (pair.kind) {
+    case kPlane:
+      return fromPlane(a, body, other, limit);
+    case kSphereInside:
+      return withinSphere(a, body, other, limit);
+    case kFixedCapsule:
+      return capsulesApart(a, body, {same(other.from), same(other.to)}, other.radius, other.half_length, limit);
+    default:
+      return fromSearched(a, body, other, pair.kind == kBox, limit);
+  }
+}
+
+/// `frames` as PlacedRows has them, as far apart as the results.
+inline void findNearest(const PlainScene& scene, const double* frames, const FoundPairs& out) {
+  for (int i = 0; i < scene.body_count; ++i) {
+    const PlainBody& body = scene.bodies[i];
+    const RowFrame X = loadFrame(frames + 12 * body.row * out.stride, out.stride);
+    storeLanes(out.ends + 6 * i * out.stride, out.stride, placed(X, body.from));
+    storeLanes(out.ends + (6 * i + 3) * out.stride, out.stride, placed(X, body.to));
+  }
+  Real distance = constant(kInfinity), nearest = constant(-1);
+  for (int k = 0; k < scene.exact_count; ++k) {
+    const Found found = look(scene, scene.pairs[k], out, distance);
+    const Bits nearer = found.asked & isLess(found.distance, distance);
+    distance = select(nearer, found.distance, distance);
+    nearest = select(nearer, constant(k), nearest);
+  }
+  store(out.distance, distance);
+  store(out.nearest, nearest);
+  for (int k = scene.exact_count; k < scene.pair_count; ++k) {
+    const Found bound = look(scene, scene.pairs[k], out, distance);
+    store(out.bounds + (k - scene.exact_count) * out.stride, select(bound.asked, bound.distance, constant(kInfinity)));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,11 @@
+// The clearance kernels, one posture at a time. See CMakeLists.txt for the processor that this is compiled for.
+#define TUBEPLAN_LANES 1
+#include "planner/collision/kernels/nearest_kernel.hpp"
+
+namespace tubeplan::planner::kernels::one_lane {
+
+void place(const PlainArm& arm, const BentShapes& in, const PlacedRows& out) { placeRows(arm, in, out); }
+
+void nearest(const PlainScene& scene, const double* frames, const FoundPairs& out) { findNearest(scene, frames, out); }
+
+}  // namespace tubeplan::planner::kernels::one_lane

@@ -1,0 +1,22 @@
+// Poses and places as the plain numbers that the kernels take.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "planner/collision/kernels/plain_cell.hpp"
+
+namespace tubeplan::planner::kernels {
+
+inline void copy(const Eigen::Vector3d& from, double* to) { std::copy_n(from.data(), 3, to); }
+
+inline PlainPose plainPose(const Eigen::Matrix3d& R, const Eigen::Vector3d& p) {
+  PlainPose X;
+  copy(p, X.p);
+  std::copy_n(R.data(), 9, X.R);
+  return X;
+}
+
+inline PlainPose plainPose(const Eigen::Isometry3d& X) { return plainPose(X.linear(), X.translation()); }
+
+}  // namespace tubeplan::planner::kernels

@@ -1,0 +1,151 @@
+#include "planner/motion/detour_shaping.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "planner/timing/flowing_timing.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+using Eigen::VectorXd;
+
+// m of travel by one joint: how far beside the straight move a way round is looked for, and how finely it is shaped.
+constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
+constexpr std::array kFinerAndFiner{0.16, 0.08, 0.04, 0.02, 0.01, 0.005};
+constexpr long kMostChecks = 20'000;  // of postures, for one way round
+constexpr int kMostRounds = 12;       // at one fineness
+constexpr double kLeastGain = 1e-3;   // s
+
+bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
+  return (q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all();
+}
+
+bool isFree(const MotionCheckResult& check) { return check.status == MotionCheckStatus::kFree; }
+
+/// Joint steps that move the arm's furthest point by about one metre each; none for a joint that moves nothing.
+VectorXd stepsPerMetre(const MotionProblem& problem) {
+  const VectorXd& reach = problem.travel.reach_per_joint;
+  const double least = 1e-3 * reach.maxCoeff();
+  return reach.unaryExpr([least](double r) { return r > least ? 1 / r : 0.0; });
+}
+
+/// Postures beside the middle: one joint or two put aside.
+std::vector<VectorXd> posturesBeside(const VectorXd& middle, const MotionProblem& problem) {
+  const VectorXd steps = stepsPerMetre(problem);
+  std::vector<VectorXd> postures;
+  const auto add = [&](VectorXd q) {
+    if (isWithinLimits(q, problem)) postures.push_back(std::move(q));
+  };
+  for (const double metres : kSideways)
+    for (Eigen::Index j = 0; j < middle.size(); ++j)
+      for (const double sign : {1., -1.}) {
+        VectorXd one = middle;
+        one[j] += sign * metres * steps[j];
+        add(one);
+        for (Eigen::Index k = 0; k < j; ++k)
+          for (const double other : {1., -1.}) {
+            VectorXd two = one;
+            two[k] += other * metres * steps[k];
+            add(two);
+          }
+      }
+  return postures;
+}
+
+struct Shaping {
+  const MotionProblem& problem;
+  const MotionCheckOptions& options;
+  long& checks;
+  Waypoints& best;
+  double time;
+  long checks_before = checks;
+
+  [[nodiscard]] bool isSpent() const { return checks - checks_before > kMostChecks; }
+
+  /// Takes the shape where it is quicker and free.
+  bool take(Waypoints shape) {
+    if (isSpent()) return false;
+    const double now = flowTime(shape, problem);
+    if (!(now < time - kLeastGain) || !isFree(checkFlow(shape, problem, options, checks))) return false;
+    best = std::move(shape);
+    time = now;
+    return true;
+  }
+
+  bool dropOne() {
+    for (std::size_t k = 1; k + 1 < best.size(); ++k) {
+      Waypoints fewer = best;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+      if (take(std::move(fewer))) return true;
+    }
+    return false;
+  }
+
+  bool moveEach(const VectorXd& steps) {
+    bool gained = false;
+    for (std::size_t k = 1; k + 1 < best.size(); ++k)
+      for (Eigen::Index j = 0; j < steps.size(); ++j)
+        for (const double sign : {1., -1.}) {
+          Waypoints moved = best;
+          moved[k][j] += sign * steps[j];
+          if (isWithinLimits(moved[k], problem)) gained |= take(std::move(moved));
+        }
+    return gained;
+  }
+};
+
+}  // namespace
+
+double flowTime(const Waypoints& waypoints, const MotionProblem& problem) {
+  assert(problem.speeds);
+  return timeFlow(waypoints, *problem.speeds).duration;
+}
+
+MotionCheckResult checkFlow(const Waypoints& waypoints, const MotionProblem& problem, const MotionCheckOptions& options,
+                            long& checks) {
+  assert(problem.speeds);
+  const auto corners = cornersOf(timeFlow(waypoints, *problem.speeds));
+  MotionCheckResult whole;
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const MotionCheckResult part =
+        checkMotion(corners[k - 1], corners[k], problem.clearance_of, problem.travel, options);
+    checks += part.checks;
+    if (!isFree(part)) return part;
+    if (k == 1 || part.tightest.margin < whole.tightest.margin) whole.tightest = part.tightest;
+    whole.proved_margin = k == 1 ? part.proved_margin : std::min(whole.proved_margin, part.proved_margin);
+    whole.status = MotionCheckStatus::kFree;
+  }
+  return whole;
+}
+
+Waypoints detourByOnePosture(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,
+                             const MotionCheckOptions& options, long& checks) {
+  struct Way {
+    double time;
+    Waypoints waypoints;
+  };
+  std::vector<Way> ways;
+  for (auto& q : posturesBeside((q0 + q1) / 2, problem)) {
+    Waypoints waypoints{q0, std::move(q), q1};
+    ways.push_back({flowTime(waypoints, problem), std::move(waypoints)});
+  }
+  std::ranges::stable_sort(ways, {}, &Way::time);
+  for (auto& way : ways)
+    if (isFree(checkFlow(way.waypoints, problem, options, checks))) return std::move(way.waypoints);
+  return {};
+}
+
+void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionCheckOptions& options, long& checks) {
+  Shaping shaping{problem, options, checks, waypoints, flowTime(waypoints, problem)};
+  const VectorXd steps = stepsPerMetre(problem);
+  for (const double metres : kFinerAndFiner)
+    for (int round = 0; round < kMostRounds; ++round) {
+      const bool dropped = shaping.dropOne();
+      if (!shaping.moveEach(metres * steps) && !dropped) break;
+    }
+}
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,203 @@
+#include "planner/motion/motion_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+#include "planner/motion/side_by_side.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+constexpr std::size_t kLanes = 8;          // the most that any processor has
+constexpr std::size_t kMostTogether = 64;  // postures; what lies behind one that blocks was asked for in vain
+
+struct Sample {
+  double s;       ///< place on the motion, 0 to 1
+  double margin;  ///< m
+};
+
+/// All that is known of a posture.
+struct Named {
+  double s;
+  Clearance clearance;
+};
+
+struct Stretch {
+  Sample a, b;
+};
+
+class MotionProof {
+ public:
+  MotionProof(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const PostureClearance& clearance_of,
+              const TravelBound& travel, const MotionCheckOptions& options)
+      : q0_(q0),
+        q1_(q1),
+        clearance_of_(clearance_of),
+        side_by_side_(clearance_of.target<SideBySideClearance>()),
+        travel_(travel(q0, q1)),
+        options_(options) {}
+
+  MotionCheckResult run() {
+    if (travel_ > 0) askTogether({0, 1});
+    prove();
+    nameTightest();
+    return result_;
+  }
+
+ private:
+  void prove() {
+    const Sample start = sampleAt(0), goal = travel_ > 0 ? sampleAt(1) : start;
+    if (isBlocked()) return;
+    result_.proved_margin = std::min(start.margin, goal.margin);
+    // Breadth first: what blocks a motion is mostly met within the first few halvings.
+    std::deque<Stretch> open;
+    if (travel_ > 0) open.push_back({start, goal});
+    for (std::size_t left = 0; !open.empty(); --left) {
+      if (left == 0) {
+        left = std::min(open.size(), kMostTogether);
+        askForMiddles(open, left);
+      }
+      const Stretch stretch = open.front();
+      open.pop_front();
+      if (takeAsProved(stretch)) continue;
+      if (travelOf(stretch) < options_.least_travel) return block("too tight to prove free: ");
+      if (result_.checks >= options_.max_checks)
+        return block(fmt::format("not proved free in {} postures: ", result_.checks));
+      const Sample middle = sampleAt(middleOf(stretch));
+      if (isBlocked()) return;
+      open.push_back({stretch.a, middle});
+      open.push_back({middle, stretch.b});
+    }
+    result_.status = MotionCheckStatus::kFree;
+  }
+
+  static double middleOf(const Stretch& stretch) { return 0.5 * (stretch.a.s + stretch.b.s); }
+
+  double travelOf(const Stretch& stretch) const { return travel_ * (stretch.b.s - stretch.a.s); }
+
+  /// Nowhere on the stretch is the margin less: at the place where what is left of both ends' margins is equal.
+  double lowerBound(const Stretch& stretch) const {
+    const double middle = 0.5 * (stretch.a.margin + stretch.b.margin - travelOf(stretch));
+    return std::min({stretch.a.margin, stretch.b.margin, middle});
+  }
+
+  [[nodiscard]] bool isProved(const Stretch& stretch, double bound) const {
+    const bool too_coarse =
+        result_.tightest.margin - bound > options_.accuracy && travelOf(stretch) >= options_.least_travel;
+    return bound > 0 && !too_coarse;
+  }
+
+  bool takeAsProved(const Stretch& stretch) {
+    const double bound = lowerBound(stretch);
+    if (!isProved(stretch, bound)) return false;
+    result_.proved_margin = std::min(result_.proved_margin, bound);
+    return true;
+  }
+
+  /// Looks ahead to the margins at several places. What is known beforehand changes no answer: it only comes sooner.
+  void askTogether(const std::vector<double>& places) {
+    if (!side_by_side_ || places.size() < 2) return;
+    PostureColumns q(q0_.size(), static_cast<Eigen::Index>(places.size()));
+    for (std::size_t k = 0; k < places.size(); ++k) q.col(static_cast<Eigen::Index>(k)) = postureAt(places[k]);
+    MarginsSideBySide found = side_by_side_->many(q);
+    for (std::size_t k = 0; k < places.size(); ++k) known_.push_back({places[k], found.margins[k]});
+    named_.push_back({places[found.tightest], std::move(found.clearance)});
+  }
+
+  /// The middles of the next stretches that will be halved: one that is proved by what has been met stays proved. Where
+  /// lanes are left over, those of their halves that will hardly do.
+  void askForMiddles(const std::deque<Stretch>& open, std::size_t count) {
+    if (!side_by_side_) return;
+    std::vector<double> places, further;
+    std::vector<Sample> kept;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Stretch& stretch = open[k];
+      const double middle = middleOf(stretch);
+      if (isProved(stretch, lowerBound(stretch))) continue;
+      if (const Sample* known = findKnown(middle))
+        kept.push_back(*known);
+      else
+        places.push_back(middle);
+      if (!halvesWillDo(stretch))
+        further.insert(further.end(), {0.5 * (stretch.a.s + middle), 0.5 * (middle + stretch.b.s)});
+    }
+    known_ = std::move(kept);
+    if (!places.empty() && places.size() + further.size() <= kLanes)
+      places.insert(places.end(), further.begin(), further.end());
+    askTogether(places);
+  }
+
+  /// If the margin in the middle were the mean of the ends'.
+  [[nodiscard]] bool halvesWillDo(const Stretch& stretch) const {
+    const Sample middle{middleOf(stretch), 0.5 * (stretch.a.margin + stretch.b.margin)};
+    return isProved({stretch.a, middle}, middle.margin - 0.25 * travelOf(stretch));
+  }
+
+  [[nodiscard]] const Sample* findKnown(double s) const {
+    const auto found = std::ranges::find(known_, s, &Sample::s);
+    return found == known_.end() ? nullptr : &*found;
+  }
+
+  Eigen::VectorXd postureAt(double s) const { return s == 1 ? q1_ : Eigen::VectorXd(q0_ + s * (q1_ - q0_)); }
+
+  Sample sampleAt(double s) {
+    Clearance clearance;
+    const Sample* known = findKnown(s);
+    if (known)
+      clearance.margin = known->margin;
+    else
+      clearance = clearance_of_(postureAt(s));
+    ++result_.checks;
+    const double margin = clearance.margin;
+    if (result_.checks == 1 || !(margin >= result_.tightest.margin)) {
+      result_.tightest = std::move(clearance);
+      result_.where = s;
+      is_named_ = !known;
+    }
+    return {s, margin};
+  }
+
+  void nameTightest() {
+    if (is_named_) return;
+    const auto named = std::ranges::find(named_, result_.where, &Named::s);
+    result_.tightest = named == named_.end() ? clearance_of_(postureAt(result_.where)) : named->clearance;
+    is_named_ = true;
+  }
+
+  /// Whether a posture just met is in the way.
+  bool isBlocked() {
+    if (result_.tightest.margin >= 0) return false;
+    block("");
+    return true;
+  }
+
+  void block(const std::string& why) {
+    nameTightest();
+    result_.status = MotionCheckStatus::kBlocked;
+    result_.reason = why + describe(result_.tightest);
+    result_.proved_margin = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  const Eigen::VectorXd &q0_, &q1_;
+  const PostureClearance& clearance_of_;
+  const SideBySideClearance* side_by_side_;  ///< the same, where it can be asked so
+  const double travel_;
+  const MotionCheckOptions& options_;
+  std::vector<Sample> known_;  ///< beforehand
+  std::vector<Named> named_;   ///< the tightest posture of each asking
+  bool is_named_ = true;       ///< `tightest` is more than a margin
+  MotionCheckResult result_;
+};
+
+}  // namespace
+
+MotionCheckResult checkMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
+                              const PostureClearance& clearance_of, const TravelBound& travel,
+                              const MotionCheckOptions& options) {
+  return MotionProof(q0, q1, clearance_of, travel, options).run();
+}
+
+}  // namespace tubeplan::planner

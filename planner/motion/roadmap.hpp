@@ -1,0 +1,72 @@
+// Free postures joined by straight moves that were proved free: made once for an arm among its obstacles, and asked for
+// every way round (probabilistic roadmap: Kavraki, Svestka, Latombe and Overmars 1996).
+//
+// What it answers depends on the scene and its own seed alone, never on what was asked before.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "planner/motion/motion_planner.hpp"
+
+namespace tubeplan::planner {
+
+struct RoadmapOptions {
+  std::uint64_t seed = 1;
+  int random_postures = 1200;  ///< anywhere within the limits, beside those given
+  int neighbours = 12;         ///< that a posture is joined to where the way is free
+  int attachments = 24;        ///< postures tried to join an end to
+  MotionCheckOptions check = {};
+};
+
+enum class RoadmapStatus {
+  kNotRun,
+  kFound,
+  kApart,       ///< both ends are joined to it, but to parts that no edge joins
+  kUnattached,  ///< an end is joined to none of its postures
+};
+
+struct RoadmapWay {
+  RoadmapStatus status = RoadmapStatus::kNotRun;
+  std::vector<Eigen::VectorXd> waypoints;  ///< both ends included; each stretch proved free
+};
+
+class Roadmap {
+ public:
+  /// `postures` [rad]: where travels begin and end, say; blocked ones are left out. The problem must have a cost.
+  Roadmap(const MotionProblem& problem, std::vector<Eigen::VectorXd> postures, const RoadmapOptions& options = {});
+
+  /// The quickest way over its edges. Const use from several threads is safe where the problem's functions are.
+  [[nodiscard]] RoadmapWay between(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) const;
+
+  /// The part of the free space that each posture lies in, as far as the edges and the postures themselves join it:
+  /// numbers from 0, -1 for one that is joined to nothing.
+  [[nodiscard]] std::vector<int> partsOf(const std::vector<Eigen::VectorXd>& postures) const;
+
+  [[nodiscard]] int postures() const { return static_cast<int>(postures_.size()); }
+  [[nodiscard]] int edges() const;
+
+ private:
+  struct Edge {
+    int to;
+    double cost;
+  };
+  struct Candidate {
+    int from, to;
+    double cost;
+  };
+
+  void addRandomPostures();
+  [[nodiscard]] std::vector<Candidate> candidates() const;
+  void join();
+  [[nodiscard]] std::vector<Edge> attach(const Eigen::VectorXd& q, long& checks) const;
+  [[nodiscard]] std::vector<int> quickest(const std::vector<Edge>& from, const std::vector<Edge>& to) const;
+
+  MotionProblem problem_;
+  RoadmapOptions options_;
+  std::vector<Eigen::VectorXd> postures_;
+  std::vector<std::vector<Edge>> edges_;
+};
+
+}  // namespace tubeplan::planner

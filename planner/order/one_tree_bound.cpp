@@ -1,0 +1,147 @@
+#include "planner/order/one_tree_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "planner/order/priced_tree.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+constexpr double kFirstStep = 1;  // as a share of the way to the known time
+constexpr int kPatience = 10;     // steps without gain before the share falls
+constexpr double kFall = 0.8;
+// Of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
+constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
+
+enum class Detail { kNodes, kPostures };
+
+// What a tree breaks of the conditions that the prices stand for, in the order of the prices. By nodes: the ends of all
+// postures together, which is all there is with one posture a node and gets the most from the first steps with several.
+std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
+                               Detail detail) {
+  std::vector<double> violation(tree.ends.size() + tree.pair_ends.size(), 0.0);
+  for (int node = 0; node < table.nodes(); ++node) {
+    const double ends =
+        std::accumulate(tree.ends.begin() + table.first(node), tree.ends.begin() + table.last(node), 0.0);
+    for (int p = table.first(node); p < table.last(node); ++p) {
+      violation[p] = detail == Detail::kNodes ? ends - 2 : tree.ends[p] - 2 * tree.taken[p];
+    }
+  }
+  if (detail == Detail::kNodes) return violation;
+  for (std::size_t k = 0; k < tree.pair_ends.size(); ++k) {
+    violation[tree.ends.size() + k] = tree.pair_ends[k] - tree.taken[graph.postureOfPrice(k)];
+  }
+  return violation;
+}
+
+class Ascent {
+ public:
+  Ascent(const PostureTable& table, const OneTreeOptions& options) : table_(table), options_(options), graph_(table) {
+    const bool complete = table.visits() <= options.complete_up_to;
+    const auto neighbours = nearestNeighbours(table, complete ? table.nodes() : options.neighbours);
+    for (int node = 0; node < table.nodes(); ++node) {
+      for (const Neighbour& neighbour : neighbours[node]) graph_.add(node, neighbour.node);
+    }
+    best_.of_posture.assign(table.postures(), 0.0);
+    best_.of_pair.assign(graph_.pairPrices(), 0.0);
+  }
+
+  // Proves the bound at the best prices so far and lets the graph learn the edges it lacked.
+  void prove() {
+    const PricedTree tree = graph_.completeTree(best_);
+    proved_ = std::max(proved_, tree.bound);
+    for (const auto& [a, b] : tree.edges) graph_.add(a, b);
+    best_.of_pair.resize(graph_.pairPrices(), 0.0);
+  }
+
+  // From the best prices along a running mean of what the trees break (the volume method of Barahona and Anbil, 2000).
+  void climb(int steps, double first_share, Detail detail) {
+    const double mean_share = detail == Detail::kNodes ? kMeanShareByNodes : kMeanShareByPostures;
+    double share = first_share;
+    int without_gain = 0;
+    PricedTree tree = graph_.tree(best_);
+    double best_on_graph = tree.bound;
+    std::vector<double> mean = violations(table_, graph_, tree, detail);
+    for (int i = 0; i < steps && !(best_on_graph >= options_.known_time * (1 - 1e-9)); ++i, ++iterations_) {
+      if (options_.stop && options_.stop()) return;
+      Prices prices = moved(mean, share, best_on_graph);
+      tree = graph_.tree(prices);
+      const std::vector<double> latest = violations(table_, graph_, tree, detail);
+      for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += mean_share * (latest[k] - mean[k]);
+      if (tree.bound > best_on_graph) {
+        if (tree.bound > best_on_graph + 1e-5 * std::abs(best_on_graph)) without_gain = 0;
+        best_on_graph = tree.bound;
+        best_ = std::move(prices);
+        share = std::min(2.0, share * 1.1);
+      } else if (++without_gain >= kPatience) {
+        without_gain = 0;
+        share *= kFall;
+      }
+    }
+  }
+
+  double proved() const { return proved_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  Prices moved(const std::vector<double>& mean, double share, double best) const {
+    double norm = 1e-12;
+    for (std::size_t k = 0; k < mean.size(); ++k) norm += counts(k, mean[k]) ? mean[k] * mean[k] : 0;
+    const double aim = std::isfinite(options_.known_time) ? options_.known_time : 1.05 * std::max(best, proved_);
+    const double length = share * std::max(aim - best, 1e-6 * std::abs(aim)) / norm;
+    Prices prices = best_;
+    const std::size_t postures = prices.of_posture.size();
+    for (std::size_t p = 0; p < postures; ++p) prices.of_posture[p] += length * mean[p];
+    for (std::size_t k = 0; k < prices.of_pair.size(); ++k) {
+      prices.of_pair[k] = std::max(0.0, prices.of_pair[k] + length * mean[postures + k]);
+    }
+    return prices;
+  }
+
+  // A pair price that is zero cannot fall further.
+  bool counts(std::size_t k, double mean) const {
+    const std::size_t postures = best_.of_posture.size();
+    return k < postures || mean > 0 || best_.of_pair[k - postures] > 0;
+  }
+
+  const PostureTable& table_;
+  const OneTreeOptions& options_;
+  PairGraph graph_;
+  Prices best_;
+  double proved_ = 0;  // times are not negative
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options) {
+  OneTreeBound result;
+  const std::vector<std::string> problems = findRouteProblems(route);
+  if (!problems.empty()) {
+    result.status = OneTreeStatus::kBadInput;
+    result.reason = problems.front();
+    return result;
+  }
+  result.status = OneTreeStatus::kSolved;
+  if (route.visits.empty()) {
+    result.lower_bound = route.start && route.end ? straightMoveDuration(*route.start, *route.end, route.speeds) : 0;
+    return result;
+  }
+  const PostureTable table(route);
+  Ascent ascent(table, options);
+  ascent.prove();
+  const int rounds = std::max(1, options.rounds);
+  const bool several = table.postures() > table.nodes();
+  for (int round = 0; round < rounds; ++round) {
+    const Detail detail = several && (round > 0 || rounds == 1) ? Detail::kPostures : Detail::kNodes;
+    ascent.climb(options.iterations / rounds, kFirstStep / (1 + round), detail);
+    ascent.prove();
+  }
+  result.lower_bound = ascent.proved();
+  result.iterations = ascent.iterations();
+  return result;
+}
+
+}  // namespace tubeplan::planner

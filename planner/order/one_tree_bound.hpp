@@ -1,0 +1,39 @@
+// A proved lower bound on the travel time of any route.
+//
+// A route is a path, so it is a spanning tree whose visits have two edges each (free ends count as one), both in one
+// branch. The bound is the smallest spanning tree after Lagrangian prices for these conditions (see priced_tree.hpp),
+// which extends Held and Karp (1970, 1971) to several branches. Prices are found on a sparse graph; the bound itself is
+// always taken on the complete one.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "planner/order/route.hpp"
+
+namespace tubeplan::planner {
+
+struct OneTreeOptions {
+  int iterations = 1500;    ///< subgradient steps on the sparse graph, in all
+  int rounds = 4;           ///< trees on the complete graph; each adds its edges to the sparse one
+  int neighbours = 10;      ///< of each visit in the sparse graph
+  int complete_up_to = 30;  ///< visits; smaller problems use the complete graph throughout
+  double known_time = std::numeric_limits<double>::quiet_NaN();  ///< s, of some route; steers the steps
+  std::function<bool()> stop;                                    ///< asked at every step; the bound so far holds as any
+};
+
+enum class OneTreeStatus { kNotRun, kSolved, kBadInput };
+
+struct OneTreeBound {
+  OneTreeStatus status = OneTreeStatus::kNotRun;
+  std::string reason;
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s
+  int iterations = 0;
+};
+
+/// Holds for every route of straight moves, with or without further postures to rest at on the way: straight times obey
+/// the triangle inequality. Extra times are ignored, for they are found, not proved.
+[[nodiscard]] OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options = {});
+
+}  // namespace tubeplan::planner

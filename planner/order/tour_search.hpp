@@ -1,0 +1,87 @@
+// Local search on the order of a route: 2-opt, Or-opt and branch changes, with local kicks. Internal to the ordering.
+//
+// The open route is kept as a closed tour. Its ends are anchors: the start and end postures, and one free anchor that
+// costs nothing to reach unless both ends are given. Anchors that belong together are bound by an edge that no move
+// gains by breaking.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "planner/order/neighbour_lists.hpp"
+#include "planner/order/posture_table.hpp"
+
+namespace tubeplan::planner {
+
+class TourSearch {
+ public:
+  TourSearch(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours);
+
+  /// Takes over a route: all visits in order, and the posture of every node.
+  void restart(const std::vector<int>& order, const std::vector<int>& posture_of_node);
+  /// Moves until none of the neighbourhood gains.
+  void improve();
+  /// Kicks `count` places one after the other and keeps what does not lose.
+  void kick(long count, std::mt19937_64& random);
+
+  [[nodiscard]] std::vector<int> order() const;  ///< visits, first to last
+  [[nodiscard]] const std::vector<int>& postureOfNode() const { return posture_of_node_; }
+
+ private:
+  struct Change {  // either positions reversed, or a node's posture replaced
+    int node = -1;
+    int first = 0, second = 0;
+  };
+  struct Segment {  // a stretch of the tour: before, first .. last, after
+    int before, first, last, after;
+  };
+  struct Junction {  // a place to join to: a node with its two neighbours
+    int node, beyond, behind;
+  };
+  static constexpr int kLongestInsertion = 3;
+  struct Stretches {  // of growing length, all with the same last node
+    Segment segments[kLongestInsertion];
+    double saved[kLongestInsertion];  // s, by closing the tour behind them
+    int size = 0;
+  };
+  enum class Side { kNext, kPrevious };
+
+  [[nodiscard]] int size() const { return static_cast<int>(tour_.size()); }
+  [[nodiscard]] int next(int node) const { return tour_[place_[node] + 1 == size() ? 0 : place_[node] + 1]; }
+  [[nodiscard]] int previous(int node) const { return tour_[place_[node] == 0 ? size() - 1 : place_[node] - 1]; }
+  [[nodiscard]] int beside(int node, Side side) const { return side == Side::kNext ? next(node) : previous(node); }
+  [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
+  [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
+
+  void improveDirty();
+  bool improveNode(int node);
+  bool changeBranch(int node);
+  bool moveFrom(int node, Side side);
+  [[nodiscard]] Stretches stretchesEndingAt(int a, int b, Side side) const;
+  bool tryTwoOpt(int a, int b, const Junction& at, double gain_so_far);
+  bool tryOrOpt(const Stretches& stretches, const Junction& at, double gain_so_far);
+  bool tryOtherBranch(const Stretches& stretches, const Junction& at, double now);
+  bool insert(const Segment& segment, int c, int d, bool keeps_sense, double gain);
+  bool swapSegments(std::mt19937_64& random);
+  bool switchBranches(std::mt19937_64& random);
+
+  void exchange(int a, int b, int c, int d);
+  void moveSegment(const Segment& segment, int c, int d, bool keeps_sense);
+  void reversePlaces(int from, int to);
+  void setPosture(int node, int posture);
+  void undo();
+  void markDirty(int node);
+
+  const PostureTable& table_;
+  const std::vector<std::vector<Neighbour>>& neighbours_;
+  int visits_;
+  int free_anchor_ = -1;
+  std::vector<int> tour_, place_, posture_of_node_;
+  std::vector<Change> changes_;  // since the last kick, to take them back
+  double gained_ = 0;            // since the last kick
+  std::vector<int> dirty_;
+  std::vector<char> is_dirty_;
+};
+
+}  // namespace tubeplan::planner

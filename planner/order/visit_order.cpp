@@ -1,0 +1,175 @@
+#include "planner/order/visit_order.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "planner/order/branch_choice.hpp"
+#include "planner/order/start_tours.hpp"
+#include "planner/order/tour_search.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+constexpr int kTryEveryOrderUpTo = 4;
+constexpr double kTrialShare = 0.08;   // of all kicks, for each start tour ...
+constexpr double kFinishShare = 0.32;  // ... and for the best of them
+constexpr double kFewBranches = 4;     // for each visit, on the average: with more there are fewer kicks
+constexpr long kKicksBetweenStops = 1000;
+constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
+
+struct Candidate {
+  std::vector<int> order;
+  std::vector<int> posture_of_node;
+  double time = std::numeric_limits<double>::infinity();
+};
+
+Candidate withBestPostures(const PostureTable& table, const std::vector<int>& order) {
+  Candidate candidate{order, std::vector<int>(table.nodes(), -1)};
+  candidate.time = choosePostures(table, withEndNodes(table, order), candidate.posture_of_node);
+  return candidate;
+}
+
+Candidate bestOfAllOrders(const PostureTable& table) {
+  std::vector<int> order(table.visits());
+  std::iota(order.begin(), order.end(), 0);
+  Candidate best = withBestPostures(table, order);
+  while (std::next_permutation(order.begin(), order.end())) {
+    Candidate candidate = withBestPostures(table, order);
+    if (candidate.time < best.time) best = std::move(candidate);
+  }
+  return best;
+}
+
+// Local search and exact branch choice in turn, until neither gains.
+Candidate settled(const PostureTable& table, TourSearch& search, Candidate candidate) {
+  for (;;) {
+    search.restart(candidate.order, candidate.posture_of_node);
+    search.improve();
+    Candidate next = withBestPostures(table, search.order());
+    if (!(next.time < candidate.time - 1e-9)) return candidate;
+    candidate = std::move(next);
+  }
+}
+
+bool shouldStop(const VisitOrderOptions& options) { return options.stop && options.stop(); }
+
+Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate& candidate, long kicks,
+                 std::mt19937_64& random, const VisitOrderOptions& options) {
+  search.restart(candidate.order, candidate.posture_of_node);
+  for (long done = 0; done < kicks && !shouldStop(options); done += kKicksBetweenStops)
+    search.kick(std::min(kKicksBetweenStops, kicks - done), random);
+  Candidate next = settled(table, search, withBestPostures(table, search.order()));
+  return next.time < candidate.time ? next : candidate;
+}
+
+/// Each start tour searched for a while, side by side; each draws from a seed of its own, so that the threads do not
+/// matter.
+Candidate bestOfTrials(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, long kicks,
+                       const VisitOrderOptions& options) {
+  auto tours = startTours(table, neighbours);
+  if (!options.hint.empty()) tours.push_back(options.hint);
+  std::vector<Candidate> found(tours.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, tours.size(), [&](std::size_t k) {
+    TourSearch search(table, neighbours);
+    std::mt19937_64 random(options.seed + k);
+    const Candidate start = settled(table, search, withBestPostures(table, tours[k]));
+    found[k] = kicked(table, search, start, std::lround(kTrialShare * static_cast<double>(kicks)), random, options);
+  });
+  return std::move(*std::ranges::min_element(found, {}, &Candidate::time));
+}
+
+Candidate finished(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, Candidate best,
+                   long kicks, const VisitOrderOptions& options) {
+  TourSearch search(table, neighbours);
+  std::mt19937_64 random(options.seed);
+  for (int leg = 0; leg < kLegs; ++leg) best = kicked(table, search, best, kicks / kLegs, random, options);
+  return best;
+}
+
+double boundOf(const Route& route, const VisitOrderOptions& options, double known_time) {
+  OneTreeOptions bound = options.bound;
+  bound.known_time = known_time < kForbiddenTime ? known_time : std::numeric_limits<double>::infinity();
+  bound.stop = options.stop;
+  return oneTreeBound(route, bound).lower_bound;
+}
+
+struct Searched {
+  Candidate best;
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A kick tries every branch of the visits about it: with many, fewer are made in the same time.
+long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
+  const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
+                                      std::max(options.least_kicks, options.most_kicks));
+  const double branches = static_cast<double>(table.postures()) / table.visits();
+  return std::lround(static_cast<double>(kicks) * std::min(1., kFewBranches / branches));
+}
+
+/// The bound is found while the search goes on: a time near the best is all that it wants to know.
+Searched searched(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
+  const auto neighbours = nearestNeighbours(table, options.neighbours);
+  const long kicks = kicksFor(table, options);
+  Searched result;
+  if (options.start.empty()) {
+    result.best = bestOfTrials(table, neighbours, kicks, options);
+  } else {
+    TourSearch search(table, neighbours);
+    result.best = settled(table, search, withBestPostures(table, options.start));
+  }
+  const double known_time = result.best.time;
+  oneapi::tbb::parallel_invoke(
+      [&] {
+        if (!options.start.empty()) return;
+        const long rest = std::lround(kFinishShare * static_cast<double>(kicks));
+        result.best = finished(table, neighbours, std::move(result.best), rest, options);
+      },
+      [&] {
+        if (options.with_bound) result.lower_bound = boundOf(route, options, known_time);
+      });
+  return result;
+}
+
+Searched everyOrder(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
+  Searched result{bestOfAllOrders(table)};
+  if (options.with_bound) result.lower_bound = boundOf(route, options, result.best.time);
+  return result;
+}
+
+}  // namespace
+
+VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
+  VisitOrder result;
+  const std::vector<std::string> problems = findRouteProblems(route);
+  if (!problems.empty()) {
+    result.status = VisitOrderStatus::kBadInput;
+    result.reason = problems.front();
+    return result;
+  }
+  const PostureTable table(route);
+  assert(options.start.empty() || options.start.size() == route.visits.size());
+  assert(options.hint.empty() || options.hint.size() == route.visits.size());
+  const auto [best, lower_bound] =
+      table.visits() <= kTryEveryOrderUpTo ? everyOrder(route, table, options) : searched(route, table, options);
+  result.order = best.order;
+  for (const int visit : best.order) result.branches.push_back(best.posture_of_node[visit] - table.first(visit));
+  result.travel_time = best.time;
+  result.status = VisitOrderStatus::kSolved;
+  if (best.time >= kForbiddenTime) {
+    result.status = VisitOrderStatus::kForbiddenMove;
+    result.reason = "no order was found that keeps clear of all moves that must not be made";
+    result.travel_time = std::numeric_limits<double>::infinity();
+  }
+  result.lower_bound = lower_bound;
+  if (lower_bound > 0) result.gap = (result.travel_time - lower_bound) / lower_bound;
+  if (result.travel_time <= lower_bound) result.gap = 0;
+  return result;
+}
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,148 @@
+#include "planner/order/zoned_order.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "planner/order/branch_choice.hpp"
+#include "planner/order/posture_table.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+int countZones(const std::vector<int>& zones) { return zones.empty() ? 0 : 1 + *std::ranges::max_element(zones); }
+
+std::vector<int> visitsOf(const std::vector<int>& zones, int zone) {
+  std::vector<int> visits;
+  for (std::size_t k = 0; k < zones.size(); ++k)
+    if (zones[k] == zone) visits.push_back(static_cast<int>(k));
+  return visits;
+}
+
+/// The part of a route that lies in one zone, without ends and extra times.
+Route partOf(const Route& route, const std::vector<int>& visits) {
+  Route part;
+  part.speeds = route.speeds;
+  for (const int visit : visits) part.visits.push_back(route.visits[static_cast<std::size_t>(visit)]);
+  return part;
+}
+
+/// Extra times in terms of the part; its start stands for `before` of the whole, where that is a visit.
+ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before, int branch_before) {
+  if (!route.extra_time) return {};
+  return [&whole = route.extra_time, visits, before, branch_before](int a, int branch_a, int b, int branch_b) {
+    const auto translate = [&](int& visit, int& branch) {
+      if (visit >= 0) visit = visits[static_cast<std::size_t>(visit)];
+      if (visit != kStartPosture) return;
+      visit = before;
+      branch = branch_before;
+    };
+    translate(a, branch_a);
+    translate(b, branch_b);
+    return whole(a, branch_a, b, branch_b);
+  };
+}
+
+/// What is left of a kept order, in terms of the part.
+std::vector<int> startOf(const std::vector<int>& start, const std::vector<int>& visits) {
+  std::vector<int> order;
+  for (const int visit : start) {
+    const auto found = std::ranges::lower_bound(visits, visit);
+    if (found != visits.end() && *found == visit) order.push_back(static_cast<int>(found - visits.begin()));
+  }
+  return order;
+}
+
+/// Least straight time from any posture of one set of visits to any of another.
+double quickestWay(const Route& from, const Route& to) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& a : from.visits)
+    for (const auto& b : to.visits)
+      for (const auto& p : a.branches)
+        for (const auto& q : b.branches) least = std::min(least, moveDuration(p, q, from.speeds));
+  return least;
+}
+
+/// The travel time of the whole order as it stands [s], extra times included.
+double timeOf(const Route& route, const VisitOrder& order) {
+  const PostureTable table(route);
+  std::vector<int> postures;
+  if (table.startNode() >= 0) postures.push_back(table.first(table.startNode()));
+  for (std::size_t k = 0; k < order.order.size(); ++k)
+    postures.push_back(table.first(order.order[k]) + order.branches[k]);
+  if (table.endNode() >= 0) postures.push_back(table.first(table.endNode()));
+  double time = 0;
+  for (std::size_t k = 1; k < postures.size(); ++k) time += table.cost(postures[k - 1], postures[k]);
+  return time;
+}
+
+}  // namespace
+
+VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const VisitOrderOptions& options) {
+  assert(zones.size() == route.visits.size());
+  const int count = countZones(zones);
+  if (count <= 1) return orderVisits(route, options);
+  VisitOrder whole;
+  for (int zone = 0; zone < count; ++zone) {
+    const std::vector<int> visits = visitsOf(zones, zone);
+    Route part = partOf(route, visits);
+    const int before = whole.order.empty() ? kStartPosture : whole.order.back();
+    const int branch_before = whole.order.empty() ? 0 : whole.branches.back();
+    part.start =
+        whole.order.empty()
+            ? route.start
+            : std::optional(
+                  route.visits[static_cast<std::size_t>(before)].branches[static_cast<std::size_t>(branch_before)]);
+    if (zone + 1 == count) part.end = route.end;
+    part.extra_time = extraOf(route, visits, before, branch_before);
+    VisitOrderOptions ordering = options;
+    ordering.start = startOf(options.start, visits);
+    ordering.hint = startOf(options.hint, visits);
+    ordering.with_bound = false;
+    const VisitOrder order = orderVisits(part, ordering);
+    if (order.status == VisitOrderStatus::kBadInput) return order;
+    if (!order.reason.empty()) whole.reason = order.reason;
+    for (const int visit : order.order) whole.order.push_back(visits[static_cast<std::size_t>(visit)]);
+    whole.branches.insert(whole.branches.end(), order.branches.begin(), order.branches.end());
+  }
+  whole.travel_time = timeOf(route, whole);
+  whole.status = VisitOrderStatus::kSolved;
+  if (whole.travel_time >= kForbiddenTime) {
+    whole.status = VisitOrderStatus::kForbiddenMove;
+    whole.travel_time = std::numeric_limits<double>::infinity();
+  }
+  if (!options.with_bound) return whole;
+  OneTreeOptions bound = options.bound;
+  bound.stop = options.stop;
+  whole.lower_bound = zonedBound(route, zones, bound);
+  if (whole.lower_bound > 0) whole.gap = (whole.travel_time - whole.lower_bound) / whole.lower_bound;
+  return whole;
+}
+
+double zonedBound(const Route& route, const std::vector<int>& zones, const OneTreeOptions& options) {
+  const int count = countZones(zones);
+  if (count <= 1) return oneTreeBound(route, options).lower_bound;
+  double bound = 0;
+  Route before;
+  for (int zone = 0; zone < count; ++zone) {
+    Route part = partOf(route, visitsOf(zones, zone));
+    if (zone > 0) bound += quickestWay(before, part);
+    before = part;
+    if (zone == 0) part.start = route.start;
+    if (zone + 1 == count) part.end = route.end;
+    bound += oneTreeBound(part, options).lower_bound;
+  }
+  return bound;
+}
+
+double rowByRowTime(const Route& route, const std::vector<int>& zones, const std::vector<int>& rows,
+                    const std::vector<int>& columns) {
+  if (rows.size() != route.visits.size() || columns.size() != rows.size() || zones.size() != rows.size())
+    return std::numeric_limits<double>::quiet_NaN();
+  std::vector<int> order = serpentineOrder(rows, columns);
+  std::ranges::stable_sort(order, {}, [&](int visit) { return zones[static_cast<std::size_t>(visit)]; });
+  return bestBranches(route, order).travel_time;
+}
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,80 @@
+#include "planner/reach/tube_reach.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "planner/motion/side_by_side.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+/// How far a branch came before it failed; the furthest failure is the telling one.
+enum class Hurdle { kNone, kKinematics, kStandoff, kApproach };
+
+struct BranchVerdict {
+  Hurdle failed = Hurdle::kNone;
+  std::string reason;
+  Clearance blocking;
+};
+
+constexpr double kSameTilt = 0.0044;  ///< rad; a quarter of a degree
+
+/// Where others stand the tool more upright, branches that lean more are left out. A turret arm's joints have no say in
+/// what stays of its tilt: all its branches are kept.
+void keepUpright(const deflection::Arm& arm, std::vector<TubeBranch>& branches) {
+  if (branches.size() < 2 || deflection::isTurretArm(arm)) return;
+  const double least = std::ranges::min_element(branches, {}, &TubeBranch::tilt)->tilt;
+  std::erase_if(branches, [&](const TubeBranch& branch) { return branch.tilt > least + kSameTilt; });
+}
+
+std::string inTheWay(const Clearance& clearance) {
+  if (clearance.body.empty()) return clearance.other;
+  return clearance.body + " comes too near " + clearance.other;
+}
+
+BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, const TubeReachOptions& options) {
+  if (branch.status != deflection::BranchStatus::kConverged) return {Hurdle::kKinematics, branch.reason, {}};
+  const Clearance at_standoff = clearance.withSpare(branch.approach.front(), ContactRule::kTravel, options.spare);
+  if (!(at_standoff.margin >= 0))
+    return {Hurdle::kStandoff, "collision below the hole: " + inTheWay(at_standoff), at_standoff};
+  const PostureClearance margin = sideBySide(clearance, ContactRule::kApproach, options.spare);
+  for (std::size_t k = 0; k + 1 < branch.approach.size(); ++k) {
+    const auto check =
+        checkMotion(branch.approach[k], branch.approach[k + 1], margin, clearance.travel(), options.check);
+    if (check.status != MotionCheckStatus::kFree)
+      return {Hurdle::kApproach, "approach blocked: " + inTheWay(check.tightest), check.tightest};
+  }
+  return {};
+}
+
+}  // namespace
+
+TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options) {
+  assert(options.compensation.with_approach);
+  TubeReach reach;
+  reach.tube = tube;
+  reach.status = ReachStatus::kUnreachable;
+  reach.reason = "the place is out of the arm's reach";
+  Hurdle furthest = Hurdle::kNone;
+  const Eigen::Vector3d hole_W = holeCentre(clearance.cell().sheet.tubes.at(tube));
+  CompensationOptions compensation = options.compensation;
+  compensation.standoff += clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
+  for (auto& branch : compensate(clearance.cell(), hole_W, compensation)) {
+    const BranchVerdict verdict = judge(clearance, branch, options);
+    if (verdict.failed == Hurdle::kNone) {
+      reach.branches.push_back(std::move(branch));
+    } else if (verdict.failed > furthest) {
+      furthest = verdict.failed;
+      reach.reason = verdict.reason;
+      reach.blocking = verdict.blocking;
+    }
+  }
+  if (reach.branches.empty()) return reach;
+  keepUpright(clearance.cell().arm, reach.branches);
+  reach.status = ReachStatus::kReachable;
+  reach.reason.clear();
+  return reach;
+}
+
+}  // namespace tubeplan::planner

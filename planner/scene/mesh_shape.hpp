@@ -1,0 +1,31 @@
+// A mesh as a thing to keep off.
+#pragma once
+
+#include "planner/scene/shape.hpp"
+#include "planner/scene/triangle_tree.hpp"
+
+namespace tubeplan::planner {
+
+/// A closed mesh is solid: what is wholly inside touches it. An open one is its triangles alone, without thickness.
+class MeshShape : public Shape {
+ public:
+  /// A mesh free of problems, its frame M placed at X_FM.
+  MeshShape(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
+
+  [[nodiscard]] double pointDistance(const Eigen::Vector3d& p_F) const override;
+  [[nodiscard]] Separation separationFrom(const Eigen::Isometry3d& X_FB, const Solid& body) const override;
+  [[nodiscard]] Separation separationFrom(const Capsule& body_F) const override;
+  [[nodiscard]] bool isFartherThan(double distance, const Capsule& body_F) const override;
+  [[nodiscard]] bool isSearched() const override { return true; }
+
+  [[nodiscard]] const MeshSurvey& survey() const { return survey_; }
+  [[nodiscard]] const TriangleTree& tree() const { return tree_; }
+
+ private:
+  [[nodiscard]] bool isInside(const Eigen::Vector3d& p_F) const;
+
+  MeshSurvey survey_;
+  TriangleTree tree_;
+};
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,67 @@
+// Triangles in a tree of boxes: those near something are found without looking at the others.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planner/scene/triangle_mesh.hpp"
+
+namespace tubeplan::planner {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+class TriangleTree {
+ public:
+  /// A mesh free of problems, its frame M placed at X_FM.
+  TriangleTree(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
+
+  [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
+  [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
+
+  /// Calls `look(corners)` for triangles in the order of their boxes' distance. `distance_of(box, least)` is a lower
+  /// bound of what a triangle in the box can give; a box of `least` or more is left out. `look` lowers `least` itself.
+  template <class DistanceOf, class Look>
+  void nearestFirst(const DistanceOf& distance_of, const Look& look, const double& least) const {
+    descend(0, distance_of(nodes_.front().box, least), distance_of, look, least);
+  }
+
+  /// How often the surface turns round p_F: not zero inside a closed mesh. Counted along a ray, triangles that face it
+  /// against those that face away. None where every ray that was tried passes too near an edge to tell, as for a point
+  /// on the surface.
+  [[nodiscard]] std::optional<int> windingNumber(const Eigen::Vector3d& p_F) const;
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    int first = 0, count = 0;  ///< of the triangles of a leaf
+    int right = 0;             ///< the other child, the one being the next node; 0 for a leaf
+  };
+  struct Item;  ///< a triangle while the tree is built
+
+  void build(std::span<Item> items, int depth);
+  static std::size_t splitByArea(std::span<Item> items, const Eigen::AlignedBox3d& middles, Eigen::Index axis);
+
+  template <class DistanceOf, class Look>
+  void descend(int at, double distance, const DistanceOf& distance_of, const Look& look, const double& least) const {
+    if (!(distance < least)) return;
+    const Node& node = nodes_[static_cast<std::size_t>(at)];
+    if (node.right == 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) look(triangles_[static_cast<std::size_t>(k)]);
+      return;
+    }
+    int nearer = at + 1, farther = node.right;
+    double near = distance_of(nodes_[static_cast<std::size_t>(nearer)].box, least);
+    double far = distance_of(nodes_[static_cast<std::size_t>(farther)].box, least);
+    if (far < near) std::swap(near, far), std::swap(nearer, farther);
+    descend(nearer, near, distance_of, look, least);
+    descend(farther, far, distance_of, look, least);
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<Corners> triangles_;  ///< in the order of the leaves
+};
+
+}  // namespace tubeplan::planner

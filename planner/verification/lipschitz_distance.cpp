@@ -1,0 +1,105 @@
+#include "planner/verification/lipschitz_distance.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace tubeplan::planner {
+
+namespace {
+
+struct Stretch {
+  double from, to, distance_from, distance_to;
+  /// Least distance that could hide between the two ends.
+  double bound(double length) const { return (distance_from + distance_to - (to - from) * length) / 2; }
+};
+
+const Capsule& capsuleAround(const Body& body) { return static_cast<const Solid&>(*body.shape).around(); }
+
+Capsule placed(const Eigen::Isometry3d& X, const Capsule& capsule) {
+  return {X * capsule.from, X * capsule.to, capsule.radius};
+}
+
+}  // namespace
+
+double lipschitzDistance(const Capsule& capsule, const Shape& shape, const LipschitzOptions& options) {
+  assert(options.accuracy > 0);
+  const Eigen::Vector3d along = capsule.to - capsule.from;
+  const double length = along.norm();
+  // A capsule that is nowhere is clear of nothing.
+  if (!std::isfinite(length)) return -std::numeric_limits<double>::infinity();
+  const auto at = [&](double s) { return shape.pointDistance(capsule.from + s * along) - capsule.radius; };
+  std::vector<Stretch> open{{0, 1, at(0), at(1)}};
+  double least = std::min(open.front().distance_from, open.front().distance_to);
+  double proved = least;
+  // Coarse stretches before fine ones: `least` is then soon near its end value, and most stretches need no halving.
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const Stretch stretch = open[next];
+    const double slack = std::max(options.accuracy, options.share * (least - options.required));
+    const double bound = stretch.bound(length);
+    if (bound >= std::min(least - slack, options.enough)) {
+      proved = std::min(proved, bound);
+      continue;
+    }
+    const double middle = (stretch.from + stretch.to) / 2, distance = at(middle);
+    least = std::min(least, distance);
+    open.push_back({stretch.from, middle, stretch.distance_from, distance});
+    open.push_back({middle, stretch.to, distance, stretch.distance_to});
+  }
+  return std::min(proved, least);
+}
+
+LipschitzMargins::LipschitzMargins(const Scene& scene, const BasePadding& padding) : scene_(scene), padding_(padding) {
+  const std::vector<int> group = rigidGroups(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
+      if (!mayTouch(scene.obstacles[k], scene.bodies[i])) pairs_.push_back({i, k, false});
+    for (std::size_t j = i + 1; j < scene.bodies.size(); ++j)
+      if (std::abs(group[i] - group[j]) > 1 && !mayTouch(scene.bodies[i], scene.bodies[j]))
+        pairs_.push_back({i, j, true});
+  }
+}
+
+LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const {
+  const auto frameOf = [&](const Body& body) -> const Eigen::Isometry3d& {
+    return X_WL[static_cast<std::size_t>(body.frame_index)];
+  };
+  const Body& body = scene_.bodies[pair.body];
+  Capsule capsule = placed(frameOf(body), capsuleAround(body));
+  const double padding =
+      pair.with_body || padding_.isNone() ? 0 : padding_.towards(*scene_.obstacles[pair.other].shape, capsule);
+  if (pair.with_body) capsule = placed(frameOf(scene_.bodies[pair.other]).inverse(), capsule);
+  const Shape& other = pair.with_body ? *scene_.bodies[pair.other].shape : *scene_.obstacles[pair.other].shape;
+  const double half_length = (capsule.to - capsule.from).norm() / 2;
+  const double middle = other.pointDistance((capsule.from + capsule.to) / 2);
+  return {&pair, capsule, &other, padding, middle - half_length - capsule.radius - padding};
+}
+
+double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
+                            std::string* names) {
+  looks_.clear();
+  for (const Pair& pair : pairs_) looks_.push_back(lookAt(pair, X_WL));
+  std::ranges::stable_sort(looks_, {}, &Look::bound);
+  double enough = std::numeric_limits<double>::infinity();
+  const Pair* nearest = nullptr;
+  for (const Look& look : looks_) {
+    if (look.bound >= enough) break;
+    const LipschitzOptions options{accuracy, share, scene_.clearance + look.padding, enough + look.padding};
+    const double distance = lipschitzDistance(look.capsule, *look.other, options) - look.padding;
+    if (distance >= enough) continue;
+    enough = distance;
+    nearest = look.pair;
+  }
+  if (names && nearest)
+    *names = bodyLabel(scene_.bodies[nearest->body]) + ", " +
+             (nearest->with_body ? bodyLabel(scene_.bodies[nearest->other]) : scene_.obstacles[nearest->other].name);
+  return enough - scene_.clearance;
+}
+
+double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
+                       std::string* names) {
+  return LipschitzMargins(scene).at(X_WL, accuracy, share, names);
+}
+
+}  // namespace tubeplan::planner

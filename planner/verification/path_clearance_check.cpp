@@ -1,0 +1,182 @@
+#include "planner/verification/path_clearance_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "planner/collision/arm_clearance.hpp"
+#include "planner/collision/body_placing.hpp"
+#include "planner/collision/deflection_travel.hpp"
+#include "planner/verification/lipschitz_distance.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+using Eigen::Isometry3d, Eigen::VectorXd;
+
+/// Between holes the tool has no leave to touch anything that stands in the world.
+Scene withoutContact(Scene scene) {
+  if (scene.links.empty()) return scene;
+  std::set<std::string> tool{scene.links.back().name}, obstacles;
+  for (const auto& body : scene.bodies)
+    if (body.link == scene.links.back().name && !body.name.empty()) tool.insert(body.name);
+  for (auto& obstacle : scene.obstacles) {
+    obstacles.insert(obstacle.name);
+    std::erase_if(obstacle.allow, [&](const std::string& name) { return tool.contains(name); });
+  }
+  for (auto& body : scene.bodies)
+    if (body.link == scene.links.back().name)
+      std::erase_if(body.allow, [&](const std::string& name) { return obstacles.contains(name); });
+  return scene;
+}
+
+/// Greatest distance of a body point from its frame.
+double thickestBody(const Scene& scene) {
+  double thick = 0;
+  for (const auto& body : scene.bodies) {
+    const auto& capsule = static_cast<const Solid&>(*body.shape).around();
+    thick = std::max(thick, std::max(capsule.from.norm(), capsule.to.norm()) + capsule.radius);
+  }
+  return thick;
+}
+
+/// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide moves
+/// all by 1.
+VectorXd leversOf(const Workcell& cell, double thick) {
+  const auto active = deflection::activeRows(cell.arm);
+  VectorXd lever(static_cast<Eigen::Index>(active.size()));
+  for (int j = 0; j < lever.size(); ++j) {
+    const int row = active[static_cast<std::size_t>(j)];
+    deflection::Arm beyond;
+    beyond.rows.assign(cell.arm.rows.begin() + row + 1, cell.arm.rows.end());
+    beyond.p_LT.setZero();
+    const bool slides = cell.arm.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
+    lever[j] = slides ? 1 : deflection::reachOf(beyond) + thick;
+  }
+  return lever;
+}
+
+class PathClearance {
+ public:
+  PathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks,
+                const TellFinding& find, PlanCheck& result)
+      : plan_(plan),
+        options_(options),
+        hooks_(hooks),
+        find_(find),
+        result_(result),
+        travel_scene_(withoutContact(cell.scene)),
+        travelling_(travel_scene_, BasePadding(cell, options.padding)),
+        approaching_(cell.scene, BasePadding(cell, options.padding)),
+        placing_(cell),
+        frames_(cell.arm.rows.size()) {
+    const double thick = thickestBody(cell.scene);
+    const auto deflection = deflectionTravelOf(cell, std::vector<double>(cell.arm.rows.size(), thick));
+    jump_ = deflection.jump;
+    lever_ = leversOf(cell, thick);
+    if (deflection.is_proved)
+      lever_ = deflection.stretch * lever_ + deflection.per_joint;
+    else
+      lever_ *= deflectionFactor(cell);
+    lever_ *= 1 + BasePadding(cell, options.padding).slope();
+  }
+
+  void run() {
+    double before = 0;
+    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
+      if (hooks_.progress && k % 64 == 0) hooks_.progress("verify", k, plan_.path.size());
+      if (hooks_.stop && hooks_.stop()) return find_("stopped before the clearance was proved");
+      std::string names;
+      const PathRow& row = plan_.path[k];
+      const double here = marginAtRow(k, &names);
+      meet(here, names);
+      if (here < 0) find_(fmt::format("path row {}: too near: {}", k + 1, names));
+      if (k > 0 && here >= 0 && before >= 0) {
+        PathRow from = plan_.path[k - 1];
+        from.kind = row.kind;
+        const double start = from.kind == plan_.path[k - 1].kind ? before : marginAt(from.q, row.kind, nullptr);
+        proveBetween(from, row.q, start, here, k);
+      }
+      before = here;
+    }
+  }
+
+ private:
+  double marginAt(const VectorXd& q, SegmentKind kind, std::string* names) {
+    return marginOf(placing_.place(q), 0, kind, names);
+  }
+
+  /// Rows are placed side by side, as many as the processor has lanes.
+  double marginAtRow(std::size_t k, std::string* names) {
+    const auto lanes = static_cast<std::size_t>(placing_.lanes());
+    if (k % lanes == 0) {
+      const std::size_t count = std::min(lanes, plan_.path.size() - k);
+      PostureColumns q(plan_.path[k].q.size(), static_cast<Eigen::Index>(count));
+      for (std::size_t l = 0; l < count; ++l) q.col(static_cast<Eigen::Index>(l)) = plan_.path[k + l].q;
+      rows_ = placing_.place(q, 0);
+    }
+    return marginOf(rows_, static_cast<int>(k % lanes), plan_.path[k].kind, names);
+  }
+
+  double marginOf(const PlacedPostures& placed, int lane, SegmentKind kind, std::string* names) {
+    if (!placed.settles[static_cast<std::size_t>(lane)]) return -std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < frames_.size(); ++row) frames_[row] = placed.X_WL(static_cast<int>(row), lane);
+    LipschitzMargins& margins = kind == SegmentKind::kTravel ? travelling_ : approaching_;
+    return margins.at(frames_, options_.distance_accuracy, options_.distance_share, names) -
+           placed.bow[static_cast<std::size_t>(lane)] - jump_;
+  }
+
+  /// No point of the arm moves further than this in a straight joint move, deflection's change included.
+  double travel(const VectorXd& a, const VectorXd& b) const { return lever_.dot((b - a).cwiseAbs()); }
+
+  void meet(double margin, const std::string& names) {
+    if (!(margin < least_met_)) return;
+    least_met_ = margin;
+    result_.tightest = names;
+  }
+
+  /// False once the stretch is refuted.
+  bool proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
+    const double far = travel(a.q, qb), proved = std::min({margin_a, margin_b, (margin_a + margin_b - far) / 2});
+    const bool too_coarse = proved < least_met_ - options_.report_accuracy && far >= options_.least_travel;
+    if (proved >= 0 && !too_coarse) {
+      result_.least_margin = std::min(result_.least_margin, proved);
+      return true;
+    }
+    PathRow middle = a;
+    middle.q = (a.q + qb) / 2;
+    std::string names;
+    const double margin = marginAt(middle.q, a.kind, &names);
+    meet(margin, names);
+    if (margin < 0 || far < options_.least_travel) {
+      find_(fmt::format("path between rows {} and {}: too near: {}", row, row + 1, names));
+      return false;
+    }
+    return proveBetween(a, middle.q, margin_a, margin, row) && proveBetween(middle, qb, margin, margin_b, row);
+  }
+
+  const StatedPlan& plan_;
+  const PlanCheckOptions& options_;
+  const PlanHooks& hooks_;
+  const TellFinding& find_;
+  PlanCheck& result_;
+  Scene travel_scene_;
+  LipschitzMargins travelling_, approaching_;
+  BodyPlacing placing_;
+  PlacedPostures rows_;  ///< those around the one asked about
+  std::vector<Isometry3d> frames_;
+  VectorXd lever_;
+  double jump_ = 0;
+  double least_met_ = std::numeric_limits<double>::infinity();  ///< m, margin of a posture
+};
+
+}  // namespace
+
+void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
+                        const PlanHooks& hooks, const TellFinding& find, PlanCheck& result) {
+  PathClearance(cell, plan, options, hooks, find, result).run();
+}
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,237 @@
+#include "planner/verification/plan_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "deflection/prepared_arm.hpp"
+#include "planner/verification/path_clearance_check.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+using Eigen::Vector3d, Eigen::VectorXd;
+constexpr std::size_t kMostFindings = 100;
+constexpr double kLimitShare = 1 + 1e-9;
+constexpr double kTimeTolerance = 1e-6;  // s
+
+class Checker {
+ public:
+  Checker(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks)
+      : cell_(cell),
+        plan_(plan),
+        options_(options),
+        hooks_(hooks),
+        gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)),
+        arm_(cell.arm) {}
+
+  PlanCheck run() {
+    if (plan_.tubes.empty()) find("the plan visits no tube: there is nothing to prove");
+    checkTubes();
+    if (shapesFit()) {
+      checkOrder();
+      checkJoints();
+      checkSpeeds();
+      checkApproaches();
+      checkAxes();
+      checkPathClearance(
+          cell_, plan_, options_, hooks_, [this](std::string what) { find(std::move(what)); }, result_);
+    }
+    result_.status = result_.findings.empty() ? PlanCheckStatus::kProved : PlanCheckStatus::kRefuted;
+    result_.tubes = static_cast<int>(plan_.tubes.size());
+    result_.rows = static_cast<int>(plan_.path.size());
+    return result_;
+  }
+
+ private:
+  void find(std::string what) {
+    if (result_.findings.size() < kMostFindings) result_.findings.push_back(std::move(what));
+  }
+
+  /// Not a number where the shape does not settle.
+  Vector3d tipAt(const VectorXd& q) {
+    if (arm_.solve({q, cell_.load, gravity_B_}, {1e-13, 100}) != deflection::KinematicsStatus::kConverged)
+      return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return cell_.X_WB * arm_.X_BD().p;
+  }
+
+  bool shapesFit() {
+    const auto joints = static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size());
+    const auto fits = [&](const VectorXd& q) { return q.size() == joints && q.allFinite(); };
+    const bool fit =
+        std::all_of(plan_.path.begin(), plan_.path.end(), [&](const PathRow& row) { return fits(row.q); }) &&
+        std::all_of(plan_.tubes.begin(), plan_.tubes.end(), [&](const StatedTube& tube) { return fits(tube.q); });
+    if (!fit) find("joint values are missing or not finite");
+    return fit;
+  }
+
+  void checkTubes() {
+    std::set<std::pair<int, int>> seen;
+    for (const auto& tube : plan_.tubes) {
+      const std::string name = tubesheets::tubeName(tube.row, tube.column);
+      const auto* hole = cell_.sheet.find(tube.row, tube.column);
+      if (!hole) {
+        find(name + " is not on this sheet");
+        continue;
+      }
+      if (!seen.insert({tube.row, tube.column}).second) find(name + " is visited twice");
+      if (!((tube.hole_W - holeCentre(*hole)).norm() <= options_.stated_tolerance))
+        find(name + ": the stated hole is not where the sheet has it");
+      if (tube.q.size() != static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size())) continue;
+      const Vector3d tip = tipAt(tube.q);
+      const double off = (tip - holeCentre(*hole)).norm();
+      result_.worst_centring = std::max(result_.worst_centring, off);
+      if (!(off <= options_.centring_tolerance))
+        find(fmt::format("{}: the deflected tip is {:.3g} m off the hole's centre", name, off));
+      if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
+        find(name + ": the stated tip is not the model's");
+    }
+    for (const auto& [row, column] : plan_.unreachable) {
+      if (!cell_.sheet.find(row, column))
+        find(tubesheets::tubeName(row, column) + ", said to be unreachable, is not on this sheet");
+      if (seen.contains({row, column})) find(tubesheets::tubeName(row, column) + " is both visited and unreachable");
+    }
+  }
+
+  /// Travels before the first approach: the one from the start posture, or none.
+  int leading() const { return !plan_.path.empty() && plan_.path.front().kind == SegmentKind::kTravel ? 1 : 0; }
+
+  /// Time rises, and segments follow one another: up to a tube, down from it, on to the next. A path may set out from a
+  /// posture and come to rest in one.
+  void checkOrder() {
+    static constexpr std::array kCycle{SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat};
+    const int first = 1 - leading();
+    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
+      const PathRow& row = plan_.path[k];
+      const int step = row.segment - (k > 0 ? plan_.path[k - 1].segment : 0);
+      if (k > 0 && !(row.time > plan_.path[k - 1].time))
+        return find(fmt::format("path row {}: time does not rise", k + 1));
+      if (step < 0 || step > (k > 0 ? 1 : 0)) return find(fmt::format("path row {}: segments out of order", k + 1));
+      if (row.kind != kCycle[static_cast<std::size_t>(row.segment + first) % kCycle.size()])
+        return find(fmt::format("path row {}: segment {} cannot be a {}", k + 1, row.segment + 1, nameOf(row.kind)));
+    }
+    if (!plan_.path.empty() && plan_.path.back().kind == SegmentKind::kApproach)
+      find("the path ends at a hole, without a retreat");
+    checkEnd("start", plan_.start, leading() > 0, plan_.path.empty() ? nullptr : &plan_.path.front());
+    checkEnd("end", plan_.end, !plan_.path.empty() && plan_.path.back().kind == SegmentKind::kTravel,
+             plan_.path.empty() ? nullptr : &plan_.path.back());
+  }
+
+  void checkEnd(const std::string& name, const std::optional<VectorXd>& stated, bool has_travel, const PathRow* row) {
+    if (stated.has_value() != has_travel)
+      return find("the path and the plan differ on whether there is a posture to " + name + " in");
+    if (stated &&
+        (stated->size() != row->q.size() || (*stated - row->q).cwiseAbs().maxCoeff() > options_.joint_tolerance))
+      find("the path does not " + name + " in the stated posture");
+  }
+
+  void checkJoints() {
+    const auto active = deflection::activeRows(cell_.arm);
+    for (std::size_t k = 0; k < plan_.path.size(); ++k)
+      for (int j = 0; j < plan_.path[k].q.size(); ++j) {
+        const auto& joint = cell_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint;
+        const double q = plan_.path[k].q[j];
+        if (q < joint.lower - 1e-12 || q > joint.upper + 1e-12)
+          find(fmt::format("path row {}: {} is past its limit", k + 1, joint.name));
+      }
+  }
+
+  /// Mean speeds between rows, and their change over the time between the middles: within limits if the motion itself
+  /// is.
+  void checkSpeeds() {
+    const JointSpeeds limits = jointSpeedsOf(cell_.arm);
+    VectorXd before;
+    double step_before = 0;
+    for (std::size_t k = 1; k < plan_.path.size(); ++k) {
+      const double step = plan_.path[k].time - plan_.path[k - 1].time;
+      const VectorXd speed = (plan_.path[k].q - plan_.path[k - 1].q) / step;
+      const double share = (speed.cwiseAbs().array() / limits.max_speed.array()).maxCoeff();
+      result_.worst_speed_share = std::max(result_.worst_speed_share, share);
+      if (!(share <= kLimitShare))
+        find(fmt::format("path row {}: a joint is faster than its limit ({:.4f} of it)", k + 1, share));
+      if (before.size()) {
+        const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
+        const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
+        result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, pull);
+        // Joint values are written to 1e-12 rad; over two short steps that is a share of the limit, too.
+        const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
+        if (!(pull <= kLimitShare + rounding))
+          find(fmt::format("path row {}: a joint accelerates past its limit ({:.4f} of it)", k + 1, pull));
+      }
+      before = speed;
+      step_before = step;
+    }
+  }
+
+  /// How long the arm rests at a row [s].
+  double stayAfter(std::size_t k) const {
+    std::size_t last = k;
+    while (last + 1 < plan_.path.size() && plan_.path[last + 1].q == plan_.path[k].q) ++last;
+    return plan_.path[last].time - plan_.path[k].time;
+  }
+
+  /// Each stated tube must be the end of one approach, in order, and the arm stay there as stated.
+  void checkApproaches() {
+    std::size_t tube = 0;
+    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
+      const auto& row = plan_.path[k];
+      const bool ends = k + 1 == plan_.path.size() || plan_.path[k + 1].kind != SegmentKind::kApproach;
+      if (row.kind != SegmentKind::kApproach || !ends) continue;
+      if (tube >= plan_.tubes.size()) return find("the path has more approaches than the plan has tubes");
+      const StatedTube& stated = plan_.tubes[tube++];
+      if ((row.q - stated.q).cwiseAbs().maxCoeff() > options_.joint_tolerance)
+        find(fmt::format("path row {}: the approach does not end at {}", k + 1,
+                         tubesheets::tubeName(stated.row, stated.column)));
+      if (!(stayAfter(k) >= stated.dwell - kTimeTolerance))
+        find(fmt::format("path row {}: the arm stays {:.3f} s at {}, {:.3f} s are stated", k + 1, stayAfter(k),
+                         tubesheets::tubeName(stated.row, stated.column), stated.dwell));
+      if (tube > 1 && stated.zone < plan_.tubes[tube - 2].zone)
+        find(tubesheets::tubeName(stated.row, stated.column) + " comes after tubes of a later zone");
+    }
+    if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
+  }
+
+  /// Up to a tube and down from it the tip follows the hole's axis, at the rows and midway between them.
+  void checkAxes() {
+    for (std::size_t k = 0; k < plan_.path.size(); ++k) {
+      const PathRow& row = plan_.path[k];
+      const std::size_t tube = static_cast<std::size_t>(std::max(row.segment - leading(), 0)) / 3;
+      if (row.kind == SegmentKind::kTravel || tube >= plan_.tubes.size()) continue;
+      double off = offAxis(row.q, plan_.tubes[tube]);
+      if (k > 0) off = std::max(offAxis((plan_.path[k - 1].q + row.q) / 2, plan_.tubes[tube]), off);
+      if (k > 0 && plan_.path[k - 1].kind == SegmentKind::kTravel)
+        off = std::max(offAxis(plan_.path[k - 1].q, plan_.tubes[tube]), off);
+      result_.worst_approach = std::max(result_.worst_approach, off);
+      if (options_.via_points && !(off <= options_.approach_tolerance))
+        find(fmt::format("path row {}: the tip leaves the axis of {}", k + 1,
+                         tubesheets::tubeName(plan_.tubes[tube].row, plan_.tubes[tube].column)));
+    }
+  }
+
+  /// Infinite where the shape does not settle.
+  double offAxis(const VectorXd& q, const StatedTube& tube) {
+    const double off = (tipAt(q) - tube.hole_W).head<2>().norm();
+    return std::isnan(off) ? std::numeric_limits<double>::infinity() : off;
+  }
+
+  const Workcell& cell_;
+  const StatedPlan& plan_;
+  const PlanCheckOptions& options_;
+  const PlanHooks& hooks_;
+  Vector3d gravity_B_;
+  deflection::PreparedArm arm_;
+  PlanCheck result_;
+};
+
+}  // namespace
+
+PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
+                    const PlanHooks& hooks) {
+  return Checker(cell, plan, options, hooks).run();
+}
+
+}  // namespace tubeplan::planner

@@ -1,0 +1,114 @@
+// tubeplan compare from outside: what it answers, and what its exit code says.
+#include <fmt/format.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/files/cell_reader.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class CompareCommand : public ProgramTest {
+ protected:
+  /// Positions by the bench cell, in its units, with sigma 0.002 in and its encoders' noise; `lost` is the half width
+  /// of theta2's lost motion [deg].
+  [[nodiscard]] std::string readingsWith(double lost) const {
+    const Cell cell = readCell((shippedCells() / "bench.yaml").string());
+    boost::random::mt19937_64 random(4);
+    boost::random::uniform_real_distribution<double> share(-1, 1);
+    boost::random::normal_distribution<double> normal;
+    std::string text =
+        "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,"
+        "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n";
+    for (int k = 0; k < 40; ++k) {
+      Eigen::Vector4d read(100 * share(random), 60 + 50 * share(random), 60 * share(random), 60 * share(random));
+      Eigen::Vector4i senses;
+      for (int& sense : senses) sense = share(random) < 0 ? -1 : 1;
+      calibration::Measurement reading;
+      reading.load = cell.units.toInternal(10. * (k % 4), dimension::kForce);
+      reading.q = (read + Eigen::Vector4d(0, lost * senses[1], 0, 0)) * cell.units.factor(dimension::kAngle);
+      Eigen::Vector3d tip = calibration::predictReading(cell.arm, cell.X_WB, reading).value;
+      tip /= cell.units.factor(dimension::kLength);
+      for (auto& coordinate : tip) coordinate += 0.002 * normal(random);
+      for (auto& angle : read) angle += 0.002 * normal(random);
+      text += fmt::format("{},position,{},{:.9f},{:.9f},{:.9f},{:.9f},{:.6f},{:.6f},{:.6f},0.002,{},{},{},{}\n", k + 1,
+                          10 * (k % 4), read[0], read[1], read[2], read[3], tip[0], tip[1], tip[2], senses[0],
+                          senses[1], senses[2], senses[3]);
+    }
+    return text;
+  }
+};
+
+TEST_F(CompareCommand, anAdequateModelExitsWithZeroAndGivesEveryKey) {
+  (void)write("readings.csv", readingsWith(0));
+  const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --json -");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["verdict"], "adequate");
+  EXPECT_TRUE(report["patterns"].empty());
+  EXPECT_GT(report["tested"].size(), 40u);
+  EXPECT_GT(report["p_value"], 0.01);
+  EXPECT_NEAR(report["chi2_per_dof"], 1, 0.5);
+  EXPECT_EQ(report["units"]["length"], "in");
+  for (const char* key : {"before", "after", "noise_floor", "heldout_before", "heldout_after"})
+    EXPECT_TRUE(report["rms"][key].is_number()) << key;
+  for (const char* block : {"as_it_stands", "after_refit"})
+    for (const char* key : {"rms", "mean", "worst", "chi2_per_dof", "p_value", "degrees_of_freedom", "noise_floor"})
+      EXPECT_TRUE(report[block][key].is_number()) << block << " " << key;
+  EXPECT_EQ(report["chi2_per_dof"], report["after_refit"]["chi2_per_dof"]);
+  EXPECT_EQ(report["readings"].size(), 40u);
+  EXPECT_EQ(report["readings"][5]["joints"].size(), 4u);
+  EXPECT_EQ(report["joint_equivalents"]["after_refit"]["joints"][1]["unit"], "deg");
+  EXPECT_EQ(report["worst"].size(), 10u);
+  EXPECT_GE(report["worst"][0]["sigmas"], report["worst"][1]["sigmas"]);
+}
+
+TEST_F(CompareCommand, aModelThatFallsShortExitsWithOneAndSaysWhatItsErrorFollows) {
+  (void)write("readings.csv", readingsWith(0.03));
+  const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --json -");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["verdict"], "falls-short");
+  ASSERT_FALSE(report["patterns"].empty());
+  const json& first = report["patterns"][0];
+  EXPECT_EQ(first["variable"], "sense of theta2");
+  EXPECT_EQ(first["trend"].size(), 2u);
+  EXPECT_LE(first["p_value"], 0.01);
+  expectSays(first["sentence"], "The error follows sense of theta2: ");
+  expectSays(first["sentence"], " in more ");
+  expectSays(run("compare " + shipped("bench.yaml") + " readings.csv").out, "falls-short");
+}
+
+TEST_F(CompareCommand, itsPageDrawsTheErrorsOfEveryReading) {
+  (void)write("readings.csv", readingsWith(0));
+  const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --report page.html");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string page = contentOf(folder / "page.html");
+  EXPECT_NE(page.find("\"before\":["), std::string::npos);
+  EXPECT_NE(page.find("\"after\":["), std::string::npos);
+  EXPECT_NE(page.find("\"name\":\"theta1\""), std::string::npos);
+}
+
+TEST_F(CompareCommand, badInputExitsWithTwo) {
+  (void)write("readings.csv", readingsWith(0));
+  (void)write("bad.yaml",
+              changed(contentOf(shippedCells() / "bench.yaml"), "[tool.joint_stiffness.z", "[elbow.joint_stiffness.z"));
+  std::filesystem::copy(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml");
+  const Outcome unknown = run("compare bad.yaml readings.csv --json -");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_EQ(unknown.out, "");
+  expectSays(unknown.err, "elbow.joint_stiffness.z");
+  const Outcome missing = run("compare " + shipped("bench.yaml") + " nowhere.csv --json -");
+  EXPECT_EQ(missing.exit_code, 2);
+  expectSays(missing.err, "nowhere.csv");
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,75 @@
+// tubeplan identify on touches of a tube sheet's holes, of which the operator mistook one.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/touch_input.hpp"
+#include "tests/app/program.hpp"
+#include "tests/calibration/estimation/cobra_touches.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class IdentifyHoles : public ProgramTest {
+ protected:
+  IdentifyHoles() : cell(readCell((shippedCells() / "mockup.yaml").string())) {}
+
+  /// Touches of holes all over the sheet, without coordinates; `wrong` is written down one column off.
+  [[nodiscard]] std::string touches(int wrong) const {
+    constexpr std::pair<int, int> kHoles[] = {{5, 25},  {8, 57},  {6, 90},  {20, 40},
+                                              {24, 75}, {38, 57}, {15, 15}, {16, 100}};
+    std::vector<std::pair<double, double>> places;
+    for (const auto& [row, column] : kHoles) {
+      const auto* tube = cell.sheet->find(row, column);
+      places.emplace_back(tube->x / calibration::kInch, tube->y / calibration::kInch);
+    }
+    const auto touched = calibration::touchedCell(places);
+    std::string text = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,sigma_in\n";
+    int k = 0;
+    for (const auto& touch : calibration::touchesOf(touched, 0.005, 5)) {
+      const auto [row, column] = kHoles[k];
+      const Eigen::VectorXd q = touch.q / calibration::kDegree;
+      text += fmt::format("{},touch,R{}C{},{:.6f},{:.6f},{:.6f},{:.6f},0.005\n", touch.id, row,
+                          column + (k == wrong ? 1 : 0), q[0], q[1], q[2], q[3]);
+      ++k;
+    }
+    return text;
+  }
+
+  [[nodiscard]] json identified() const {
+    const Outcome outcome = run("identify " + shipped("mockup.yaml") + " touches.csv --folds 0 --json -");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+
+  Cell cell;
+};
+
+TEST_F(IdentifyHoles, TheBaseIsFoundFromTheirNames) {
+  (void)write("touches.csv", touches(-1));
+  const json result = identified();
+  EXPECT_TRUE(result["warnings"].empty()) << result["warnings"];
+  EXPECT_TRUE(result["outliers"].empty()) << result["outliers"];
+  const auto& base = result["bases"][0]["base"]["position"];
+  EXPECT_NEAR(base[0], 0.8, 0.05);
+  EXPECT_NEAR(base[1], 42.4, 0.05);
+  EXPECT_NEAR(base[2], -43.5, 0.05);
+}
+
+TEST_F(IdentifyHoles, AMistakenHoleIsNamedAndSoIsTheOneThatFits) {
+  constexpr const char* kNamed[] = {"R5C26 fits R5C25", "R8C58 fits R8C57", "R6C91 fits R6C90", "R20C41 fits R20C40",
+                                    "R24C76 fits R24C75"};
+  for (int wrong = 0; wrong < 5; ++wrong) {
+    (void)write("touches.csv", touches(wrong));
+    const json result = identified();
+    ASSERT_FALSE(result["warnings"].empty()) << wrong;
+    expectSays(result["warnings"][0].get<std::string>(), kNamed[wrong]);
+    EXPECT_EQ(result["outliers"][0]["id"], "T" + std::to_string(wrong + 1));
+    EXPECT_NEAR(result["outliers"][0]["size"].get<double>(), 1.0625, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,158 @@
+// tubeplan identify in stages and with --drop, from outside: what is carried, what is given up, and what is said of it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/files/cell_reader.hpp"
+#include "tests/app/files/readings_csv.hpp"
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using calibration::Measurement, calibration::MeasurementKind, calibration::PlacedArm, calibration::ReadingMaker;
+using nlohmann::json;
+
+constexpr const char* kFirst = "tool.joint_stiffness.z";
+constexpr const char* kSecond = "latch-link.beam.Iz";
+
+class IdentifyStages : public ProgramTest {
+ protected:
+  IdentifyStages() {
+    PlacedArm truth{deflection::cobraArm(), {{"A", Eigen::Isometry3d::Identity(), true}}};
+    truth.placings.push_back({"B", Eigen::Isometry3d::Identity(), true});
+    truth.arm.rows[5].joint_stiffness.z() *= 0.8;
+    ReadingMaker maker(truth, 77, ReadingMaker::Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 6, "A");
+    for (Measurement& reading : maker.readings) reading.id = "A" + reading.id;
+    of_a = maker.readings;
+    maker.add(MeasurementKind::kPosition, 12, "B");
+    all = maker.readings;
+    of_b.assign(all.begin() + 6, all.end());
+    write("all.csv", readingsCsv(all));
+    write("a.csv", readingsCsv(of_a));
+    write("b.csv", readingsCsv(of_b));
+    for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
+  }
+
+  [[nodiscard]] json identified(const std::string& arguments) const {
+    const Outcome outcome = run("identify " + arguments + " --folds 0 --json -");
+    EXPECT_EQ(outcome.exit_code, 0) << arguments << "\n" << outcome.err;
+    return json::parse(outcome.out, nullptr, false);
+  }
+
+  /// The second number from the second set-up's readings, the first one taken as exactly this.
+  [[nodiscard]] json secondWithFirstAt(double stiffness) const {
+    write("cobra-arm.yaml",
+          changed(contentOf(shippedCells() / "cobra-arm.yaml"), "z: 5588", fmt::format("z: {:.12g}", stiffness)));
+    return identified(fmt::format("bench.yaml b.csv --free {}", kSecond))["parameters"][0];
+  }
+
+  std::vector<Measurement> of_a, of_b, all;
+};
+
+// d second / d first is found by moving the first by its sigma; the two variances add, since the set-ups share no
+// noise.
+TEST_F(IdentifyStages, theSecondStageCarriesWhatTheFirstLeftOpen) {
+  const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
+  ASSERT_EQ(staged["parameters"].size(), 1u);
+  const json& second = staged["parameters"][0];
+  EXPECT_EQ(second["name"], kSecond);
+
+  const json first = identified(fmt::format("bench.yaml a.csv --free {}", kFirst))["parameters"][0];
+  const double value = first["value"], sigma = first["sigma"];
+  EXPECT_LT(value, 5588);
+  const json exact = secondWithFirstAt(value);
+  EXPECT_NEAR(second["value"], exact["value"], 0.02 * exact["sigma"].get<double>());
+  const double exact_sigma = exact["sigma"], staged_sigma = second["sigma"];
+  EXPECT_GT(staged_sigma, 1.1 * exact_sigma) << "the first stage left something open";
+
+  const double shift =
+      (secondWithFirstAt(value + sigma / 10)["value"].get<double>() - exact["value"].get<double>()) * 10;
+  EXPECT_NEAR(staged_sigma, std::hypot(exact_sigma, shift), 0.03 * staged_sigma);
+  const double lower = second["interval"][0], upper = second["interval"][1];
+  EXPECT_GT(upper - lower, 3.5 * staged_sigma);
+}
+
+TEST_F(IdentifyStages, everyStageIsPrintedAndTheWholeIsWritten) {
+  const Outcome outcome = run(
+      fmt::format("identify bench.yaml all.csv --folds 0 --stage {}:A --stage {}:B --out found.yaml", kFirst, kSecond));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expectSays(outcome.out, "stage 1");
+  expectSays(outcome.out, kFirst);
+  expectSays(outcome.out, kSecond);
+  expectSays(outcome.out, "errors of 6 readings");
+  expectSays(outcome.out, "errors of 12 readings");
+  const json compared = json::parse(run("compare found.yaml b.csv --folds 0 --json -").out);
+  const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
+  EXPECT_NEAR(compared["rms"]["before"], staged["rms"]["after"], 1e-6);
+}
+
+// The reading that is off is the third of the second stage, the ninth of the file.
+TEST_F(IdentifyStages, anOutlierOfALaterStageHasItsOwnName) {
+  all[8].p_W->x() += 0.1 * calibration::kInch;
+  write("all.csv", readingsCsv(all));
+  const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
+  ASSERT_EQ(staged["outliers"].size(), 1u) << staged["outliers"];
+  EXPECT_EQ(staged["outliers"][0]["id"], all[8].id);
+}
+
+TEST_F(IdentifyStages, aStageWithoutReadingsOrWithAStrangeNameIsRefused) {
+  const Outcome nowhere = run(fmt::format("identify bench.yaml all.csv --stage {}:C", kFirst));
+  EXPECT_EQ(nowhere.exit_code, 2) << nowhere.out;
+  const Outcome strange = run("identify bench.yaml all.csv --stage tool.jiont_stiffness.z");
+  EXPECT_EQ(strange.exit_code, 2);
+  expectSays(strange.err, "did you mean");
+}
+
+// The elbow's joint offset is as drawn: the readings have no use for it.
+TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
+  const std::string free = fmt::format(" --free {},forearm.joint.offset", kFirst);
+  const json kept = identified("bench.yaml all.csv" + free);
+  EXPECT_EQ(kept["parameters"].size(), 2u);
+  EXPECT_TRUE(kept["dropped"].empty());
+  const json dropped = identified("bench.yaml all.csv --drop 0.05" + free);
+  ASSERT_EQ(dropped["parameters"].size(), 1u);
+  EXPECT_EQ(dropped["parameters"][0]["name"], kFirst);
+  ASSERT_EQ(dropped["dropped"].size(), 1u);
+  const std::string why = dropped["dropped"][0];
+  expectSays(why, "forearm.joint.offset: the readings do not need it (p = 0.");
+  expectSays(why, "kept at its start");
+  EXPECT_LT(dropped["parameters"][0]["sigma"], kept["parameters"][0]["sigma"]);
+  const double p = std::stod(why.substr(why.find("p = ") + 4));
+  const json& offset = kept["parameters"][1];
+  const double sigmas =
+      std::abs(offset["value"].get<double>() - offset["start"].get<double>()) / offset["sigma"].get<double>();
+  EXPECT_NEAR(p, std::erfc(sigmas / std::sqrt(2.)), 0.002);
+  expectSays(run("identify bench.yaml all.csv --folds 0 --drop 0.05" + free).out, "  dropped forearm.joint.offset: ");
+}
+
+// A number that is far from the drawing is needed at any level.
+TEST_F(IdentifyStages, dropKeepsWhatIsNeeded) {
+  const json found = identified(fmt::format("bench.yaml all.csv --drop 0.001 --free {}", kFirst));
+  ASSERT_EQ(found["parameters"].size(), 1u);
+  EXPECT_TRUE(found["dropped"].empty());
+}
+
+// The true tool's joint is rigid: the file's stiffness is given up, and the written cell is the fitted one.
+TEST_F(IdentifyStages, aDroppedStiffnessIsRigidInTheWrittenCell) {
+  PlacedArm truth{deflection::cobraArm(), {{"", Eigen::Isometry3d::Identity(), true}}};
+  truth.arm.rows[5].joint_stiffness.z() = deflection::kRigid;
+  ReadingMaker maker(truth, 78, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 30);
+  write("rigid.csv", readingsCsv(maker.readings));
+  const json found =
+      identified(fmt::format("bench.yaml rigid.csv --drop 0.01 --out found.yaml --free {},{}", kFirst, kSecond));
+  ASSERT_EQ(found["dropped"].size(), 1u) << found["parameters"];
+  expectSays(found["dropped"][0], "tool.joint_stiffness.z: the readings do not need it");
+  expectSays(found["dropped"][0], "taken as rigid");
+  const Cell written = readCell((folder / "found.yaml").string());
+  EXPECT_TRUE(std::isinf(written.arm.rows[5].joint_stiffness.z())) << written.arm.rows[5].joint_stiffness.z();
+  EXPECT_FALSE(std::isinf(written.arm.rows[4].joint_stiffness.z()));
+  const json compared = json::parse(run("compare found.yaml rigid.csv --folds 0 --json -").out);
+  EXPECT_NEAR(compared["rms"]["before"], found["rms"]["after"], 1e-6);
+}
+
+}  // namespace
+}  // namespace tubeplan::app

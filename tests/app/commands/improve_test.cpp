@@ -1,0 +1,89 @@
+// The whole loop by one command, from outside: what it writes is what it reports, it says why it ends, and it writes
+// nothing where the readings allow no verdict. And what a diagnosis gives to `add` is what it found.
+#include <nlohmann/json.hpp>
+
+#include "app/files/cell_reader.hpp"
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class Improve : public ProgramTest {
+ protected:
+  [[nodiscard]] std::string bench() const { return shipped("bench.yaml"); }
+
+  void simulate(const std::string& hide, int readings = 120, int seed = 7) {
+    const auto outcome =
+        run("simulate " + bench() + " --design bench --readings " + std::to_string(readings) + " --seed " +
+            std::to_string(seed) + " --spread 0.1 --out set" + (hide.empty() ? "" : " --hide '" + hide + "'"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
+  [[nodiscard]] json improved(const std::string& more = "") {
+    const auto outcome = run("improve " + bench() + " set/measurements.csv --out new.yaml --json figures.json" + more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(contentOf(folder / "figures.json"));
+  }
+};
+
+TEST_F(Improve, WritesTheModelThatItReports) {
+  simulate("hysteresis@theta4:0.06deg");
+  const json figures = improved();
+  EXPECT_EQ(figures["end"], "adequate");
+  ASSERT_EQ(figures["rungs"].size(), 2U);
+  EXPECT_EQ(figures["steps"][0]["added"], json({"hysteresis@theta4"}));
+  EXPECT_LT(figures["steps"][0]["farthest_rms"]["after"], figures["steps"][0]["farthest_rms"]["before"]);
+  const auto compared = run("compare new.yaml set/measurements.csv --json -");
+  const double reported = figures["rungs"][1]["rms"]["fitted"];
+  EXPECT_NEAR(json::parse(compared.out)["rms"]["before"].get<double>(), reported, 0.01 * reported);
+}
+
+TEST_F(Improve, SaysWhyItEndsWhereStepsRunOut) {
+  simulate("encoder-eccentricity@theta3:sine=0.05,cosine=0.08");
+  const json figures = improved(" --steps 1");
+  EXPECT_EQ(figures["end"], "most-steps");
+  EXPECT_EQ(figures["steps"].size(), 1U);
+}
+
+TEST_F(Improve, WritesNothingWhereNoVerdictIsPossible) {
+  simulate("joint-offset@theta3:90deg", 2, 1);
+  const auto outcome = run("improve " + bench() + " set/measurements.csv --out new.yaml");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "new.yaml"));
+  EXPECT_NE(outcome.out.find("nothing was written"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
+}
+
+/// What is added as the diagnosis gives it does what the diagnosis promised, a slip's time included.
+TEST_F(Improve, WhatADiagnosisGivesToAddKeepsItsPromise) {
+  for (const std::string hidden :
+       {"base-slip@base:time=100,x=0.03,yaw=0.02", "stiffening@tool.z:softness=5,knee=200"}) {
+    simulate(hidden, 150);
+    const auto diagnosed = run("diagnose " + bench() + " set/measurements.csv --json -");
+    ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
+    const json answer = json::parse(diagnosed.out);
+    ASSERT_FALSE(answer["alternatives"].empty()) << hidden << answer["sentence"];
+    std::string causes;
+    for (const auto& effect : answer["alternatives"][0]) causes += " '" + effect["add"].get<std::string>() + "'";
+    ASSERT_EQ(run("add " + bench() + causes + " --out with.yaml").exit_code, 0) << causes;
+    const auto fitted = run("identify with.yaml set/measurements.csv --json -");
+    ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
+    const double promised = answer["rms"]["heldout_after"];
+    EXPECT_NEAR(json::parse(fitted.out)["rms"]["heldout_after"].get<double>(), promised, 0.05 * promised) << causes;
+  }
+}
+
+TEST_F(Improve, AddTakesNumbersOfTheFileAndEffectsAtAllJoints) {
+  ASSERT_EQ(run("add " + bench() + " 'joint-compliance@all joints' free@geometry --out with.yaml").exit_code, 0);
+  const Cell cell = readCell((folder / "with.yaml").string());
+  EXPECT_GE(cell.arm.effects.size(), 2U);
+  EXPECT_NE(std::find(cell.identify.begin(), cell.identify.end(), "geometry"), cell.identify.end());
+  const auto refused = run("add " + bench() + " free@gremlin --out other.yaml");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("gremlin"), std::string::npos) << refused.err;
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,148 @@
+// Plans, lists and exports that know their sheet, leg and tubes.
+#include "app/commands/plan_identity.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/files/yaml/strict_yaml.hpp"
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class PlanIdentity : public ProgramTest {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
+    (void)write("cold.yaml", changed(changed(contentOf(folder / "mockup.yaml"), "leg: hot", "leg: cold"),
+                                     "[-33.1, 33.1,", "[-33.1, -33.1,"));
+    (void)write("above.yaml", changed(contentOf(folder / "mockup.yaml"), "viewed_from: below", "viewed_from: above"));
+    const Outcome outcome = run("plan mockup.yaml --tubes R20C40,R22C44,R39C58 --trajectory --out made");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+};
+
+TEST_F(PlanIdentity, EveryTubeAndPathRowNamesLegRowAndColumn) {
+  const json plan = json::parse(contentOf(folder / "made/plan.json"));
+  ASSERT_EQ(plan["tubes"].size(), 2u);
+  for (const auto& tube : plan["tubes"]) EXPECT_EQ(tube["leg"], "hot");
+  EXPECT_EQ(plan["sheet"]["leg"], "hot");
+  EXPECT_EQ(plan["sheet"]["viewed_from"], "below");
+  std::istringstream path(contentOf(folder / "made/path.csv"));
+  std::string line;
+  std::getline(path, line);
+  EXPECT_EQ(line, "time_s,segment,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,leg,row,column");
+  const auto echoOf = [&](std::size_t visit) {
+    return ",hot," + plan["tubes"][visit]["row"].dump() + "," + plan["tubes"][visit]["column"].dump();
+  };
+  int rows = 0;
+  for (; std::getline(path, line); ++rows) {
+    const int segment = std::stoi(line.substr(line.find(',') + 1));
+    EXPECT_TRUE(line.ends_with(echoOf(segment <= 2 ? 0 : 1))) << line;
+  }
+  EXPECT_GT(rows, 10);
+  EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
+}
+
+TEST_F(PlanIdentity, ThePlanOfOneLegIsRefusedOnTheOther) {
+  const Outcome verified = run("verify cold.yaml made");
+  EXPECT_EQ(verified.exit_code, 1);
+  expectSays(verified.out, "the mirror image of this one, the other leg");
+  expectSays(verified.out, "the plan is for the hot leg, the cell's sheet is the cold leg's");
+  const Outcome from = run("plan cold.yaml --tubes R20C40 --from made --out cold");
+  EXPECT_EQ(from.exit_code, 2);
+  expectSays(from.err, "a plan for another sheet");
+  const Outcome above = run("verify above.yaml made");
+  EXPECT_EQ(above.exit_code, 1);
+  expectSays(above.out, "viewed from below, the cell's from above");
+}
+
+TEST_F(PlanIdentity, APathRowThatGoesElsewhereIsRefuted) {
+  const std::string path = contentOf(folder / "made/path.csv");
+  const std::string first = path.find(",hot,20,40\n") < path.find(",hot,22,44\n") ? ",hot,20,40\n" : ",hot,22,44\n";
+  (void)write("made/path.csv", changed(path, first, ",cold,20,40\n"));
+  const Outcome leg = run("verify mockup.yaml made");
+  EXPECT_EQ(leg.exit_code, 1);
+  expectSays(leg.out, "path row 1: goes to cold R20C40 where the plan has hot R");
+  (void)write("made/path.csv", changed(path, first, ",hot,20,41\n"));
+  EXPECT_EQ(run("verify mockup.yaml made").exit_code, 1);
+}
+
+/// A joint of a travel moved a little is as good a motion as it was: only the file's own numbers tell.
+TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
+  ASSERT_EQ(run("verify mockup.yaml made").exit_code, 0);
+  const std::string path = contentOf(folder / "made/path.csv");
+  const std::size_t row = path.find(",travel,"), joint = row + 8;
+  ASSERT_NE(row, std::string::npos);
+  const std::size_t end = path.find(',', joint);
+  const double value = std::stod(path.substr(joint, end - joint));
+  (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{}", value + 1e-9) + path.substr(end));
+  const Outcome altered = run("verify mockup.yaml made");
+  EXPECT_EQ(altered.exit_code, 1);
+  expectSays(altered.out, "path.csv has not the numbers that plan.json was written with");
+  // The same numbers written otherwise are the same path.
+  (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{:.17e}", value) + path.substr(end));
+  EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
+}
+
+TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
+  const std::string list = contentOf(folder / "made/worklist.csv");
+  expectSays(list, "leg,sheet,row,column,x_in,y_in,priority,comment\n");
+  expectSays(list, "\"unreachable: ");
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 4);
+  ASSERT_EQ(run("plan mockup.yaml --tubes made/worklist.csv --out again").exit_code, 0);
+  for (const char* file : {"plan.json", "path.csv", "worklist.csv"})
+    EXPECT_EQ(contentOf(folder / "again" / file), contentOf(folder / "made" / file)) << file;
+  const Outcome cold = run("plan cold.yaml --tubes made/worklist.csv --out cold");
+  EXPECT_EQ(cold.exit_code, 2);
+  expectSays(cold.err, "this list is for");
+  (void)write("wider.yaml", changed(contentOf(folder / "mockup.yaml"), "first_row: 2.28", "first_row: 2.3"));
+  const Outcome wider = run("plan wider.yaml --tubes made/worklist.csv --out wider");
+  EXPECT_EQ(wider.exit_code, 2);
+  expectSays(wider.err, "this list is for the sheet ");
+}
+
+TEST_F(PlanIdentity, TheTrajectoryIsThePathInRadians) {
+  const json plan = json::parse(contentOf(folder / "made/plan.json"));
+  const YamlNode trajectory = parseYaml(contentOf(folder / "made/trajectory.yaml"), "trajectory.yaml");
+  EXPECT_EQ(trajectory.at("joint_names").texts(), (std::vector<std::string>{"theta1", "theta2", "theta3", "theta4"}));
+  const auto& points = trajectory.at("points").list();
+  ASSERT_GT(points.size(), 10u);
+  double before = -1;
+  for (const auto& point : points) {
+    for (const char* key : {"positions", "velocities", "accelerations"}) EXPECT_EQ(point.at(key).list().size(), 4u);
+    const auto& at = point.at("time_from_start");
+    const double time = at.at("sec").number() + 1e-9 * at.at("nanosec").integer(0, 999'999'999);
+    EXPECT_GT(time, before);
+    before = time;
+  }
+  EXPECT_NEAR(before, plan["total_time_s"].get<double>(), 1e-8);
+  // Somewhere on the way the arm stands still at each tube, with that tube's joints.
+  for (const auto& tube : plan["tubes"])
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const YamlNode& point) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double q = tube["joints"][j].get<double>() * std::numbers::pi / 180;
+        if (std::abs(point.at("positions").list()[j].number() - q) > 1e-10) return false;
+        if (std::abs(point.at("velocities").list()[j].number()) > 0) return false;
+      }
+      return true;
+    }));
+  // Without being asked for it is not there, nor left from before.
+  ASSERT_EQ(run("plan mockup.yaml --tubes R20C40,R22C44 --out made").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "made/trajectory.yaml"));
+}
+
+TEST(MirroredLeg, TwiceIsTheSheetItself) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  const auto cold = mirroredLeg(*cell.sheet);
+  EXPECT_NE(cold.fingerprint(), cell.sheet->fingerprint());
+  EXPECT_EQ(mirroredLeg(cold).fingerprint(), cell.sheet->fingerprint());
+  EXPECT_EQ(cold.find(20, 40)->x, cell.sheet->find(20, 40)->x);
+  EXPECT_EQ(cold.find(20, 40)->y, -cell.sheet->find(20, 40)->y);
+}
+
+}  // namespace
+}  // namespace tubeplan::app

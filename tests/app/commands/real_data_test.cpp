@@ -1,0 +1,78 @@
+// Files of real arms that stand beside the project on its developers' machines; without them there is nothing to read.
+#include <algorithm>
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RealSet {
+  const char *cell, *measurements;
+  std::size_t readings, joints;
+};
+
+constexpr RealSet kSets[] = {
+    {"kuka-iiwa7/cell.yaml", "kuka-iiwa7/measurements-allaxes.csv", 304, 7},
+    {"kuka-iiwa7/cell-payload.yaml", "kuka-iiwa7/measurements-payload.csv", 594, 7},
+    {"motoman/cell.yaml", "motoman/measurements.csv", 212, 7},
+    {"motoman/cell-left.yaml", "motoman/measurements-left.csv", 208, 7},
+    {"motoman/cell-wide.yaml", "motoman/measurements-wide.csv", 587, 7},
+    {"panda-touch/cell.yaml", "panda-touch/measurements.csv", 559, 7},
+    {"ur5/cell.yaml", "ur5/measurements.csv", 1020, 6},
+    {"wam/cell.yaml", "wam/measurements.csv", 236, 7},
+};
+
+TEST(RealData, isReadWhole) {
+  const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/real";
+  if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";
+  for (const RealSet& set : kSets) {
+    const Cell cell = readCell((folder / set.cell).string());
+    const auto readings = readMeasurements((folder / set.measurements).string(), cell.arm);
+    EXPECT_EQ(readings.size(), set.readings) << set.cell;
+    EXPECT_EQ(static_cast<std::size_t>(readings.front().q.size()), set.joints) << set.cell;
+    const auto held_out = std::count_if(readings.begin(), readings.end(), [](const auto& m) { return m.is_held_out; });
+    EXPECT_GT(held_out, 0) << set.cell;
+    EXPECT_LT(static_cast<std::size_t>(held_out), set.readings) << set.cell;
+  }
+}
+
+/// Without the lines that the shipped mock-up has beyond the contract's: where its manway is and where the arm parks.
+std::string withoutAdditions(std::string text) {
+  for (const char* key : {"  manway:", "park:"})
+    if (const std::size_t at = text.find(key); at != std::string::npos)
+      text = text.substr(0, at) + text.substr(text.find('\n', at) + 1);
+  return text;
+}
+
+TEST(RealData, contractCellsAreTheShippedOnesButForTheirAdditions) {
+  const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/contract";
+  if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no contract at ../shared/contract";
+  for (const char* name : {"bench.yaml", "bowl.yaml", "cobra-arm.yaml", "mockup.yaml"})
+    EXPECT_EQ(contentOf(folder / name), withoutAdditions(contentOf(shippedCells() / name))) << name;
+  for (const char* name : {"bench.yaml", "bowl.yaml", "mockup.yaml"}) {
+    const Cell cell = readCell((folder / name).string());
+    EXPECT_FALSE(cell.sheet && cell.sheet->manway) << name;
+    EXPECT_FALSE(cell.park.has_value()) << name;
+  }
+}
+
+TEST(RealData, practiceSetsAreRead) {
+  const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/hidden-effects";
+  if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no practice sets at ../shared/hidden-effects";
+  const Cell cell = readCell((shippedCells() / "bench.yaml").string());
+  int sets = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto readings = readMeasurements((entry.path() / "measurements.csv").string(), cell.arm);
+    EXPECT_GE(readings.size(), 60u) << entry.path();
+    EXPECT_EQ(readings.front().senses.size(), 4u);
+    ++sets;
+  }
+  EXPECT_GT(sets, 10);
+}
+
+}  // namespace
+}  // namespace tubeplan::app

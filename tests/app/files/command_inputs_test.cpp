@@ -1,0 +1,67 @@
+#include "app/files/command_inputs.hpp"
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/cli/json_target.hpp"
+#include "app/documents/figures.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/units_json.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+class CommandInputs : public FolderTest {
+ protected:
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+
+  [[nodiscard]] std::string jointsRefusal(const std::string& text) const {
+    return messageOf([&] { (void)parseJoints(text, cell.arm, cell.units); });
+  }
+  [[nodiscard]] std::string tubesRefusal(const std::string& text) const {
+    return messageOf([&] { (void)readTubes(text, *cell.sheet); });
+  }
+};
+
+TEST_F(CommandInputs, readJointsInTheCellsUnit) {
+  const Eigen::VectorXd q = parseJoints("-36.688, 46.138,-35.856,1e1", cell.arm, cell.units);
+  ASSERT_EQ(q.size(), 4);
+  EXPECT_DOUBLE_EQ(q[0], -36.688 * std::numbers::pi / 180);
+  EXPECT_DOUBLE_EQ(q[3], 10 * std::numbers::pi / 180);
+  EXPECT_NO_THROW((void)parseJoints("175,180,-155,-135", cell.arm, cell.units));
+}
+
+TEST_F(CommandInputs, refuseOtherJoints) {
+  expectSays(jointsRefusal("1,2,3"), "found 3 numbers, expected 4");
+  expectSays(jointsRefusal(""), "--joints");
+  expectSays(jointsRefusal("1,2,3,x"), "'x'");
+  expectSays(jointsRefusal("1,2,3,nan"), "--joints (theta4)");
+  expectSays(jointsRefusal("1,-2,3,4"), "limits, 0 and 180");
+}
+
+TEST_F(CommandInputs, refuseImpossibleLoads) {
+  EXPECT_NEAR(parseLoad(30, cell.units), 133.44664845781, 1e-9);
+  EXPECT_THROW((void)parseLoad(-1, cell.units), InputError);
+  EXPECT_THROW((void)parseLoad(std::nan(""), cell.units), InputError);
+}
+
+TEST_F(CommandInputs, readTubesFromWordsAndFiles) {
+  EXPECT_EQ(readTubes("spread:60", *cell.sheet).tube_indices.size(), 60u);
+  EXPECT_EQ(readTubes(write("list.csv", "row,column\n1,57\n10,20\n"), *cell.sheet).tube_indices.size(), 2u);
+  expectSays(tubesRefusal("R60C3"), "R60C3");
+  expectSays(tubesRefusal(write("wrong.csv", "row,column\n1,57\n1,57\n")), "wrong.csv:3");
+  expectSays(tubesRefusal((folder / "none.csv").string()), "no such file");
+}
+
+TEST_F(CommandInputs, writeJsonWithUnits) {
+  const nlohmann::json json{{"units", unitsJson(cell.units)},
+                            {"p", vectorJson(Eigen::Vector3d(0.0254, 0, -0.0127), cell.units, dimension::kLength)}};
+  EXPECT_EQ(json["units"]["length"], "in");
+  EXPECT_EQ(json["p"], nlohmann::json({1.0, 0.0, -0.5}));
+  writeJson((folder / "out.json").string(), json);
+  EXPECT_EQ(nlohmann::json::parse(contentOf(folder / "out.json")), json);
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,210 @@
+#include "app/files/measurements_reader.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/reading_input.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using calibration::MeasurementKind;
+
+constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180;
+const char* const kHeader =
+    "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
+
+class MeasurementsReader : public ::testing::Test {
+ protected:
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+
+  [[nodiscard]] auto read(const std::string& text) const {
+    return parseMeasurements(text, "m.csv", cell.arm, &*cell.sheet);
+  }
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    return messageOf([&] { (void)read(text); });
+  }
+};
+
+TEST_F(MeasurementsReader, readsAPosition) {
+  const auto readings = read(std::string(kHeader) + "a,position,P1,20,10,90,-20,5,1,2,3,0.003\n");
+  ASSERT_EQ(readings.size(), 1u);
+  const auto& m = readings.front();
+  EXPECT_EQ(m.kind, MeasurementKind::kPosition);
+  EXPECT_NEAR(m.load, 20 * 4.4482216152605, 1e-12);
+  EXPECT_NEAR(m.q[1], 90 * kDegree, 1e-15);
+  ASSERT_TRUE(m.p_W.has_value());
+  EXPECT_TRUE(m.p_W->isApprox(Eigen::Vector3d(1, 2, 3) * kInch));
+  EXPECT_NEAR(m.sigma, 0.003 * kInch, 1e-18);
+  EXPECT_EQ(m.line, 2);
+  EXPECT_TRUE(m.senses.empty());
+  EXPECT_TRUE(std::isnan(m.temperature));
+}
+
+TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
+  const auto readings = read(
+      "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C57,0,90,0,0\n2,touch,elsewhere,0,90,0,"
+      "0\n");
+  ASSERT_TRUE(readings[0].p_W.has_value());
+  EXPECT_TRUE(readings[0].p_W->isApprox(Eigen::Vector3d(-1.0625 / 2, 2.28, 0) * kInch));
+  EXPECT_FALSE(readings[1].p_W.has_value());
+  expectSays(refusal("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R99C1,0,90,0,0\n"), "R99C1");
+}
+
+TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
+  const auto readings = read(
+      "time_s,temperature_degC,id,kind,setup,split,distance_mm,theta1_rad,theta2_rad,theta3_deg,theta4_deg,x_m,y_m,z_m,"
+      "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n60,20,\"a,b\",distance,s1,held-out,100,0.5,1,0,0,1,2,3,-1,0,1,1\n");
+  const auto& m = readings.at(0);
+  EXPECT_EQ(m.id, "a,b");
+  EXPECT_EQ(m.setup, "s1");
+  EXPECT_TRUE(m.is_held_out);
+  EXPECT_EQ(m.time, 60);
+  EXPECT_EQ(m.temperature, 293.15);
+  EXPECT_DOUBLE_EQ(m.own[0], 0.1);
+  EXPECT_EQ(m.q[0], 0.5);
+  EXPECT_EQ(m.p_W->z(), 3);
+  EXPECT_EQ(m.senses, (std::vector<int>{-1, 0, 1, 1}));
+}
+
+TEST_F(MeasurementsReader, refusesBadHeaders) {
+  expectSays(refusal("id,kind,theta1_deg,theta2_deg,theta3_deg\n"), "no column 'theta4_");
+  expectSays(refusal(changed(kHeader, "x_in", "x_inch")), "unknown unit 'inch'");
+  expectSays(refusal(changed(kHeader, "point", "pionts")), "'pionts'");
+  expectSays(refusal(changed(kHeader, "kind", "sort")), "no column 'kind'");
+  expectSays(refusal(changed(kHeader, "y_in", "x_mm")), "both 'x_in' and 'x_mm'");
+  expectSays(refusal(changed(kHeader, "y_in", "x_in")), "x_in");
+  expectSays(refusal(changed(kHeader, "sigma_in", "theta1_dir")), "one for each of the 4 joints");
+  expectSays(refusal(kHeader), "without readings");
+}
+
+TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
+  const std::string good = "a,touch,P1,20,10,90,-20,5,1,2,3,0.003\n";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return refusal(kHeader + changed(good, from, to));
+  };
+  ASSERT_EQ(read(kHeader + good).size(), 1u);
+  expectSays(with(",90,", ",nan,"), "m.csv:2 (column theta2_deg): found 'nan', expected a finite number");
+  expectSays(with(",90,", ",,"), "found nothing");
+  expectSays(with(",90,", ",9O,"), "'9O'");
+  expectSays(with(",90,", ",inf,"), "'inf'");
+  expectSays(with(",90,", ",190,"), "between the joint's limits, 0 and 180 deg");
+  expectSays(with("touch", "tuoch"), "did you mean 'touch'?");
+  expectSays(with("P1", ""), "without a point");
+  expectSays(with("1,2,3", "1,,3"), "some of the coordinates");
+  expectSays(with("touch", "distance"), "without its distance");
+  expectSays(with("0.003", "0"), "sigma");
+  expectSays(with("0.003", "0.003,7"), "13 fields");
+  expectSays(with("P1", "\"P1"), "quote");
+  expectSays(with("20,10", "-20,10"), "negative load");
+  expectSays(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "without x, y, z");
+  expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): found the id 'a' again");
+}
+
+TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,dx,dy,dz,sigma_in\n";
+  const std::string good = "a,axis,10,90,-20,5,1,2,3,-4,0,3,-4,0.003\n";
+  const auto readings = read(header + good);
+  ASSERT_EQ(readings.size(), 1U);
+  EXPECT_EQ(readings.front().kind, MeasurementKind::kAxis);
+  EXPECT_NEAR(readings.front().own[0], -4 * kInch, 1e-15);
+  EXPECT_TRUE(readings.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "without a direction");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "points somewhere");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,x,-4,")), "column dy");
+  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "without its distance");
+}
+
+TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,roll_deg,pitch_deg,yaw_deg,tilt_x_deg,tilt_z_deg,"
+      "turn_sigma_deg\n";
+  const std::string turned = "a,orientation,10,90,-20,5,30,-40,50,,,0.01\n", tilted = "b,tilt,10,90,-20,5,,,,2,,0.01\n";
+  const auto readings = read(header + turned + tilted);
+  ASSERT_EQ(readings.size(), 2U);
+  EXPECT_TRUE(readings[0].own.isApprox(Eigen::Vector3d(30, -40, 50) * kDegree));
+  EXPECT_NEAR(readings[0].turn_sigma, 0.01 * kDegree, 1e-15);
+  EXPECT_NEAR(readings[1].own[0], 2 * kDegree, 1e-15);
+  EXPECT_TRUE(std::isnan(readings[1].own[1]) && std::isnan(readings[1].own[2]));
+  EXPECT_TRUE(readings[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
+  expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "without its roll, pitch, yaw");
+  expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "without its tilt_x, tilt_y, tilt_z");
+  expectSays(refusal(header + changed(tilted, "0.01", "-0.01")), "turn_sigma that is not above zero");
+  expectSays(refusal(changed(header, "tilt_x_deg", "tilt_x_in") + tilted), "unknown unit 'in'");
+}
+
+TEST_F(MeasurementsReader, readsTheNoiseOfEachCoordinate) {
+  const std::string header =
+      "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_x_in,sigma_y_in,"
+      "sigma_z_in\n";
+  const std::string good = "a,position,,10,90,-20,5,1,2,3,,0.001,0.002,0.002\n";
+  const auto m = read(header + good).at(0);
+  EXPECT_NEAR(m.sigma, 0.0254 * std::sqrt(0.000003), 1e-12);
+  const auto rows = calibration::rowSigmas(m);
+  EXPECT_NEAR(rows[0], 0.001 * 0.0254, 1e-15);
+  EXPECT_NEAR(rows[2], 0.002 * 0.0254, 1e-15);
+  expectSays(refusal(header + changed(good, "0.001,", ",")), "some of the coordinates' sigma_x");
+  expectSays(refusal(header + changed(good, "0.001,", "-0.001,")), "not above zero");
+  expectSays(refusal(header + "a,distance,,10,90,-20,5,1,2,3,4,0.001,0.002,0.002\n"), "it measures no x, y, z");
+}
+
+TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
+  const std::string header =
+      "id,kind,point,setup,from,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_in\n";
+  const std::string first = "a,touch,P1,A,,10,90,-20,5,,,,,0.003\n", second = "b,touch,P1,A,,11,90,-20,5,,,,,0.003\n";
+  const std::string length = "c,relative,,A,a,20,90,-20,5,,,,2,0.003\n",
+                    way = "d,relative,,A,c,30,90,-20,5,1,2,3,,0.003\n";
+  const auto readings = read(header + length + way + first + second);
+  ASSERT_EQ(readings.size(), 4u);
+  ASSERT_TRUE(readings[0].reference && readings[1].reference && !readings[2].reference);
+  EXPECT_EQ(readings[0].reference->q, readings[2].q);
+  EXPECT_EQ(readings[1].reference->id, "c");
+  EXPECT_FALSE(readings[1].reference->reference);
+  EXPECT_EQ(calibration::rowsOf(readings[0]), 1);
+  EXPECT_EQ(calibration::rowsOf(readings[1]), 3);
+  const auto with = [&](const std::string& row, const std::string& from, const std::string& to) {
+    return refusal(header + first + second + changed(row, from, to));
+  };
+  expectSays(with(length, ",A,a,", ",A,,"), "another reading's id in the column 'from'");
+  expectSays(with(length, ",A,a,", ",A,z,"), "m.csv:4 (column from): found the unknown id 'z'");
+  expectSays(with(length, ",A,a,", ",A,c,"), "own id");
+  expectSays(with(length, ",A,a,", ",B,a,"), "of another set-up");
+  expectSays(with(length, ",,,2,", ",,,-2,"), "above zero");
+  expectSays(with(length, ",,,2,", ",,,,"), "without its distance");
+  expectSays(with(length, ",,,2,", ",1,2,3,2,"), "without its distance");
+}
+
+TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,tool_x_in,tool_y_in,tool_z_in,sigma_in\n";
+  const std::string good = "a,position,10,90,-20,5,1,2,3,0.5,0,-1,0.003\n";
+  EXPECT_TRUE(read(header + good).front().p_TQ->isApprox(Eigen::Vector3d(0.5, 0, -1) * kInch));
+  expectSays(refusal(header + changed(good, "0.5,0,-1", "0.5,,-1")), "tool_x, tool_y, tool_z");
+  expectSays(refusal(header + changed(good, "position", "deflection")), "of the tip itself");
+}
+
+TEST_F(MeasurementsReader, stepsSayBetweenWhichTolerancesTheToolStood) {
+  const std::string header = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,steps\n";
+  const auto settled = [&](const std::string& steps) {
+    auto readings =
+        parseMeasurements(header + "a,steps,R10C20,10,90,-20,5," + steps + "\n", "m.csv", cell.arm, &*cell.sheet);
+    stateSigma(readings, cell, "m.csv", 0);
+    return readings.front();
+  };
+  const auto all = settled("3"), two = settled("2");
+  EXPECT_EQ(rowsOf(all), 2);
+  EXPECT_NEAR(all.sigma, 0.010 * kInch / 2, 1e-12);
+  EXPECT_EQ(rowsOf(two), 1);
+  EXPECT_NEAR(two.own[1], 0.010 * kInch, 1e-12);
+  EXPECT_NEAR(two.own[2], 0.058 * kInch, 1e-12);
+  EXPECT_NEAR(two.sigma, 0.048 * kInch / std::sqrt(12), 1e-12);
+  for (const char* wrong : {"0", "4", "1.5", "-1"}) EXPECT_THROW(settled(wrong), InputError) << wrong;
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,71 @@
+// Files with random damage: read or refused with one line, never anything else.
+#include <random>
+
+#include "app/files/arm_reader.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/yaml/strict_yaml.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+// Pieces that are likely to hurt, beside random bytes.
+constexpr const char* kPieces[] = {
+    "",      "{",  "}", "[", "]",  ":",   ": ", "- ",  "'",     "\"", "#", "\n",   "\n\n  ", "nan",  ".inf",
+    "1e999", "-1", "0", ",", ",,", "&a ", "*a", "!t ", "---\n", "|",  ">", "\xC3", "? ",     "name", "99999999999"};
+
+std::string damaged(std::string text, std::mt19937_64& random) {
+  const int hits = 1 + static_cast<int>(random() % 3);
+  for (int i = 0; i < hits && !text.empty(); ++i) {
+    const std::size_t at = random() % text.size();
+    const std::size_t length = random() % 4 == 0 ? random() % 40 : random() % 3;
+    text.replace(at, std::min(length, text.size() - at), kPieces[random() % std::size(kPieces)]);
+  }
+  return text;
+}
+
+template <class Read>
+void expectReadOrRefused(const std::string& text, int times, Read&& read) {
+  std::mt19937_64 random(2024);
+  int refused = 0;
+  for (int i = 0; i < times; ++i) {
+    const std::string bad = damaged(text, random);
+    try {
+      read(bad);
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      EXPECT_LT(std::string(error.what()).size(), 2000u);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what() << "\n" << bad;
+    }
+  }
+  EXPECT_GT(refused, times / 10);
+  EXPECT_LT(refused, times);
+}
+
+TEST(MutatedFiles, armsAreReadOrRefused) {
+  expectReadOrRefused(contentOf(shippedCells() / "cobra-arm.yaml"), 2000,
+                      [](const std::string& text) { (void)readArm(parseYaml(text, "arm.yaml")); });
+}
+
+class MutatedCell : public FolderTest {};
+
+TEST_F(MutatedCell, cellsAreReadOrRefused) {
+  std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml");
+  expectReadOrRefused(contentOf(shippedCells() / "mockup.yaml"), 200,
+                      [&](const std::string& text) { (void)readCell(write("cell.yaml", text)); });
+}
+
+TEST(MutatedFiles, measurementsAreReadOrRefused) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  const std::string text =
+      "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,time_min\n"
+      "a,position,P1,20,10,90,-20,5,1,2,3,0.003,1\nb,touch,R1C57,20,10,90,-20,5,,,,0.003,2\n";
+  expectReadOrRefused(text, 5000,
+                      [&](const std::string& bad) { (void)parseMeasurements(bad, "m.csv", cell.arm, &*cell.sheet); });
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,48 @@
+#include "app/studies/measurements/measured_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/studies/measurements/splitting_candidates.hpp"
+#include "tests/calibration/bench_readings.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using calibration::kDegree;
+
+class MeasuredRoomOfTheBench : public testing::Test {
+ protected:
+  Cell cell = calibration::shippedBench();
+  std::vector<calibration::Measurement> readings = calibration::benchReadings(cell, "", "", {}, 40, 2);
+  calibration::PlacedArm placed = calibration::benchStart(cell, readings);
+  MeasuredRoom room{placed, readings};
+};
+
+TEST_F(MeasuredRoomOfTheBench, HoldsThePosturesThatWereMeasured) {
+  for (const auto& reading : readings) EXPECT_TRUE(room.holds(reading.q, reading.load)) << reading.id;
+}
+
+TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatHangsLower) {
+  Eigen::VectorXd q = readings.front().q;
+  q[1] = -60 * kDegree;
+  q[2] = 0;
+  EXPECT_FALSE(room.holds(q, 0));
+}
+
+TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
+  Eigen::VectorXd q = readings.front().q;
+  q[1] = 90 * kDegree;
+  q[2] = 178 * kDegree;  // the forearm back along the latch link; measured to 120 degrees at most
+  q[3] = 0;
+  EXPECT_FALSE(room.holds(q, 0));
+}
+
+TEST_F(MeasuredRoomOfTheBench, ProposalsStayInIt) {
+  const auto candidates = splittingCandidates(cell, placed, readings);
+  ASSERT_GT(candidates.size(), 20U);
+  for (const auto& candidate : candidates)
+    for (const auto& reading : candidate.readings) EXPECT_TRUE(room.holds(reading.q, reading.load));
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,234 @@
+// What to measure next with the Cobra arm.
+#include "calibration/design/next_readings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "calibration/estimation/identification.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/deflection/cobra.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using deflection::cobraArm, deflection::randomJoints, deflection::kInch, deflection::kPound;
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double kSigma = 0.003 * kInch;
+const FreeChoice kStiffnesses{
+    {"tool.joint_stiffness.z", "latch-link.beam.Iz", "mezzanine-beam.beam.Iz", "mezzanine-platform.joint_stiffness.x"},
+    false};
+
+Measurement positionAt(const VectorXd& q, double load) {
+  Measurement reading;
+  reading.q = q;
+  reading.load = load;
+  reading.sigma = kSigma;
+  return reading;
+}
+
+std::vector<ReadingCandidate> randomCandidates(int count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<ReadingCandidate> candidates;
+  for (int k = 0; k < count; ++k)
+    candidates.push_back({{positionAt(randomJoints(cobraArm(), random), (k % 3) * 20 * kPound)}});
+  return candidates;
+}
+
+Work randomWork(int count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Work work;
+  for (int k = 0; k < count; ++k) work.postures.push_back(randomJoints(cobraArm(), random));
+  return work;
+}
+
+/// What is read of the arm at a planned reading: place and joints with their noise.
+Measurement read(Measurement reading, const deflection::Arm& arm, std::mt19937_64& random) {
+  std::normal_distribution<double> normal(0, 1);
+  Eigen::Vector3d place = predictReading(arm, Eigen::Isometry3d::Identity(), reading).value;
+  for (double& x : place) x += kSigma * normal(random);
+  reading.p_W = place;
+  for (double& q : reading.q) q += arm.rows.back().joint.encoder_sigma * normal(random);
+  return reading;
+}
+
+std::vector<Measurement> readingsOf(const deflection::Arm& arm, int count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<Measurement> readings;
+  for (const auto& candidate : randomCandidates(count, seed + 100)) {
+    readings.push_back(read(candidate.readings.front(), arm, random));
+    readings.back().id = std::to_string(readings.size());
+  }
+  return readings;
+}
+
+Knowledge fromNothing(const FreeChoice& free, bool base_known = true) {
+  return learnFrom(cobraArm(), Eigen::Isometry3d::Identity(), base_known, {}, free);
+}
+
+/// Value of a reading with the logarithm of one stiffness moved by `step`.
+VectorXd movedBy(const Measurement& reading, const std::string& name, double step) {
+  deflection::Arm arm = cobraArm();
+  double& number = deflection::locate(arm, deflection::findParameter(arm, name)->path);
+  number *= std::exp(step);
+  return predictReading(arm, Eigen::Isometry3d::Identity(), reading).value;
+}
+
+// The covariance of generalised least squares, put together from difference quotients of the readings themselves: one
+// matrix over all coordinates, with every noise in it.
+TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
+  const auto knowledge = fromNothing(kStiffnesses);
+  const auto candidates = randomCandidates(30, 5);
+  NextReadingsOptions options;
+  options.design.count = 7;
+  const auto next = proposeReadings(knowledge, candidates, randomWork(10, 6), options);
+  ASSERT_EQ(next.status, NextReadingsStatus::kDone);
+  const int n = static_cast<int>(kStiffnesses.names.size()), rows = 3 * options.design.count;
+  MatrixXd J(rows, n), noise = MatrixXd::Identity(rows, rows) * kSigma * kSigma;
+  for (int s = 0; s < options.design.count; ++s) {
+    const int index =
+        next.candidates[static_cast<std::size_t>(next.design.steps[static_cast<std::size_t>(s)].candidate)];
+    const auto& reading = candidates[static_cast<std::size_t>(index)].readings.front();
+    for (int k = 0; k < n; ++k) {
+      const auto& name = kStiffnesses.names[static_cast<std::size_t>(k)];
+      J.block<3, 1>(3 * s, k) = (movedBy(reading, name, 1e-4) - movedBy(reading, name, -1e-4)) / 2e-4;
+    }
+    for (int joint = 0; joint < 4; ++joint) {
+      auto more = reading, less = reading;
+      more.q[joint] += 1e-5;
+      less.q[joint] -= 1e-5;
+      const VectorXd column =
+          (movedBy(more, "tool.joint_stiffness.z", 0) - movedBy(less, "tool.joint_stiffness.z", 0)) / 2e-5 *
+          cobraArm().rows.back().joint.encoder_sigma;
+      noise.block<3, 3>(3 * s, 3 * s) += column * column.transpose();
+    }
+  }
+  const MatrixXd covariance = (J.transpose() * noise.inverse() * J + MatrixXd::Identity(n, n)).inverse();
+  EXPECT_LT((next.design.covariance - covariance).norm(), 1e-4 * covariance.norm());
+  for (int k = 0; k < n; ++k) {
+    const auto& number = next.numbers[static_cast<std::size_t>(k)];
+    EXPECT_NEAR(number.after, number.value * std::sqrt(covariance(k, k)), 1e-4 * number.after);
+    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // a factor of e, before any reading
+    EXPECT_FALSE(number.is_told_now);
+  }
+}
+
+TEST(NextReadings, PromisesWhatAFitThenReaches) {
+  const auto knowledge = fromNothing(kStiffnesses);
+  const auto candidates = randomCandidates(120, 7);
+  const Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  NextReadingsOptions proposal;
+  proposal.design.count = 6;
+  const auto next = proposeReadings(knowledge, candidates, randomWork(10, 8), proposal);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0, 1);
+  constexpr int kRuns = 40;
+  VectorXd square = VectorXd::Zero(4);
+  for (int run = 0; run < kRuns; ++run) {
+    std::vector<Measurement> readings;
+    for (const auto& step : next.design.steps) {
+      const int index = next.candidates[static_cast<std::size_t>(step.candidate)];
+      readings.push_back(read(candidates[static_cast<std::size_t>(index)].readings.front(), cobraArm(), random));
+    }
+    IdentificationOptions options;
+    options.free = kStiffnesses;
+    options.folds = 0;
+    options.intervals_by_profile = false;
+    const auto fit = identify(cobraArm(), X_WB, true, readings, options);
+    ASSERT_EQ(fit.status, IdentificationStatus::kDone) << fit.reason;
+    for (int k = 0; k < 4; ++k) {
+      const auto& number = fit.numbers[static_cast<std::size_t>(k)];
+      square[k] += std::pow(number.value - number.unknown.start, 2) / kRuns;
+    }
+  }
+  // Forty runs know a sigma to 11 per cent; three of those.
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(std::sqrt(square[k]) / next.numbers[static_cast<std::size_t>(k)].after, 1, 0.34) << k;
+}
+
+TEST(NextReadings, NowIsWhatIdentifyReports) {
+  const auto readings = readingsOf(cobraArm(), 40, 11);
+  IdentificationOptions options;
+  options.free = kStiffnesses;
+  options.folds = 0;
+  options.intervals_by_profile = false;
+  const auto fit = identify(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, options);
+  const auto knowledge = learnFrom(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, kStiffnesses);
+  EXPECT_EQ(knowledge.note, "");
+  const auto next = proposeReadings(knowledge, randomCandidates(60, 12), randomWork(10, 13));
+  ASSERT_EQ(next.numbers.size(), fit.numbers.size());
+  for (std::size_t k = 0; k < fit.numbers.size(); ++k) {
+    EXPECT_NEAR(next.numbers[k].now, fit.numbers[k].sigma, 0.01 * fit.numbers[k].sigma);
+    EXPECT_NEAR(next.numbers[k].value, fit.numbers[k].value, 1e-9 * fit.numbers[k].value);
+    EXPECT_LT(next.numbers[k].after, next.numbers[k].now);
+    EXPECT_TRUE(next.numbers[k].is_told_now);
+  }
+}
+
+class NextReadingsBySeed : public ::testing::TestWithParam<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, NextReadingsBySeed, ::testing::Values(1, 2, 3));
+
+TEST_P(NextReadingsBySeed, ChosenReadingsBeatRandomOnes) {
+  const auto knowledge = fromNothing(kStiffnesses);
+  NextReadingsOptions options;
+  options.seed = GetParam();
+  options.design.count = 5;
+  const auto candidates = randomCandidates(150, GetParam());
+  const auto work = randomWork(20, GetParam() + 50);
+  const auto in_all = proposeReadings(knowledge, candidates, work, options);
+  EXPECT_GT(in_all.bits, in_all.bits_random);
+  options.design.optimality = Optimality::kWorstTip;
+  const auto at_worst = proposeReadings(knowledge, candidates, work, options);
+  EXPECT_LT(at_worst.tip_after.worst, at_worst.tip_random.worst);
+  EXPECT_LE(at_worst.tip_after.worst, in_all.tip_after.worst);
+  EXPECT_LT(at_worst.tip_after.worst, at_worst.tip_now.worst);
+}
+
+TEST(NextReadings, OneTouchOfAnUnknownPointTellsNothingButTwoLoadsDo) {
+  const auto knowledge = fromNothing(kStiffnesses);
+  std::mt19937_64 random(21);
+  std::vector<ReadingCandidate> once, twice;
+  for (int k = 0; k < 12; ++k) {
+    Measurement touch = positionAt(randomJoints(cobraArm(), random), 0);
+    touch.kind = MeasurementKind::kTouch;
+    Measurement loaded = touch;
+    loaded.load = 30 * kPound;
+    once.push_back({{touch}});
+    twice.push_back({{touch, loaded}});
+  }
+  const Work work = randomWork(5, 22);
+  NextReadingsOptions options;
+  options.design.count = 4;
+  EXPECT_NEAR(proposeReadings(knowledge, once, work, options).bits, 0, 1e-6);
+  EXPECT_GT(proposeReadings(knowledge, twice, work, options).bits, 5);
+}
+
+TEST(NextReadings, APlacingIsLearntWithTheNumbers) {
+  FreeChoice free = kStiffnesses;
+  free.base = true;
+  const auto knowledge = fromNothing(free, false);
+  ASSERT_EQ(knowledge.unknowns.size(), 10u);
+  const auto next = proposeReadings(knowledge, randomCandidates(80, 31), randomWork(10, 32));
+  for (const auto& number : next.numbers) EXPECT_TRUE(number.is_told_after) << number.unknown.name;
+  EXPECT_GT(next.tip_now.rms, 1);
+  EXPECT_LT(next.tip_after.rms, 0.01 * kInch);
+}
+
+TEST(NextReadings, NamesThatAreNoNumbersAreTold) {
+  const auto knowledge = fromNothing({{"forearm.dh.aa"}, false});
+  ASSERT_EQ(knowledge.problems.size(), 1u);
+  EXPECT_EQ(knowledge.problems.front().name, "forearm.dh.aa");
+}
+
+TEST(NextReadings, ReadingsThatCannotBeFittedAreCountedWhereTheDrawingStands) {
+  auto readings = readingsOf(cobraArm(), 1, 41);
+  const auto knowledge = learnFrom(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, kStiffnesses);
+  EXPECT_NE(knowledge.note, "");
+  EXPECT_EQ(knowledge.x, VectorXd::Zero(4));
+  EXPECT_GT((knowledge.information - MatrixXd::Identity(4, 4)).norm(), 1);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

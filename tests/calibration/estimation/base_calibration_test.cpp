@@ -1,0 +1,195 @@
+// Where the base stands, from touches: recovery, coverage, and refusals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/calibration/estimation/cobra_touches.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+BaseStep stepBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
+  BaseStep step;
+  step << to.translation() - from.translation(), turn.angle() * turn.axis();
+  return step;
+}
+
+TEST(BaseCalibration, RecoversTheBaseExactlyFromAnyStart) {
+  const auto cell = touchedCell();
+  const auto touches = touchesOf(cell, 0, 1);
+  const Eigen::Isometry3d starts[] = {cell.X_WB_nominal, Eigen::Isometry3d::Identity(), pose(90, -30, 10, 170, 40, 12),
+                                      cell.X_WB_true};
+  for (const auto& start : starts) {
+    const auto found = calibrateBase(cell.arm, touches, start);
+    ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+    const BaseStep off = stepBetween(found.X_WB, cell.X_WB_true);
+    EXPECT_LE(off.head<3>().norm(), 1e-6 * kInch);
+    EXPECT_LE(off.tail<3>().norm(), 1e-6 * kDegree);
+    EXPECT_LE(found.rms, 1e-7 * kInch);
+  }
+}
+
+TEST(BaseCalibration, IsTheSameByEitherSolver) {
+  const auto cell = touchedCell();
+  BaseCalibrationOptions quick;
+  quick.method = LeastSquaresMethod::kLevenbergMarquardt;
+  quick.mistaken_hole_p_value = 0;  // a rigid arm is off by inches
+  quick.model_error = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto touches = touchesOf(cell, 0.005, seed);
+    for (const auto& arm : {cell.arm, deflection::rigidCopy(cell.arm)}) {
+      BaseCalibrationOptions slow = quick;
+      slow.method = LeastSquaresMethod::kInteriorPoint;
+      const auto one = calibrateBase(arm, touches, cell.X_WB_nominal, quick);
+      const auto other = calibrateBase(arm, touches, cell.X_WB_nominal, slow);
+      ASSERT_EQ(one.status, CalibrationStatus::kDone) << one.reason;
+      ASSERT_EQ(other.status, CalibrationStatus::kDone) << other.reason;
+      const BaseStep off = stepBetween(one.X_WB, other.X_WB);
+      EXPECT_LE(off.head<3>().norm(), 1e-4 * kInch);  // a fiftieth of the noise
+      EXPECT_LE(off.tail<3>().norm(), 1e-4 * kDegree);
+      EXPECT_NEAR(one.chi2, other.chi2, 1e-6 * other.chi2);
+    }
+  }
+}
+
+TEST(BaseCalibration, RecoversAHangingBase) {
+  auto cell = touchedCell();
+  const Eigen::Isometry3d X_WB = pose(5, 30, 20, 180, 0, 30);
+  std::vector<Measurement> touches;
+  for (const Eigen::Vector4d& q : {Eigen::Vector4d(20, 60, -50, -40), Eigen::Vector4d(-30, 90, -60, 20),
+                                   Eigen::Vector4d(70, 40, 30, -60), Eigen::Vector4d(0, 100, -90, 0)}) {
+    const auto shape = deflection::solveFlexibleKinematics(
+        cell.arm, {q * kDegree, 0, deflection::gravityInBase(cell.arm, X_WB)}, {1e-14, 100});
+    const std::string name = "H" + std::to_string(touches.size());
+    touches.push_back(plannedTouch({name, name, X_WB * shape.X_BD.p, {}}, q * kDegree, 0, 0.005 * kInch));
+  }
+  const auto found = calibrateBase(cell.arm, touches, Eigen::Isometry3d::Identity());
+  ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+  EXPECT_LE(stepBetween(found.X_WB, X_WB).head<3>().norm(), 1e-6 * kInch);
+}
+
+TEST(BaseCalibration, NinetyFivePercentRegionsCoverTheTruth) {
+  const auto cell = touchedCell();
+  constexpr int kRuns = 1000;
+  int covered = 0, accepted = 0;
+  double chi2 = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const auto found =
+        calibrateBase(cell.arm, touchesOf(cell, 0.005, static_cast<std::uint64_t>(run) + 1), cell.X_WB_nominal);
+    ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+    const BaseStep off = stepBetween(found.X_WB, cell.X_WB_true);
+    covered += off.dot(found.covariance.ldlt().solve(off)) < 12.591587;  // 95 % of chi-square with 6 degrees of freedom
+    accepted += found.p_value > 0.05;
+    chi2 += found.chi2 / kRuns;
+  }
+  EXPECT_GE(covered, 930);
+  EXPECT_LE(covered, 970);
+  EXPECT_GE(accepted, 930);
+  EXPECT_LE(accepted, 970);
+  EXPECT_NEAR(chi2, 3, 0.3);
+  RecordProperty("covered_of_1000", covered);
+}
+
+TEST(BaseCalibration, MoreTouchesTightenTheBase) {
+  const auto three = touchedCell(), six = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-25, 30}, {28, 32}, {0, 5}});
+  const auto few = calibrateBase(three.arm, touchesOf(three, 0.005, 3), three.X_WB_nominal);
+  const auto many = calibrateBase(six.arm, touchesOf(six, 0.005, 3), six.X_WB_nominal);
+  ASSERT_EQ(many.status, CalibrationStatus::kDone);
+  EXPECT_EQ(many.degrees_of_freedom, 12);
+  EXPECT_EQ(many.distances.size(), 15u);
+  EXPECT_LT(many.covariance.diagonal().head(3).sum(), few.covariance.diagonal().head(3).sum());
+}
+
+TEST(BaseCalibration, DistanceChecksDoNotDependOnTheBase) {
+  const auto cell = touchedCell();
+  const auto found = calibrateBase(cell.arm, touchesOf(cell, 0, 1), cell.X_WB_nominal);
+  ASSERT_EQ(found.distances.size(), 3u);
+  for (const auto& check : found.distances) {
+    EXPECT_NEAR(check.by_arm, check.on_sheet, 1e-8);
+    EXPECT_GT(check.sigma, 0.005 * kInch);
+    EXPECT_LT(check.sigma, 0.02 * kInch);
+  }
+}
+
+TEST(BaseCalibration, RefusesTooFewTouches) {
+  const auto cell = touchedCell();
+  auto touches = touchesOf(cell, 0, 1);
+  touches.pop_back();
+  const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+  EXPECT_EQ(found.status, CalibrationStatus::kRefused);
+  EXPECT_NE(found.reason.find("at least three"), std::string::npos);
+}
+
+TEST(BaseCalibration, RefusesTheSameHoleTwice) {
+  const auto cell = touchedCell();
+  auto touches = touchesOf(cell, 0, 1);
+  touches[2].point = touches[0].point;
+  const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+  EXPECT_EQ(found.status, CalibrationStatus::kRefused);
+  EXPECT_NE(found.reason.find("H1 is touched twice"), std::string::npos);
+}
+
+TEST(BaseCalibration, AHoleMayBeTouchedAgainUnderAnotherLoad) {
+  const auto cell = touchedCell();
+  auto touches = touchesOf(cell, 0, 1);
+  auto loaded = cell;
+  TouchSimulationOptions options;
+  options.sigma = 0;
+  options.load = 133;
+  for (auto& row : loaded.arm.rows) row.joint.encoder_sigma = 0;
+  for (auto touch : simulateTouches(loaded.arm, cell.X_WB_true, cell.plans, options).touches) {
+    touch.sigma = 0.005 * kInch;
+    touches.push_back(touch);
+  }
+  const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+  ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+  EXPECT_LE((found.X_WB.translation() - cell.X_WB_true.translation()).norm(), 1e-6 * kInch);
+  EXPECT_EQ(found.distances.size(), 12u);
+}
+
+TEST(BaseCalibration, RefusesHolesOnALine) {
+  const auto cell = touchedCell({{-40, 10}, {38, 10}, {5, 10.5}});
+  const auto found = calibrateBase(cell.arm, touchesOf(cell, 0, 1), cell.X_WB_nominal);
+  EXPECT_EQ(found.status, CalibrationStatus::kRefused);
+  EXPECT_NE(found.reason.find("line"), std::string::npos);
+}
+
+TEST(BaseCalibration, NamesTheMistakenHole) {
+  const auto cell = touchedCell();
+  constexpr double kPitch = 1.0625 * kInch;
+  const Eigen::Vector3d aside[] = {{kPitch, 0, 0}, {-kPitch, 0, 0}, {0, kPitch, 0}, {0, -kPitch, 0}};
+  int named = 0, cases = 0;
+  for (std::size_t wrong = 0; wrong < 3; ++wrong)
+    for (int way = 0; way < 4; ++way) {
+      auto touches = touchesOf(cell, 0.005, 7 + static_cast<std::uint64_t>(way));
+      // The operator was one hole off: what is written down is the neighbour's name.
+      *touches[wrong].p_W -= aside[way];
+      BaseCalibrationOptions options;
+      options.neighbours = [&](const Measurement& touch) {
+        std::vector<NeighbourHole> neighbours;
+        for (int k = 0; k < 4; ++k)
+          neighbours.push_back({touch.point + "+" + std::to_string(k), *touch.p_W + aside[k]});
+        return neighbours;
+      };
+      const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal, options);
+      ASSERT_EQ(found.status, CalibrationStatus::kRefused) << wrong << " " << way;
+      ++cases;
+      const std::string right = "touch " + touches[wrong].id + " named " + touches[wrong].point + " fits hole " +
+                                touches[wrong].point + "+" + std::to_string(way);
+      named += std::find(found.suspects.begin(), found.suspects.end(), right) != found.suspects.end();
+    }
+  EXPECT_EQ(named, cases);
+}
+
+TEST(BaseCalibration, RefusesTouchesThatFitNothing) {
+  const auto cell = touchedCell();
+  auto touches = touchesOf(cell, 0.005, 3);
+  touches[1].q[1] += 0.2;
+  const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+  EXPECT_EQ(found.status, CalibrationStatus::kRefused);
+  EXPECT_TRUE(found.suspects.empty());
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

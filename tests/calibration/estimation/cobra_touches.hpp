@@ -1,0 +1,54 @@
+// The Cobra arm under the mock-up's sheet, and touches of it.
+#pragma once
+
+#include "app/files/cell_reader.hpp"
+#include "calibration/estimation/base_calibration.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/simulation/simulated_touch.hpp"
+
+namespace tubeplan::calibration {
+
+inline constexpr double kInch = 0.0254, kDegree = 0.017453292519943295;
+
+struct TouchedCell {
+  deflection::Arm arm;
+  Eigen::Isometry3d X_WB_nominal, X_WB_true;
+  std::vector<TouchPlan> plans;
+};
+
+inline Eigen::Isometry3d pose(double x, double y, double z, double roll, double pitch, double yaw) {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation() = Eigen::Vector3d(x, y, z) * kInch;
+  X.linear() = deflection::rotationFromFixedAngles<double>(Eigen::Vector3d(roll, pitch, yaw) * kDegree);
+  return X;
+}
+
+/// Holes at these places [in], touched in the branch with the elbow up.
+inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& holes = {{-40, 10}, {38, 12}, {10, 45}}) {
+  static const app::Cell kCell = app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
+  TouchedCell cell{kCell.arm, kCell.X_WB, pose(0.8, 42.4, -43.5, 0.3, -0.2, -89), {}};
+  const Eigen::Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB_nominal);
+  for (const auto& [x, y] : holes) {
+    const Eigen::Vector3d hole = Eigen::Vector3d(x, y, 0) * kInch;
+    const deflection::ToolGoal goal{cell.X_WB_nominal.inverse() * hole, Eigen::Vector3d::UnitZ()};
+    const auto branches = deflection::solveInverseKinematics(cell.arm, goal, 0, gravity_B).branches;
+    const std::string id = "T" + std::to_string(cell.plans.size() + 1);
+    cell.plans.push_back({id, "H" + std::to_string(cell.plans.size() + 1), hole, branches.front().q});
+  }
+  return cell;
+}
+
+/// Touches of the true arm; with sigma 0 exact ones, which still carry a stated noise of 0.005 in.
+inline std::vector<Measurement> touchesOf(const TouchedCell& cell, double sigma_in, std::uint64_t seed) {
+  deflection::Arm truth = cell.arm;
+  if (sigma_in == 0)
+    for (auto& row : truth.rows) row.joint.encoder_sigma = 0;
+  TouchSimulationOptions options;
+  options.sigma = sigma_in * kInch;
+  options.seed = seed;
+  auto touches = simulateTouches(truth, cell.X_WB_true, cell.plans, options).touches;
+  for (auto& touch : touches) touch.sigma = (sigma_in == 0 ? 0.005 : sigma_in) * kInch;
+  return touches;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,128 @@
+// Judging on what was not fitted: whole poses, the same folds for the same seed.
+#include "calibration/estimation/held_out.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+/// Touches of points under three loads, and positions whose postures repeat within the encoders' noise.
+std::vector<Measurement> campaign(std::uint64_t seed) {
+  ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+  maker.addTouches(8, {0, 20 * kPound, 40 * kPound}, false);
+  maker.add(MeasurementKind::kPosition, 30);
+  for (int repeat = 0; repeat < 2; ++repeat)
+    for (std::size_t k = 24; k < 54; ++k) {
+      maker.readings.push_back(maker.readings[k]);
+      for (int j = 0; j < 4; ++j) maker.readings.back().q[j] += maker.noise(0.002 * kDegree);
+    }
+  return maker.readings;
+}
+
+TEST(HeldOut, ReadingsOfOnePointOrPostureGoTogether) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const auto groups = groupByPose(campaign(seed));
+    ASSERT_EQ(groups.size(), 24u + 90);
+    for (std::size_t k = 0; k < 24; ++k) EXPECT_EQ(groups[k], groups[k - k % 3]);
+    for (std::size_t k = 24; k < 54; ++k) {
+      EXPECT_EQ(groups[k + 30], groups[k]) << "posture " << k;
+      EXPECT_EQ(groups[k + 60], groups[k]) << "posture " << k;
+    }
+    EXPECT_EQ(std::set<int>(groups.begin(), groups.end()).size(), 38u);
+  }
+}
+
+TEST(HeldOut, ASlowSweepIsNotOneGroup) {
+  std::vector<Measurement> readings(200);
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    readings[k].q = Eigen::Vector4d(0.3, 1, -1, static_cast<double>(k) * 0.005);
+  const auto groups = groupByPose(readings);
+  const auto count = std::set<int>(groups.begin(), groups.end()).size();
+  EXPECT_GT(count, 40u);
+  EXPECT_LT(count, 120u);
+}
+
+TEST(HeldOut, APostureInAnotherSetUpIsAnotherPose) {
+  std::vector<Measurement> readings(2);
+  for (auto& m : readings) m.q = Eigen::Vector4d(0.1, 0.2, 0.3, 0.4);
+  EXPECT_EQ(groupByPose(readings)[1], 0);
+  readings[1].setup = "B";
+  EXPECT_EQ(groupByPose(readings)[1], 1);
+}
+
+TEST(HeldOut, FoldsSplitNoGroupAndAreEven) {
+  const auto readings = campaign(5);
+  const auto groups = groupByPose(readings);
+  for (const int folds : {2, 5, 10}) {
+    const auto fold = foldsOf(readings, folds, 7);
+    std::vector<std::set<int>> groups_of(static_cast<std::size_t>(folds));
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      ASSERT_GE(fold[k], 0);
+      ASSERT_LT(fold[k], folds);
+      groups_of[static_cast<std::size_t>(fold[k])].insert(groups[k]);
+    }
+    std::size_t sum = 0;
+    for (const auto& some : groups_of) {
+      sum += some.size();
+      EXPECT_NEAR(static_cast<double>(some.size()), 38. / folds, 1);
+    }
+    EXPECT_EQ(sum, 38u) << "a group in two folds";
+  }
+}
+
+TEST(HeldOut, TheSameSeedDrawsTheSameFolds) {
+  const auto readings = campaign(6);
+  EXPECT_EQ(foldsOf(readings, 5, 3), foldsOf(readings, 5, 3));
+  EXPECT_NE(foldsOf(readings, 5, 3), foldsOf(readings, 5, 4));
+}
+
+TEST(HeldOut, FewerGroupsThanFoldsMakeFewerFolds) {
+  std::vector<Measurement> readings(4);
+  for (std::size_t k = 0; k < 4; ++k) readings[k].q = Eigen::Vector4d(static_cast<double>(k / 2), 0, 0, 0);
+  const auto fold = foldsOf(readings, 5, 1);
+  EXPECT_EQ(fold[0], fold[1]);
+  EXPECT_EQ(std::set<int>(fold.begin(), fold.end()).size(), 2u);
+  EXPECT_TRUE(foldsOf({}, 5, 1).empty());
+}
+
+TEST(HeldOut, JudgesByTheErrorsOfTheTruth) {
+  ReadingMaker maker(cobra(), 9);
+  maker.add(MeasurementKind::kPosition, 6);
+  EXPECT_LE(judge(cobra(), maker.readings).max, 1e-8);
+  for (auto& m : maker.readings) *m.p_W += Eigen::Vector3d(3e-3, 0, -4e-3);
+  const ErrorSize size = judge(cobra(), maker.readings);
+  EXPECT_EQ(size.readings, 6);
+  for (const double figure : {size.rms, size.mean, size.max}) EXPECT_NEAR(figure, 5e-3, 1e-8);
+  EXPECT_EQ(judge(cobra(), {}).readings, 0);
+}
+
+// A number that the readings do not need at all makes the held-out error larger, not smaller, on average; and every
+// reading is judged once, by a fit that has not seen it.
+TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
+  PlacedArm placed = cobra();
+  ReadingMaker maker(placed, 12, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 12);
+  const auto unknowns = chooseUnknowns(placed, {{"tool.tip"}, false}).list;
+  const auto folds = foldsOf(maker.readings, 4, 1);
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
+  const ErrorSize cross = crossValidate(placed, unknowns, maker.readings, x, folds, {});
+  double squares = 0;
+  for (int fold = 0; fold < 4; ++fold) {
+    std::vector<Measurement> kept, out;
+    for (std::size_t k = 0; k < 12; ++k) (folds[k] == fold ? out : kept).push_back(maker.readings[k]);
+    const Fit fit = fitUnknowns(placed, unknowns, kept, x, {});
+    const ErrorSize part = judge(applied(placed, unknowns, fit.solution.x), out);
+    squares += part.rms * part.rms * part.readings;
+  }
+  EXPECT_EQ(cross.readings, 12);
+  EXPECT_NEAR(cross.rms, std::sqrt(squares / 12), 1e-9);
+  const Fit all = fitUnknowns(placed, unknowns, maker.readings, x, {});
+  EXPECT_GT(cross.rms, judge(applied(placed, unknowns, all.solution.x), maker.readings).rms);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

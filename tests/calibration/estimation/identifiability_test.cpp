@@ -1,0 +1,233 @@
+// What readings determine: exact twins, numbers that none depends on, the redundancies of geometry.
+#include "calibration/estimation/identifiability.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/estimation/identification.hpp"
+#include "calibration/estimation/prior.hpp"
+#include "calibration/estimation/whitened_residual.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using enum Identifiability;
+
+struct Seen {
+  std::vector<Unknown> unknowns;
+  Eigen::MatrixXd jacobian, covariance;
+  std::vector<NumberIdentifiability> found;
+
+  [[nodiscard]] std::size_t indexOf(const std::string& name) const {
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      if (unknowns[k].name == name) return k;
+    ADD_FAILURE() << name;
+    return 0;
+  }
+  [[nodiscard]] const NumberIdentifiability& of(const std::string& name) const { return found[indexOf(name)]; }
+  [[nodiscard]] double numbers() const { return effectiveNumbers(covariance, unknowns); }
+};
+
+Seen see(PlacedArm placed, const std::vector<Measurement>& readings, const FreeChoice& choice) {
+  Seen seen;
+  auto unknowns = chooseUnknowns(placed, choice);
+  EXPECT_TRUE(unknowns.problems.empty());
+  seen.unknowns = unknowns.list;
+  const auto weights = weighReadings(placed, readings);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(seen.unknowns.size()));
+  seen.jacobian = whitenedResidual(placed, seen.unknowns, readings, *weights, zero, true).jacobian;
+  seen.covariance = posteriorCovariance(seen.jacobian, seen.unknowns);
+  seen.found = judgeIdentifiability(seen.jacobian, seen.covariance, seen.unknowns, zero);
+  return seen;
+}
+
+std::vector<Measurement> positions(const PlacedArm& placed, int count, const std::string& setup = "") {
+  ReadingMaker maker(placed, 11);
+  maker.add(MeasurementKind::kPosition, count, setup);
+  return maker.readings;
+}
+
+Eigen::MatrixXd inTypicalSizes(const Seen& seen) {
+  Eigen::MatrixXd columns = seen.jacobian;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k)
+    columns.col(k) *= seen.unknowns[static_cast<std::size_t>(k)].typical;
+  return columns;
+}
+
+/// Rank by singular values, columns over their typical sizes.
+int rankOf(const Seen& seen) {
+  const Eigen::MatrixXd columns = inTypicalSizes(seen);
+  const Eigen::VectorXd values = columns.bdcSvd().singularValues();
+  return static_cast<int>((values.array() > 1e-8 * values[0]).count());
+}
+
+/// Exact readings of an arm without flexibility, whose noise hides nothing.
+void makePrecise(PlacedArm& placed) {
+  placed.arm = deflection::rigidCopy(placed.arm);
+  for (auto& row : placed.arm.rows) row.joint.encoder_sigma = 1e-9;
+}
+
+/// Six revolute axes, no two neighbours parallel.
+PlacedArm sixAxisArm() {
+  PlacedArm placed;
+  const double alpha[] = {10, -80, 70, -95, 85, -100}, a[] = {0.05, 0.1, 0.5, 0.08, 0.06, 0.03},
+               d[] = {0.4, 0.05, 0.1, 0.5, 0.07, 0.1};
+  for (int k = 0; k < 6; ++k) {
+    deflection::Row<double> row;
+    row.name = "link" + std::to_string(k + 1);
+    row.placement = deflection::DenavitHartenberg<double>{alpha[k] * kDegree, a[k], d[k], 0};
+    row.joint.name = "J" + std::to_string(k + 1);
+    row.joint.type = deflection::JointType::kRevolute;
+    row.joint.lower = -170 * kDegree;
+    row.joint.upper = 170 * kDegree;
+    placed.arm.rows.push_back(row);
+  }
+  placed.arm.p_LT = {0.05, 0.03, 0.12};
+  placed.placings = {{"", poseOf({0.3, -0.2, 0.1}, {0.1, 0.2, 0.3}), false}};
+  return placed;
+}
+
+std::vector<Measurement> preciseReadings(const PlacedArm& placed, int count) {
+  auto readings = positions(placed, count);
+  for (auto& m : readings) m.sigma = 1e-6;
+  return readings;
+}
+
+TEST(Identifiability, TwinsAreDeterminedInCombinationAndNameEachOther) {
+  IdentificationOptions options;
+  options.free = {{"latch-link.beam.Iz", "tool.joint_stiffness.z", "latch-link.beam.E"}, false};
+  options.folds = 0;
+  const auto result = identify(cobra(), positions(cobra(), 12), options);
+  ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
+  EXPECT_EQ(result.numbers[0].identifiable, kInCombination);
+  EXPECT_EQ(result.numbers[0].with, std::vector<std::string>{"latch-link.beam.E"});
+  EXPECT_EQ(result.numbers[1].identifiable, kYes);
+  EXPECT_EQ(result.numbers[2].identifiable, kInCombination);
+  EXPECT_EQ(result.numbers[2].with, std::vector<std::string>{"latch-link.beam.Iz"});
+  EXPECT_FALSE(result.numbers[2].note.empty());
+}
+
+// A deflection does not say where the base stands, nor which way it faces; that it leans shows in what hangs down.
+TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
+  PlacedArm placed = cobra();
+  placed.placings[0].is_known = false;
+  ReadingMaker maker(placed, 2);
+  maker.add(MeasurementKind::kDeflection, 10);
+  const FreeChoice choice{{"tool.joint_stiffness.z"}, true};
+  const Seen seen = see(placed, maker.readings, choice);
+  for (const char* name : {"base.shift.x", "base.shift.y", "base.shift.z"}) {
+    EXPECT_EQ(seen.of(name).verdict, kNo) << name;
+    EXPECT_TRUE(seen.of(name).with.empty()) << name;
+  }
+  EXPECT_EQ(seen.of("tool.joint_stiffness.z").verdict, kYes);
+  IdentificationOptions options;
+  options.free = choice;
+  options.folds = 0;
+  const auto result = identify(placed, maker.readings, options);
+  EXPECT_EQ(result.numbers[0].identifiable, kNo);
+  EXPECT_FALSE(result.numbers[0].note.empty());
+  EXPECT_LT(result.fitted.placings[0].X_WB.translation().x() - placed.placings[0].X_WB.translation().x(), 1e-9);
+}
+
+// Six axes need 4 x 6 numbers between them, six for the base and three for the tip, less the six that the first and
+// last frame share with those: 27 of 33.
+TEST(Identifiability, GeometryOfASixAxisArmIsDeterminedUpToItsRedundancies) {
+  PlacedArm placed = sixAxisArm();
+  makePrecise(placed);
+  const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
+  EXPECT_EQ(seen.unknowns.size(), 33u);
+  EXPECT_EQ(rankOf(seen), 27);
+  EXPECT_NEAR(seen.numbers(), 27, 0.01);
+  for (const char* name : {"link2.dh.a", "link3.dh.a", "link3.joint.offset"})
+    EXPECT_EQ(seen.of(name).verdict, kYes) << name;
+  for (const char* name : {"link1.dh.alpha", "link1.dh.a", "link1.dh.d", "link1.joint.offset"}) {
+    EXPECT_EQ(seen.of(name).verdict, kInCombination) << name;
+    EXPECT_TRUE(std::any_of(
+        seen.of(name).with.begin(), seen.of(name).with.end(),
+        [&](int other) { return seen.unknowns[static_cast<std::size_t>(other)].owner == Unknown::Owner::kBase; }))
+        << name << " is the base's as well";
+  }
+}
+
+TEST(Identifiability, AlongParallelAxesOneLengthIsDetermined) {
+  PlacedArm placed = cobra();
+  placed.placings[0].is_known = false;
+  makePrecise(placed);
+  const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
+  EXPECT_EQ(rankOf(seen), 17);  // four axes: 4 x 4 + 3, less one for each axis parallel to the one before
+  EXPECT_NEAR(seen.numbers(), 17, 0.01);
+  for (const char* name : {"latch-link.dh.d", "forearm.dh.d", "tool.dh.d"})
+    EXPECT_EQ(seen.of(name).verdict, kInCombination);
+}
+
+TEST(Identifiability, AKnownBaseSparesItsSixNumbers) {
+  PlacedArm placed = sixAxisArm();
+  makePrecise(placed);
+  placed.placings[0].is_known = true;
+  const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
+  EXPECT_EQ(seen.unknowns.size(), 27u);
+  EXPECT_NEAR(seen.numbers(), 25, 0.01);  // the first frame's four are determined now; the last one's two still are not
+}
+
+TEST(Identifiability, WhatNoiseHidesIsNotIdentifiable) {
+  const auto choice = FreeChoice{{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, false};
+  auto readings = positions(cobra(), 12);
+  for (const auto& number : see(cobra(), readings, choice).found) EXPECT_EQ(number.verdict, kYes);
+  for (auto& m : readings) m.sigma = 10 * kInch;
+  const Seen blurred = see(cobra(), readings, choice);
+  for (const auto& number : blurred.found) EXPECT_EQ(number.verdict, kNo);
+  EXPECT_LT(blurred.numbers(), 1);
+}
+
+// What is identifiable must not hang on a start that may be off by a factor.
+TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
+  auto readings = positions(cobra(), 12);
+  for (const double factor : {1 / 3., 1., 3., 1000.}) {
+    PlacedArm off = cobra();
+    for (auto& row : off.arm.rows) {
+      row.joint_stiffness *= factor;
+      if (row.beam) row.beam->I *= factor;
+    }
+    IdentificationOptions options;
+    options.free = {{"tool.joint_stiffness.z", "latch-link.beam.Iz", "mezzanine-platform.joint_stiffness.x",
+                     "mezzanine-beam.joint_stiffness.z", "mezzanine-beam.beam.Iz", "forearm.joint_stiffness.z"},
+                    false};
+    options.folds = 0;
+    const auto result = identify(off, readings, options);
+    EXPECT_EQ(result.numbers[0].identifiable, kYes) << factor;
+    EXPECT_EQ(result.numbers[1].identifiable, kYes) << factor;
+  }
+}
+
+/// Readings that hardly reach a stiffness: its interval has no upper end, and so it is not identifiable.
+TEST(Identifiability, AnIntervalWithoutAnEndIsNotYes) {
+  auto readings = positions(cobra(), 6);
+  for (double sigma = 1e-6; sigma < 1; sigma *= 3) {
+    for (auto& m : readings) m.sigma = sigma;
+    IdentificationOptions options;
+    options.free = {{"forearm.joint_stiffness.z", "tool.joint_stiffness.z"}, false};
+    options.folds = 0;
+    const auto result = identify(cobra(), readings, options);
+    for (const auto& number : result.numbers) {
+      if (number.identifiable != kYes) continue;
+      EXPECT_TRUE(std::isfinite(number.lower) && std::isfinite(number.upper)) << number.unknown.name << " " << sigma;
+      EXPECT_LT(number.sigma, number.value) << number.unknown.name << " " << sigma;
+    }
+  }
+}
+
+TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
+  IdentificationOptions options;
+  options.free = {{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, false};
+  options.folds = 0;
+  const auto readings = positions(cobra(), 12);
+  const auto result = identify(cobra(), readings, options);
+  ASSERT_EQ(result.singular_values.size(), 2);
+  const Seen seen = see(cobra(), readings, options.free);
+  const double squares = inTypicalSizes(seen).squaredNorm();
+  EXPECT_NEAR(result.singular_values.squaredNorm(), squares, 1e-3 * squares);
+  EXPECT_GE(result.singular_values[0], result.singular_values[1]);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,280 @@
+// Parameters found again from readings of an arm that is known: exactly without noise, safely with gross errors.
+#include "calibration/estimation/identification.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "calibration/estimation/held_out.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Noise = ReadingMaker::Noise;
+
+IdentificationOptions freeing(const std::vector<std::string>& names) {
+  IdentificationOptions options;
+  options.free.names = names;
+  options.folds = 0;
+  options.intervals_by_profile = false;
+  return options;
+}
+
+/// Without priors, as exact readings of an arm that is far from its file want it.
+IdentificationOptions freeingBlindly(const std::vector<std::string>& names) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  IdentificationOptions options = freeing(names);
+  options.free.priors = {kNone, kNone, kNone, kNone, {}};
+  return options;
+}
+
+double& stiffnessOf(deflection::Arm& arm, const std::string& name) {
+  return deflection::locate(arm, deflection::findParameter(arm, name)->path);
+}
+
+const std::vector<std::string> kSoft{"tool.joint_stiffness.z", "latch-link.beam.Iz",
+                                     "mezzanine-platform.joint_stiffness.x"};
+
+/// Every stiffness off by a factor of three, this way or that.
+PlacedArm offByThree(PlacedArm placed, const std::vector<std::string>& names, unsigned ways) {
+  for (std::size_t k = 0; k < names.size(); ++k) stiffnessOf(placed.arm, names[k]) *= ways >> k & 1U ? 3 : 1 / 3.;
+  return placed;
+}
+
+void expectFound(const Identification& result, const PlacedArm& truth, double relative) {
+  ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
+  for (const auto& number : result.numbers) {
+    if (number.unknown.owner == Unknown::Owner::kBase) continue;
+    const double value = deflection::findParameter(truth.arm, number.unknown.name)->value;
+    EXPECT_NEAR(number.value, value, relative * std::max(std::abs(value), number.unknown.typical))
+        << number.unknown.name;
+  }
+  for (std::size_t p = 0; p < truth.placings.size(); ++p)
+    EXPECT_LE((result.fitted.placings[p].X_WB.matrix() - truth.placings[p].X_WB.matrix()).norm(), relative) << p;
+}
+
+TEST(Identification, FindsTheTruthFromEveryKindOfReading) {
+  const struct {
+    MeasurementKind kind;
+    int count;
+  } kKinds[] = {{MeasurementKind::kPosition, 8},
+                {MeasurementKind::kDeflection, 10},
+                {MeasurementKind::kDistance, 20},
+                {MeasurementKind::kAxis, 20}};
+  const PlacedArm truth = cobra();
+  unsigned ways = 2;
+  for (const auto& [kind, count] : kKinds) {
+    ReadingMaker maker(truth, 21);
+    maker.add(kind, count);
+    SCOPED_TRACE(static_cast<int>(kind));
+    expectFound(identify(offByThree(truth, kSoft, ways++), maker.readings, freeingBlindly(kSoft)), truth, 1e-6);
+  }
+  for (const bool known : {false, true}) {
+    ReadingMaker maker(truth, 22);
+    maker.addTouches(8, {0, 20 * kPound, 40 * kPound}, known);
+    SCOPED_TRACE(known ? "known points" : "unknown points");
+    expectFound(identify(offByThree(truth, kSoft, ways++), maker.readings, freeingBlindly(kSoft)), truth, 1e-6);
+  }
+}
+
+TEST(Identification, FindsTheTruthFromAMixOfKindsAtTwoSetUpsFromAnyFactorOfThree) {
+  const PlacedArm truth = cobraTwice();
+  ReadingMaker maker(truth, 23);
+  addEveryKind(maker, 4, "A");
+  maker.add(MeasurementKind::kPosition, 6, "B");
+  maker.add(MeasurementKind::kDeflection, 4, "B");
+  auto names = kSoft;
+  names.insert(names.end(), {"forearm.dh.a", "forearm.joint.offset"});
+  for (const unsigned ways : {0U, 3U, 5U, 7U}) {
+    PlacedArm start = offByThree(truth, kSoft, ways);
+    for (auto& placing : start.placings) placing.X_WB = poseOf({0.3, 0, 0}, {0, 0, 0});
+    stiffnessOf(start.arm, "forearm.dh.a") += 0.004;
+    stiffnessOf(start.arm, "forearm.joint.offset") -= 0.01;
+    SCOPED_TRACE(ways);
+    const auto result = identify(start, maker.readings, freeingBlindly(names));
+    expectFound(result, truth, 1e-6);
+    EXPECT_LT(result.chi2, 1e-6);
+    EXPECT_LT(result.after.max, 1e-8);
+    EXPECT_GT(result.before.rms, 0.1);
+  }
+}
+
+TEST(Identification, AnAxisTakenAsRigidIsFoundToGive) {
+  PlacedArm truth = cobra();
+  truth.arm.rows[2].joint_stiffness.y() = 40000;
+  ReadingMaker maker(truth, 24);
+  maker.add(MeasurementKind::kPosition, 8);
+  const auto result = identify(cobra(), maker.readings, freeingBlindly({"base-link.joint_stiffness.y"}));
+  expectFound(result, truth, 1e-6);
+}
+
+TEST(Identification, TheNumbersOfANoisyFitAreWithinTheirIntervals) {
+  // Twelve intervals of 95 % each: at most two outside unless the chance is below 0.02.
+  int outside = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    ReadingMaker maker(cobra(), seed, Noise::kStated);
+    addEveryKind(maker, 3);
+    const auto result = identify(cobra(), maker.readings, freeing(kSoft));
+    EXPECT_GT(result.p_value, 1e-3);
+    EXPECT_EQ(result.degrees_of_freedom, 3 * 3 + 3 * 3 + 3 + 3 * 6 + 3 * 9 - 9 - 3);
+    for (const auto& number : result.numbers) {
+      EXPECT_LT(number.lower, number.value);
+      outside += number.unknown.start < number.lower || number.unknown.start > number.upper;
+    }
+  }
+  EXPECT_LE(outside, 2);
+}
+
+TEST(Identification, TheSameSeedGivesTheSameNumbers) {
+  ReadingMaker maker(cobra(), 25, Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 8);
+  auto options = freeing(kSoft);
+  options.starts = 3;
+  options.folds = 3;
+  const auto one = identify(cobra(), maker.readings, options), two = identify(cobra(), maker.readings, options);
+  for (std::size_t k = 0; k < one.numbers.size(); ++k) EXPECT_EQ(one.numbers[k].value, two.numbers[k].value);
+  EXPECT_EQ(one.heldout.rms, two.heldout.rms);
+  EXPECT_EQ(one.starts_agreeing, 3);
+}
+
+TEST(Identification, HeldOutReadingsAreJudgedButNotFitted) {
+  ReadingMaker maker(cobra(), 26);
+  maker.add(MeasurementKind::kPosition, 10);
+  for (std::size_t k = 8; k < 10; ++k) {
+    maker.readings[k].is_held_out = true;
+    *maker.readings[k].p_W += Eigen::Vector3d(0, 0.02, 0);
+  }
+  const auto result = identify(cobra(), maker.readings, freeing(kSoft));
+  EXPECT_LT(result.after.max, 1e-8);
+  EXPECT_EQ(result.heldout.readings, 2);
+  EXPECT_NEAR(result.heldout.mean, 0.02, 1e-7);
+  EXPECT_EQ(result.used.size(), 8u);
+}
+
+TEST(Identification, RefusesWithAReason) {
+  ReadingMaker maker(cobra(), 27);
+  maker.add(MeasurementKind::kPosition, 3);
+  EXPECT_EQ(identify(cobra(), maker.readings, freeing({})).status, IdentificationStatus::kRefused);
+  const auto unknown = identify(cobra(), maker.readings, freeing({"tool.jiont_stiffness.z"}));
+  EXPECT_EQ(unknown.status, IdentificationStatus::kRefused);
+  ASSERT_EQ(unknown.problems.size(), 1u);
+  const auto empty = identify(cobra(), {}, freeing(kSoft));
+  EXPECT_EQ(empty.status, IdentificationStatus::kRefused);
+  EXPECT_FALSE(empty.reason.empty());
+  ReadingMaker lone(cobra(), 28);
+  lone.add(MeasurementKind::kPosition, 2);
+  lone.addTouches(1, {0}, false);
+  lone.readings[0].is_held_out = true;
+  const auto once = identify(cobra(), lone.readings, freeing(kSoft));
+  ASSERT_TRUE(once.reading_problem);
+  EXPECT_EQ(once.reading_problem->reading, 2) << "as it was given, held-out readings counted";
+}
+
+/// A rigid arm, quick to evaluate: what outliers do does not depend on flexibility.
+PlacedArm rigidCobra() {
+  PlacedArm placed = cobra();
+  placed.arm = deflection::rigidCopy(placed.arm);
+  placed.placings[0].is_known = false;
+  return placed;
+}
+
+const std::vector<std::string> kOffsets{"latch-link.joint.offset", "forearm.joint.offset", "tool.joint.offset"};
+
+/// Gross errors on these readings, each in its own direction [m].
+std::vector<Measurement> spoilt(std::vector<Measurement> readings, const std::vector<std::size_t>& which, double size) {
+  const Eigen::Vector3d ways[] = {{1, 0, 0}, {0, 0.6, -0.8}, {-0.6, 0.8, 0}};
+  for (std::size_t k = 0; k < which.size(); ++k) *readings[which[k]].p_W += size * ways[k % 3];
+  return readings;
+}
+
+TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    ReadingMaker maker(rigidCobra(), seed, Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 40);
+    const auto readings = spoilt(maker.readings, {4, 23}, 0.1 * kInch);
+    for (const auto loss : {RobustLoss::kNone, RobustLoss::kHuber, RobustLoss::kCauchy}) {
+      auto options = freeing(kOffsets);
+      options.loss = loss;
+      const auto result = identify(rigidCobra(), readings, options);
+      ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
+      std::set<int> named;
+      for (const auto& outlier : result.outliers) {
+        named.insert(outlier.reading);
+        // Off by the gross error and its own noise, a few thousandths of an inch.
+        EXPECT_NEAR(outlier.size, 0.1 * kInch, 0.025 * kInch) << seed << " loss " << static_cast<int>(loss);
+      }
+      EXPECT_EQ(named, (std::set<int>{4, 23})) << seed << " loss " << static_cast<int>(loss);
+    }
+  }
+}
+
+TEST(Outliers, CleanReadingsHaveNone) {
+  PlacedArm placed = rigidCobra();
+  placed.placings[0].is_known = true;
+  int clean = 0;
+  constexpr int kSeeds = 100;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    ReadingMaker maker(placed, seed, Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 12);
+    maker.add(MeasurementKind::kDistance, 6);
+    clean += identify(placed, maker.readings, freeing(kOffsets)).outliers.empty();
+  }
+  EXPECT_GE(clean, 95);
+}
+
+// Noise stated eight times too small makes every reading as bad as any other.
+TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
+  PlacedArm start = rigidCobra();
+  for (auto& row : start.arm.rows) row.joint.encoder_sigma /= 8;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    ReadingMaker maker(rigidCobra(), seed, Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 30);
+    for (auto& m : maker.readings) m.sigma /= 8;
+    const auto result = identify(start, maker.readings, freeing(kOffsets));
+    EXPECT_TRUE(result.outliers.empty()) << seed;
+    // Of eight sigmas one is stated: the rest, root of 63 of them, is taken for the model's own error.
+    EXPECT_NEAR(result.model_error / maker.readings.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
+  }
+}
+
+// Where touches of unknown points are weakened, the error is still from the estimates that the noise alone makes.
+TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
+  ReadingMaker maker(cobra(), 5, Noise::kStated);
+  maker.addTouches(15, {0, 30 * kPound}, false);
+  for (std::size_t k = 0; k < maker.readings.size(); k += 7) maker.readings[k].q[1] += 0.2 * kDegree;
+  IdentificationOptions options = freeing(kSoft);
+  options.loss = RobustLoss::kCauchy;
+  const auto result = identify(cobra(), maker.readings, options);
+  ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
+  EXPECT_NEAR(judge(result.fitted, maker.readings).rms, result.after.rms, 1e-3 * result.after.rms);
+}
+
+TEST(RobustLoss, HoldsAgainstGrossErrorsInOneReadingOfTwenty) {
+  double worst_plain = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const PlacedArm truth = rigidCobra();
+    ReadingMaker maker(truth, seed, Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 40);
+    const auto readings = spoilt(maker.readings, {7, 31}, 1.0625 * kInch);
+    for (const auto loss : {RobustLoss::kNone, RobustLoss::kHuber, RobustLoss::kCauchy}) {
+      auto options = freeing(kOffsets);
+      options.loss = loss;
+      const auto clean = identify(truth, maker.readings, freeing(kOffsets));
+      const auto result = identify(truth, readings, options);
+      ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
+      double worst = 0;
+      for (std::size_t k = 6; k < 9; ++k)
+        worst = std::max(worst,
+                         std::abs(result.numbers[k].value - result.numbers[k].unknown.start) / clean.numbers[k].sigma);
+      if (loss == RobustLoss::kNone)
+        worst_plain = std::max(worst_plain, worst);
+      else
+        EXPECT_LT(worst, 5) << seed << " loss " << static_cast<int>(loss);
+    }
+  }
+  EXPECT_GT(worst_plain, 20) << "the gross errors do no harm: nothing is shown";
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,91 @@
+// Least-squares problems with known answers, and a watch on what they are asked.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <cmath>
+
+#include "calibration/estimation/least_squares.hpp"
+
+namespace tubeplan::calibration {
+
+inline constexpr double kFar = 1e20;
+
+inline LeastSquaresProblem problemAt(const Eigen::VectorXd& start) {
+  LeastSquaresProblem problem;
+  problem.start = start;
+  problem.lower = Eigen::VectorXd::Constant(start.size(), -kFar);
+  problem.upper = Eigen::VectorXd::Constant(start.size(), kFar);
+  problem.scale = Eigen::VectorXd::Ones(start.size());
+  return problem;
+}
+
+inline double chi2Of(const LeastSquaresProblem& problem, const Eigen::VectorXd& x) {
+  Eigen::VectorXd r;
+  EXPECT_TRUE(problem.evaluate(x, r, nullptr));
+  return r.squaredNorm();
+}
+
+/// A curved valley with its bottom, zero, at (1, 1).
+inline LeastSquaresProblem rosenbrock() {
+  auto problem = problemAt(Eigen::Vector2d(-1.2, 1));
+  problem.evaluate = [](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
+    r = Eigen::Vector2d(10 * (x[1] - x[0] * x[0]), 1 - x[0]);
+    if (J) *J = (Eigen::Matrix2d() << -20 * x[0], 10, -1, 0).finished();
+    return true;
+  };
+  return problem;
+}
+
+/// log x0 = 0 and x1 = x0, which have no meaning where x0 <= 0: where a full Newton step from the start leads.
+inline LeastSquaresProblem halfPlane(bool say_so) {
+  auto problem = problemAt(Eigen::Vector2d(8, 0));
+  problem.evaluate = [say_so](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
+    if (x[0] <= 0 && say_so) return false;
+    r = Eigen::Vector2d(x[0] > 0 ? std::log(x[0]) : std::nan(""), x[1] - x[0]);
+    if (J) *J = (Eigen::Matrix2d() << 1 / x[0], 0, -1, 1).finished();
+    return true;
+  };
+  return problem;
+}
+
+/// A x = b of random numbers, more rows than columns, within bounds that cut off some of the free answer. Columns are
+/// all but one and the same where `own`, their own part, is small.
+inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
+  constexpr int kRows = 12, kColumns = 5;
+  boost::random::mt19937_64 random(seed);
+  boost::random::uniform_real_distribution<double> share(-1, 1);
+  Eigen::MatrixXd A(kRows, kColumns);
+  Eigen::VectorXd b(kRows);
+  for (double& number : A.reshaped()) number = share(random);
+  if (own < 1) A = own * A + (1 - own) * A.col(0).replicate<1, kColumns>();
+  for (double& number : b) number = 10 * share(random);
+  auto problem = problemAt(Eigen::VectorXd::Zero(kColumns));
+  problem.lower.setConstant(-1);
+  problem.upper.setConstant(1.5);
+  problem.evaluate = [A, b](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
+    r = A * x - b;
+    if (J) *J = A;
+    return true;
+  };
+  return problem;
+}
+
+/// What a problem was asked, seen from outside.
+struct Asked {
+  int values = 0, jacobians = 0, out_of_bounds = 0;
+};
+
+inline LeastSquaresProblem watched(LeastSquaresProblem problem, Asked& asked) {
+  problem.evaluate = [&asked, inner = problem.evaluate, lower = problem.lower, upper = problem.upper](
+                         const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
+    ++(J ? asked.jacobians : asked.values);
+    asked.out_of_bounds += (x.array() < lower.array()).any() || (x.array() > upper.array()).any();
+    return inner(x, r, J);
+  };
+  return problem;
+}
+
+}  // namespace tubeplan::calibration

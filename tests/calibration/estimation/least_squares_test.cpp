@@ -1,0 +1,286 @@
+// The methods behind every fit, each row of their table alike, on problems with known answers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/calibration/estimation/known_problems.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
+using Status = LeastSquaresStatus;
+
+class EveryMethod : public testing::TestWithParam<std::string_view> {
+ protected:
+  LeastSquaresMethod method() const {
+    for (const auto& kind : leastSquaresMethods())
+      if (kind.name == GetParam()) return kind.method;
+    throw std::logic_error("no such method");
+  }
+  LeastSquaresResult minimize(const LeastSquaresProblem& problem, std::optional<int> max_iterations = 100000) const {
+    return minimizeLeastSquares(problem, {std::nullopt, max_iterations, method()});
+  }
+  bool asksForJacobians() const { return method() != LeastSquaresMethod::kHookeJeeves; }
+};
+
+std::vector<std::string_view> methodNames() {
+  std::vector<std::string_view> names;
+  for (const auto& kind : leastSquaresMethods()) names.push_back(kind.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(LeastSquares, EveryMethod, testing::ValuesIn(methodNames()), [](const auto& tested) {
+  std::string name(tested.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(EveryMethod, FindsTheBottomOfTheValley) {
+  const auto found = minimize(rosenbrock());
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_NEAR(found.x[0], 1, 1e-4);
+  EXPECT_NEAR(found.x[1], 1, 2e-4);
+  EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
+}
+
+TEST_P(EveryMethod, StaysWithinBounds) {
+  auto problem = rosenbrock();
+  problem.upper[0] = 0.5;
+  Asked asked;
+  const auto found = minimize(watched(problem, asked));
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_NEAR(found.x[0], 0.5, 1e-6);
+  EXPECT_NEAR(found.x[1], 0.25, 1e-5);
+  EXPECT_EQ(asked.out_of_bounds, 0);
+}
+
+/// At the least of a convex sum within a box the gradient is zero in each free variable and pushes outwards in the
+/// rest.
+TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
+  int at_bounds = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Asked asked;
+    const auto problem = watched(randomLinear(seed), asked);
+    const auto found = minimize(problem);
+    ASSERT_EQ(found.status, Status::kConverged) << seed << ": " << found.reason;
+    EXPECT_EQ(asked.out_of_bounds, 0);
+    VectorXd r;
+    MatrixXd J;
+    problem.evaluate(found.x, r, &J);
+    const VectorXd gradient = J.transpose() * r;
+    for (int k = 0; k < gradient.size(); ++k) {
+      const bool low = found.x[k]<problem.lower[k] + 1e-6, high = found.x[k]> problem.upper[k] - 1e-6;
+      at_bounds += low || high;
+      EXPECT_GE(gradient[k], high ? -kFar : -1e-4) << seed;
+      EXPECT_LE(gradient[k], low ? kFar : 1e-4) << seed;
+    }
+  }
+  EXPECT_GT(at_bounds, 20);
+  EXPECT_LT(at_bounds, 80);
+}
+
+/// With scales that are powers of two the same numbers are computed, to the last bit.
+TEST_P(EveryMethod, WorksInUnitsOfTheScale) {
+  const Vector2d scale(0.25, 8);
+  auto problem = rosenbrock(), stretched = rosenbrock();
+  stretched.start = problem.start.cwiseProduct(scale);
+  stretched.scale = scale;
+  stretched.evaluate = [&](const VectorXd& x, VectorXd& r, MatrixXd* J) {
+    const bool ok = problem.evaluate(x.cwiseQuotient(scale), r, J);
+    if (J) *J = *J * scale.cwiseInverse().asDiagonal();
+    return ok;
+  };
+  const auto found = minimize(problem), found_stretched = minimize(stretched);
+  EXPECT_EQ(found_stretched.x, found.x.cwiseProduct(scale));
+  EXPECT_EQ(found_stretched.evaluations, found.evaluations);
+  EXPECT_EQ(found_stretched.jacobian_evaluations, found.jacobian_evaluations);
+}
+
+TEST_P(EveryMethod, CountsWhatItAsks) {
+  auto bounded = rosenbrock();
+  bounded.lower[1] = 1.5;
+  for (const auto& problem : {rosenbrock(), bounded, halfPlane(true), halfPlane(false), randomLinear(3)})
+    for (const int limit : {0, 1, 5, 100000}) {
+      Asked asked;
+      const auto found = minimize(watched(problem, asked), limit);
+      EXPECT_EQ(found.evaluations, asked.values);
+      EXPECT_EQ(found.jacobian_evaluations, asked.jacobians);
+      EXPECT_EQ(asked.jacobians > 0, asksForJacobians());
+      EXPECT_LE(found.iterations, limit);
+    }
+}
+
+TEST_P(EveryMethod, SaysWhenItRanOutOfIterations) {
+  const auto found = minimize(rosenbrock(), 2);
+  EXPECT_EQ(found.status, Status::kIterationLimit);
+  EXPECT_FALSE(found.reason.empty());
+  EXPECT_EQ(found.iterations, 2);
+  EXPECT_LT(found.chi2, chi2Of(rosenbrock(), rosenbrock().start));
+  EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
+}
+
+TEST_P(EveryMethod, AFinerToleranceWorksOnAndComesNoLessNear) {
+  double last_off = kFar;
+  int last_evaluations = 0;
+  for (const double tolerance : {1e-1, 1e-3, 1e-5}) {
+    const auto found = minimizeLeastSquares(rosenbrock(), {tolerance, 100000, method()});
+    ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+    const double off = (found.x - Vector2d(1, 1)).norm();
+    EXPECT_LE(off, last_off);
+    EXPECT_GE(found.evaluations, last_evaluations);
+    last_off = off;
+    last_evaluations = found.evaluations;
+  }
+  EXPECT_LE(last_off, 1e-4);
+}
+
+TEST_P(EveryMethod, SaysWhenTheModelCannotBeEvaluatedAtAll) {
+  for (const bool say_so : {true, false}) {
+    auto problem = rosenbrock();
+    problem.evaluate = [say_so](const VectorXd&, VectorXd& r, MatrixXd* J) {
+      r = Vector2d::Constant(std::nan(""));
+      if (J) *J = Eigen::Matrix2d::Zero();
+      return !say_so;
+    };
+    const auto found = minimize(problem);
+    EXPECT_EQ(found.status, Status::kFailed);
+    EXPECT_FALSE(found.reason.empty());
+    EXPECT_TRUE(std::isnan(found.chi2));
+    EXPECT_EQ(found.x, problem.start);
+  }
+}
+
+TEST_P(EveryMethod, TurnsBackWhereTheModelCannotBeEvaluated) {
+  for (const bool say_so : {true, false}) {
+    const auto found = minimize(halfPlane(say_so));
+    ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+    EXPECT_NEAR(found.x[0], 1, 1e-5);
+    EXPECT_NEAR(found.x[1], 1, 1e-5);
+  }
+}
+
+/// Derivatives end at x0 = 0.5, half way down the valley.
+TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
+  auto problem = rosenbrock();
+  problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {
+    return inner(x, r, J) && !(J && x[0] > 0.5);
+  };
+  const auto found = minimize(problem);
+  EXPECT_EQ(found.status, asksForJacobians() ? Status::kFailed : Status::kConverged) << found.reason;
+  EXPECT_FALSE(found.reason.empty());
+  EXPECT_LT(found.chi2, chi2Of(rosenbrock(), rosenbrock().start));
+  EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
+}
+
+TEST_P(EveryMethod, LeavesFixedVariablesWhereTheyAre) {
+  auto problem = rosenbrock();
+  problem.lower[0] = problem.upper[0] = 0.3;  // not where it starts
+  Asked asked;
+  const auto found = minimize(watched(problem, asked));
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_EQ(found.x[0], 0.3);
+  EXPECT_NEAR(found.x[1], 0.09, 1e-6);
+  EXPECT_EQ(asked.out_of_bounds, 0);
+}
+
+TEST_P(EveryMethod, OnlyEvaluatesWhereEveryVariableIsFixed) {
+  auto problem = rosenbrock();
+  problem.lower = problem.upper = Vector2d(0.3, 0.4);
+  Asked asked;
+  const auto found = minimize(watched(problem, asked));
+  EXPECT_EQ(found.status, Status::kConverged);
+  EXPECT_EQ(found.x, problem.lower);
+  EXPECT_DOUBLE_EQ(found.chi2, 3.1 * 3.1 + 0.7 * 0.7);
+  EXPECT_EQ(asked.values + asked.jacobians, 1);
+  problem.evaluate = [](const VectorXd&, VectorXd&, MatrixXd*) { return false; };
+  EXPECT_EQ(minimize(problem).status, Status::kFailed);
+}
+
+TEST_P(EveryMethod, StartsFromTheNearestPointWithinBounds) {
+  auto problem = rosenbrock();
+  problem.start = Vector2d(-50, 7);
+  problem.lower = Vector2d(-1, -1);
+  problem.upper = Vector2d(2, 2);
+  Asked asked;
+  const auto found = minimize(watched(problem, asked));
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_NEAR(found.x[0], 1, 1e-4);
+  EXPECT_NEAR(found.x[1], 1, 2e-4);
+  EXPECT_EQ(asked.out_of_bounds, 0);
+}
+
+TEST_P(EveryMethod, RestsWhereNothingDependsOnTheVariables) {
+  auto problem = rosenbrock();
+  problem.evaluate = [](const VectorXd&, VectorXd& r, MatrixXd* J) {
+    r = Vector2d(3, 4);
+    if (J) *J = Eigen::Matrix2d::Zero();
+    return true;
+  };
+  const auto found = minimize(problem);
+  EXPECT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_DOUBLE_EQ(found.chi2, 25);
+}
+
+/// In units of the scale and back this bound becomes a number above itself.
+TEST_P(EveryMethod, BoundsHoldToTheLastBit) {
+  auto problem = rosenbrock();
+  problem.scale[0] = 0.3;
+  problem.upper[0] = 0.7;
+  ASSERT_GT(problem.upper[0] / problem.scale[0] * problem.scale[0], problem.upper[0]);
+  Asked asked;
+  const auto found = minimize(watched(problem, asked));
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_EQ(asked.out_of_bounds, 0);
+  EXPECT_LE(found.x[0], problem.upper[0]);
+  EXPECT_NEAR(found.x[1], 0.49, 1e-4);
+}
+
+TEST_P(EveryMethod, RefusesBoundsTheWrongWayRound) {
+  auto problem = rosenbrock();
+  problem.lower[1] = 2;
+  problem.upper[1] = 1;
+  const auto found = minimize(problem);
+  EXPECT_EQ(found.status, Status::kFailed);
+  EXPECT_NE(found.reason.find("above its upper bound"), std::string::npos);
+  EXPECT_EQ(found.evaluations + found.jacobian_evaluations, 0);
+}
+
+/// A misfit that stays hides gradient and chi2 in its rounding: no method may search that for ever, nor give up.
+TEST_P(EveryMethod, RestsOnALargeMisfit) {
+  auto problem = rosenbrock();
+  problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {
+    inner(x, r, J);
+    r = (VectorXd(4) << r.array() + 1e5, r.array() - 1e5).finished();
+    if (J) *J = J->replicate<2, 1>().eval();
+    return true;
+  };
+  const auto found = minimizeLeastSquares(problem, {1e-15, 100000, method()});
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_LT(found.iterations, 10000);
+  EXPECT_NEAR(found.x[0], 1, 0.05);  // chi2 is 4e10, its rounding 8e-6; this far along the valley it changes by 5e-3
+}
+
+TEST(LeastSquaresMethods, EachHasItsOwnName) {
+  std::set<std::string_view> names;
+  std::set<LeastSquaresMethod> methods;
+  for (const auto& kind : leastSquaresMethods()) {
+    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+    EXPECT_TRUE(methods.insert(kind.method).second) << kind.name;
+    EXPECT_FALSE(kind.summary.empty());
+  }
+  EXPECT_TRUE(methods.contains(LeastSquaresOptions{}.method));
+}
+
+TEST(LeastSquaresMethods, TheInteriorPointIsExact) {
+  const auto found = minimizeLeastSquares(rosenbrock(), {.method = LeastSquaresMethod::kInteriorPoint});
+  ASSERT_EQ(found.status, Status::kConverged) << found.reason;
+  EXPECT_NEAR(found.x[0], 1, 1e-8);
+  EXPECT_NEAR(found.x[1], 1, 1e-8);
+  EXPECT_NEAR(found.chi2, 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

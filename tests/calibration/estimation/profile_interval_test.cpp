@@ -1,0 +1,101 @@
+// Intervals by profile: where the model is linear they are those by sigma, and else they say what sigma cannot.
+#include "calibration/estimation/profile_interval.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/estimation/prior.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+struct Fitted {
+  PlacedArm start;
+  std::vector<Unknown> unknowns;
+  std::vector<Measurement> readings;
+  Fit fit;
+
+  [[nodiscard]] double sigmaOf(int k) const { return std::sqrt(fit.covariance(k, k)); }
+  [[nodiscard]] ProfileInterval profile(int k) const {
+    return profileInterval(start, unknowns, readings, fit, k, sigmaOf(k));
+  }
+  /// What a fit minimises.
+  [[nodiscard]] double leastChi2() const {
+    return fit.solution.chi2 + priorResiduals(unknowns, fit.solution.x).squaredNorm();
+  }
+};
+
+Fitted fitted(PlacedArm start, const std::vector<Measurement>& readings, const FreeChoice& choice) {
+  Fitted result{std::move(start), {}, readings, {}};
+  result.unknowns = chooseUnknowns(result.start, choice).list;
+  const auto n = static_cast<Eigen::Index>(result.unknowns.size());
+  result.fit = fitUnknowns(result.start, result.unknowns, result.readings, Eigen::VectorXd::Zero(n), {});
+  EXPECT_EQ(result.fit.solution.status, LeastSquaresStatus::kConverged) << result.fit.solution.reason;
+  return result;
+}
+
+// The tip's place in the last link is linear in the measured positions of a rigid arm.
+TEST(ProfileInterval, EqualsTheNormalOneWhereTheModelIsLinear) {
+  PlacedArm placed = cobra();
+  placed.arm = deflection::rigidCopy(placed.arm);
+  ReadingMaker maker(placed, 3, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 8);
+  const Fitted f = fitted(placed, maker.readings, {{"tool.tip"}, false});
+  for (int k = 0; k < 3; ++k) {
+    const auto interval = f.profile(k);
+    const double half = 1.959964 * f.sigmaOf(k);
+    EXPECT_NEAR(interval.lower, f.fit.solution.x[k] - half, 3e-3 * half) << k;
+    EXPECT_NEAR(interval.upper, f.fit.solution.x[k] + half, 3e-3 * half) << k;
+  }
+}
+
+TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
+  PlacedArm placed = cobra();
+  placed.arm = deflection::rigidCopy(placed.arm);
+  ReadingMaker maker(placed, 4, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 4);
+  const Fitted f = fitted(placed, maker.readings, {{"tool.tip.x"}, false});
+  const auto interval = f.profile(0);
+  EXPECT_NEAR(interval.upper - interval.lower, 2 * 1.959964 * f.sigmaOf(0), 0.01 * f.sigmaOf(0));
+}
+
+// At an interval's end the misfit, everything else fitted again, has risen by what 95 % of chi-square allows.
+TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
+  ReadingMaker maker(cobra(), 5, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 8);
+  const Fitted f = fitted(cobra(), maker.readings, {{"forearm.joint_stiffness.z", "latch-link.beam.Iz"}, false});
+  const double sigma = f.sigmaOf(0);
+  const double give = 1 / valueAt(f.unknowns[0], f.fit.solution.x[0]);
+  ASSERT_GT(sigma, 0.2 * give) << "not a case where the interval is wide";
+  const auto interval = f.profile(0);
+  for (const double end : {interval.lower, interval.upper}) {
+    if (!std::isfinite(end)) continue;
+    auto fixed = f.unknowns;
+    fixed[0].lower = fixed[0].upper = end;
+    Eigen::VectorXd x = f.fit.solution.x;
+    x[0] = end;
+    const auto solution = minimizeLeastSquares(fitProblem(f.start, fixed, f.readings, f.fit.weights, x), {});
+    EXPECT_NEAR(solution.chi2 - f.leastChi2(), 3.841459, 0.02);
+  }
+  // A stiffness may be large far more easily than small.
+  const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
+  EXPECT_GT(most - 1 / give, 1 / give - least);
+}
+
+TEST(ProfileInterval, ANumberThatMayBeRigidHasNoUpperEnd) {
+  PlacedArm truth = cobra();
+  truth.arm.rows[4].joint_stiffness.z() = deflection::kRigid;
+  ReadingMaker maker(truth, 6, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 6);
+  for (auto& m : maker.readings) m.sigma *= 10;
+  PlacedArm start = cobra();
+  start.arm.rows[4].joint_stiffness.z() *= 20;
+  const Fitted f = fitted(start, maker.readings, {{"forearm.joint_stiffness.z"}, false});
+  const auto interval = f.profile(0);
+  const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
+  EXPECT_GT(least, 0);
+  EXPECT_EQ(most, deflection::kRigid);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,237 @@
+// The misfit of a campaign: its derivatives, and touched points that nobody measured.
+#include "calibration/estimation/whitened_residual.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/estimation/fit.hpp"
+#include "deflection/effects/effect.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Stiffnesses, one of a rigid axis, lengths, angles, a weight, a beam and twelve base steps.
+FreeChoice everyScale() {
+  return {{"tool.joint_stiffness.z", "latch-link.beam.Iz", "base-link.joint_stiffness.y", "forearm.dh.a",
+           "latch-link.joint.offset", "forearm.weight.end", "tool.tip"},
+          true};
+}
+
+VectorXd anyStep(const std::vector<Unknown>& unknowns, ReadingMaker& random) {
+  VectorXd x(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    const bool is_base = unknown.owner == Unknown::Owner::kBase;
+    x[k] = is_base                                        ? random.uniform(-0.3, 0.3)
+           : unknown.scale == Unknown::Scale::kCompliance ? random.uniform(0.02, 0.1) * unknown.typical
+                                                          : random.uniform(-0.5, 0.5) * unknown.typical;
+  }
+  return x;
+}
+
+TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
+  ReadingMaker maker(cobraTwice(), 3);
+  addEveryKind(maker, 2, "A");
+  addEveryKind(maker, 2, "B");
+  addUntouched(maker, 2, "B");
+  PlacedArm start = cobraTwice();
+  const auto unknowns = chooseUnknowns(start, everyScale());
+  ASSERT_TRUE(unknowns.problems.empty());
+  ASSERT_EQ(unknowns.list.size(), 21u);
+  const VectorXd x = anyStep(unknowns.list, maker);
+  const auto weights = weighReadings(start, maker.readings);
+  ASSERT_TRUE(weights);
+  const auto exact = whitenedResidual(start, unknowns.list, maker.readings, *weights, x, true);
+  ASSERT_TRUE(exact.ok);
+  for (Index k = 0; k < x.size(); ++k) {
+    const double h = 0.01 * unknowns.list[static_cast<std::size_t>(k)].typical;
+    const auto at = [&](double step) {
+      VectorXd moved = x;
+      moved[k] += step;
+      return whitenedResidual(start, unknowns.list, maker.readings, *weights, moved, false).r;
+    };
+    const VectorXd slope = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+    EXPECT_LE((slope - exact.jacobian.col(k)).norm(), 1e-5 * exact.jacobian.col(k).norm())
+        << unknowns.list[static_cast<std::size_t>(k)].name;
+    EXPECT_GT(exact.jacobian.col(k).norm() * unknowns.list[static_cast<std::size_t>(k)].typical, 1);
+  }
+}
+
+/// Readings side by side and one by one: an effect of size nothing keeps the kernels off.
+TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
+  ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 3, "A");
+  addEveryKind(maker, 3, "B");
+  addUntouched(maker, 2, "A");
+  PlacedArm fast = cobraTwice();
+  fast.placings[1].is_known = true;
+  const FreeChoice choice{
+      {"tool.joint_stiffness.z", "latch-link.beam.Iz", "latch-link.beam.E", "base-link.joint_stiffness.y"}, true};
+  const auto unknowns = chooseUnknowns(fast, choice).list;
+  ASSERT_EQ(unknowns.size(), 10u);
+  PlacedArm slow = fast;
+  slow.arm.effects.push_back(deflection::makeEffect(slow.arm, "contact-force", "tip").effect);
+  const VectorXd x = anyStep(unknowns, maker);
+  const auto weights = weighReadings(applied(fast, unknowns, x), maker.readings);
+  const auto same_weights = weighReadings(applied(slow, unknowns, x), maker.readings);
+  ASSERT_TRUE(weights && same_weights);
+  for (std::size_t k = 0; k < maker.readings.size(); ++k)
+    EXPECT_LE((weights->whitener[k] - same_weights->whitener[k]).norm(), 1e-8 * weights->whitener[k].norm());
+  const auto a = whitenedResidual(fast, unknowns, maker.readings, *weights, x, true);
+  const auto b = whitenedResidual(slow, unknowns, maker.readings, *weights, x, true);
+  ASSERT_TRUE(a.ok && b.ok);
+  EXPECT_LE((a.r - b.r).norm(), 1e-8 * b.r.norm());
+  EXPECT_LE((a.error - b.error).norm(), 1e-8 * b.error.norm());
+  for (Index k = 0; k < x.size(); ++k)
+    EXPECT_LE((a.jacobian.col(k) - b.jacobian.col(k)).norm(), 1e-8 * b.jacobian.col(k).norm())
+        << unknowns[static_cast<std::size_t>(k)].name;
+}
+
+TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
+  ReadingMaker maker(cobra(), 7, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 2);
+  addUntouched(maker, 2);
+  const auto few = maker.readings;
+  while (maker.readings.size() < 1300) maker.readings.insert(maker.readings.end(), few.begin(), few.end());
+  const auto own = weighReadings(cobra(), few), all = weighReadings(cobra(), maker.readings);
+  ReadingWeights plain_own = *own, plain_all = *all;
+  plain_own.points.clear();
+  plain_all.points.clear();
+  const VectorXd of_few = whitenedResidual(cobra(), {}, few, plain_own, {}, false).r;
+  const VectorXd of_all = whitenedResidual(cobra(), {}, maker.readings, plain_all, {}, false).r;
+  for (Index row = 0; row < of_all.size(); row += of_few.size())
+    EXPECT_EQ(VectorXd(of_all.segment(row, of_few.size())), of_few);
+}
+
+/// The same campaign with its unknown points as three more variables each: predicted less the point, whitened.
+struct ExplicitPoints {
+  MatrixXd jacobian;
+  VectorXd r;
+};
+
+ExplicitPoints withExplicitPoints(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                  const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                  const VectorXd& x) {
+  ReadingWeights plain = weights;
+  plain.points.clear();
+  auto measured = readings;
+  for (auto& m : measured)
+    if (!m.p_W) m.p_W = Eigen::Vector3d(0.3, 0.2, 0.1);  // where the explicit points start
+  const auto residual = whitenedResidual(start, unknowns, measured, plain, x, true);
+  ExplicitPoints result{MatrixXd::Zero(residual.r.size(), x.size() + 3 * static_cast<Index>(weights.points.size())),
+                        residual.r};
+  result.jacobian.leftCols(x.size()) = residual.jacobian;
+  for (std::size_t p = 0; p < weights.points.size(); ++p)
+    for (const int k : weights.points[p].readings)
+      result.jacobian.block<3, 3>(weights.first_row[static_cast<std::size_t>(k)],
+                                  x.size() + 3 * static_cast<Index>(p)) =
+          -weights.whitener[static_cast<std::size_t>(k)];
+  return result;
+}
+
+TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
+  ReadingMaker maker(cobraTwice(), 4, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 4, "A");
+  addEveryKind(maker, 4, "B");
+  PlacedArm start = cobraTwice();
+  const auto unknowns = chooseUnknowns(start, {{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, true}).list;
+  VectorXd x(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < x.size(); ++k) x[k] = 0.01 * unknowns[static_cast<std::size_t>(k)].typical;
+  const auto weights = weighReadings(applied(start, unknowns, x), maker.readings);
+  ASSERT_EQ(weights->points.size(), 8u);
+  EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
+  auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
+  auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
+  for (Index k = 0; k < x.size(); ++k) {  // a compliance and an angle differ by many powers of ten
+    eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+    whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+  }
+  const VectorXd step = eliminated.jacobian.colPivHouseholderQr().solve(-eliminated.r);
+  const VectorXd whole_step = whole.jacobian.colPivHouseholderQr().solve(-whole.r);
+  EXPECT_LE((step - whole_step.head(x.size())).norm(), 1e-9 * step.norm());
+  const double left = (eliminated.r + eliminated.jacobian * step).norm();
+  EXPECT_NEAR(left, (whole.r + whole.jacobian * whole_step).norm(), 1e-8 * left);
+  const MatrixXd covariance = (eliminated.jacobian.transpose() * eliminated.jacobian).inverse();
+  const MatrixXd whole_covariance = (whole.jacobian.transpose() * whole.jacobian).inverse();
+  EXPECT_LE((covariance - whole_covariance.topLeftCorner(x.size(), x.size())).norm(), 1e-6 * covariance.norm());
+}
+
+TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
+  ReadingMaker maker(cobra(), 6, ReadingMaker::Noise::kStated);
+  maker.addTouches(3, {0, 20 * kPound, 40 * kPound}, false);
+  const auto weights = weighReadings(cobra(), maker.readings);
+  const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
+  for (const auto& point : weights->points) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int k : point.readings) {
+      const auto row = weights->first_row[static_cast<std::size_t>(k)];
+      sum += weights->covariance(static_cast<std::size_t>(k)).inverse() * residual.error.segment(row, 3);
+    }
+    // The weighted errors about the estimate balance.
+    EXPECT_LE(sum.norm(), 1e-6 / maker.readings.front().sigma);
+  }
+  EXPECT_EQ(weights->points.size(), 3u);
+}
+
+TEST(WhitenedResidual, NoiseLeavesItsFloorAndOneOfChiSquareForEachDegreeOfFreedom) {
+  double squares = 0, floor = 0, chi2 = 0, freedom = 0;
+  constexpr int kSeeds = 60;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    ReadingMaker maker(cobra(), static_cast<std::uint64_t>(seed), ReadingMaker::Noise::kStated);
+    addEveryKind(maker, 2);
+    const auto weights = weighReadings(cobra(), maker.readings);
+    const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
+    squares += errorLengths(maker.readings, *weights, residual.error).squaredNorm() /
+               static_cast<double>(maker.readings.size() * kSeeds);
+    floor += std::pow(noiseFloor(maker.readings, *weights), 2) / kSeeds;
+    chi2 += residual.r.squaredNorm();
+    freedom += weights->degrees_of_freedom;
+  }
+  EXPECT_NEAR(chi2 / freedom, 1, 4 * std::sqrt(2 / freedom));
+  EXPECT_NEAR(squares / floor, 1, 0.1);
+}
+
+TEST(WhitenedResidual, AFactorWeakensItsReading) {
+  ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 3);
+  VectorXd factors = VectorXd::Ones(3);
+  factors[1] = 0.25;
+  const auto plain = weighReadings(cobra(), maker.readings), weakened = weighReadings(cobra(), maker.readings, factors);
+  const auto a = whitenedResidual(cobra(), {}, maker.readings, *plain, {}, false).r;
+  const auto b = whitenedResidual(cobra(), {}, maker.readings, *weakened, {}, false).r;
+  EXPECT_LE((b.head(3) - a.head(3)).norm(), 1e-12);
+  EXPECT_LE((b.segment(3, 3) - 0.5 * a.segment(3, 3)).norm(), 1e-9);
+}
+
+TEST(WhitenedResidual, SaysWhenTheModelCannotBeEvaluated) {
+  ReadingMaker maker(cobra(), 9);
+  maker.add(MeasurementKind::kPosition, 2);
+  maker.readings[1].load = 1e7;
+  EXPECT_FALSE(weighReadings(cobra(), maker.readings).has_value());
+}
+
+TEST(WhitenedResidual, AModelErrorIsOneMoreVarianceOfEveryCoordinate) {
+  ReadingMaker maker(cobra(), 10, ReadingMaker::Noise::kStated);
+  addEveryKind(maker, 2);
+  const double model_error = 2 * maker.readings.front().sigma;
+  const auto plain = weighReadings(cobra(), maker.readings);
+  const auto whole = weighReadings(cobra(), maker.readings, {}, model_error);
+  const auto again = reweighted(*plain, maker.readings, model_error);
+  for (std::size_t k = 0; k < maker.readings.size(); ++k) {
+    MatrixXd expected = plain->covariance(k);
+    expected.diagonal().array() += model_error * model_error;
+    EXPECT_LE((whole->covariance(k) - expected).norm(), 1e-12 * expected.norm());
+    EXPECT_LE((whole->whitener[k] * expected * whole->whitener[k].transpose() -
+               MatrixXd::Identity(expected.rows(), expected.rows()))
+                  .norm(),
+              1e-9);
+    EXPECT_EQ(again.whitener[k], whole->whitener[k]);
+  }
+  EXPECT_EQ(noiseFloor(maker.readings, *whole), noiseFloor(maker.readings, *plain));
+  EXPECT_EQ(whole->degrees_of_freedom, plain->degrees_of_freedom);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

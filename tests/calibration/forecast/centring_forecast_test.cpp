@@ -1,0 +1,123 @@
+// The centring error that a fit's own uncertainty leaves, against closed forms of it.
+#include "calibration/forecast/centring_forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+/// A fit of nothing but the base, with this covariance.
+Identification baseFit(const Eigen::Matrix<double, 6, 6>& covariance) {
+  Identification fit;
+  fit.status = IdentificationStatus::kDone;
+  fit.fitted = cobra();
+  fit.fitted.placings.front().is_known = false;
+  PlacedArm placed = fit.fitted;
+  for (const auto& unknown : chooseUnknowns(placed, {{}, true}).list) {
+    IdentifiedNumber number;
+    number.unknown = unknown;
+    fit.numbers.push_back(number);
+  }
+  fit.covariance = covariance;
+  return fit;
+}
+
+std::vector<Eigen::VectorXd> somePostures(int count) {
+  ReadingMaker maker(cobra(), 3);
+  std::vector<Eigen::VectorXd> postures;
+  for (int k = 0; k < count; ++k) postures.push_back(maker.drawPosture());
+  return postures;
+}
+
+// A shift alone moves every tip alike: the length of a plane normal vector has the median sigma sqrt(2 ln 2) and the
+// quantiles sigma sqrt(-2 ln(1 - p)).
+TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
+  constexpr double kSigma = 1e-3;
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  covariance.diagonal().head<3>().setConstant(kSigma * kSigma);
+  CentringForecastOptions options;
+  const auto forecast = forecastCentring(baseFit(covariance), somePostures(12), options);
+  ASSERT_EQ(forecast.status, CentringForecastStatus::kDone);
+  EXPECT_EQ(forecast.numbers, 6);
+  for (const auto& figure : {forecast.median, forecast.p95, forecast.worst}) {
+    EXPECT_NEAR(figure.value, kSigma * std::sqrt(2 * std::log(2.)), 0.02 * kSigma);
+    EXPECT_NEAR(figure.lower, kSigma * std::sqrt(-2 * std::log(0.975)), 0.02 * kSigma);
+    EXPECT_NEAR(figure.upper, kSigma * std::sqrt(-2 * std::log(0.025)), 0.08 * kSigma);
+  }
+}
+
+// Heights are not sideways.
+TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  covariance(2, 2) = 1e-6;
+  const auto forecast = forecastCentring(baseFit(covariance), somePostures(5));
+  EXPECT_LT(forecast.worst.upper, 1e-9);
+}
+
+// A turn about the vertical moves a tip by its distance from the base's axis, the furthest most.
+TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
+  constexpr double kSigma = 1e-3;
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  covariance(5, 5) = kSigma * kSigma;
+  const auto postures = somePostures(9);
+  const auto fit = baseFit(covariance);
+  std::vector<double> radii;
+  for (const auto& q : postures) {
+    const auto& X_WB = fit.fitted.placings.front().X_WB;
+    radii.push_back((predictTip(fit.fitted.arm, X_WB, q, 0).value - X_WB.translation()).head<2>().norm());
+  }
+  CentringForecastOptions options;
+  const auto forecast = forecastCentring(fit, postures, options);
+  const auto furthest = std::max_element(radii.begin(), radii.end());
+  EXPECT_EQ(forecast.worst_posture, furthest - radii.begin());
+  // The median of a normal variable's size.
+  EXPECT_NEAR(forecast.worst.value, 0.6745 * kSigma * *furthest, 0.02 * kSigma * *furthest);
+}
+
+TEST(CentringForecast, aLargerCovarianceWidensItAndAKnownBaseMayBringItsOwn) {
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Identity() * 1e-8;
+  auto fit = baseFit(covariance);
+  const auto postures = somePostures(7);
+  const double plain = forecastCentring(fit, postures).median.value;
+  fit.covariance *= 9;
+  EXPECT_NEAR(forecastCentring(fit, postures).median.value, 3 * plain, 1e-12);
+
+  Identification known;
+  known.status = IdentificationStatus::kDone;
+  known.fitted = cobra();
+  const auto nothing = forecastCentring(known, postures);
+  EXPECT_EQ(nothing.status, CentringForecastStatus::kNothingUncertain);
+  EXPECT_TRUE(std::isnan(nothing.median.value));
+  CentringForecastOptions options;
+  options.base_covariance = covariance;
+  EXPECT_NEAR(forecastCentring(known, postures, options).median.value, plain, 1e-9 * plain);
+}
+
+// One joint that reads with noise alone: its lever arm times its sigma.
+TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
+  auto fit = baseFit(Eigen::Matrix<double, 6, 6>::Identity() * 1e-8);
+  fit.fitted.placings.front().X_WB = Eigen::Isometry3d::Identity();
+  const auto active = deflection::activeRows(fit.fitted.arm);
+  for (const int row : active) fit.fitted.arm.rows[static_cast<std::size_t>(row)].joint.encoder_sigma = 0;
+  fit.fitted.arm.rows[static_cast<std::size_t>(active[0])].joint.encoder_sigma = 1e-4;
+  const auto postures = somePostures(1);
+  const double step = 1e-5;
+  Eigen::VectorXd q = postures[0];
+  q[0] += step;
+  const auto tip = [&](const Eigen::VectorXd& at) {
+    return predictTip(fit.fitted.arm, fit.fitted.placings.front().X_WB, at, 0).value;
+  };
+  const double lever = (tip(q) - tip(postures[0])).head<2>().norm() / step;
+  const auto forecast = forecastCentring(fit, postures);
+  EXPECT_NEAR(forecast.encoders.median, 1e-4 * lever, 1e-4 * 1e-4 * lever);
+  EXPECT_EQ(forecast.encoders.median, forecast.encoders.worst);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

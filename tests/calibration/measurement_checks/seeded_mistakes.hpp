@@ -1,0 +1,366 @@
+// Clean readings of arms that are a little off their drawing, and the ordinary mistakes made in them on purpose.
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/text_file.hpp"
+#include "app/jobs/simulation_job.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
+#include "calibration/measurements/measurement_posture.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+/// A cell with readings as their file has them.
+struct SeededSet {
+  std::string name;
+  app::Cell cell;
+  app::MeasurementTable table;
+};
+
+using SeededRandom = std::mt19937_64;
+
+inline double drawnBetween(double from, double to, SeededRandom& random) {
+  return from + (to - from) * static_cast<double>(random() >> 11) / 9007199254740992.0;
+}
+inline int drawnBelow(int count, SeededRandom& random) {
+  return static_cast<int>(random() % static_cast<std::uint64_t>(count));
+}
+
+inline app::Cell shippedCell(const std::string& name) {
+  return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
+}
+
+/// Readings by a design of a shipped cell: stiffnesses a tenth off, the base where it is not known as well, and what is
+/// hidden. Nothing where the arm does not reach them.
+inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
+                                             const std::vector<std::string>& hidden, std::uint64_t seed,
+                                             const std::function<void(app::SimulationTask&)>& change = {}) {
+  SeededSet set{fmt::format("{} {} {} readings seed {} {}", cell_name, design, readings, seed, fmt::join(hidden, "+")),
+                shippedCell(cell_name),
+                {}};
+  app::SimulationRequest request;
+  request.design = design;
+  request.readings = readings;
+  request.hide = hidden;
+  request.spread = set.cell.identify.empty() ? 0 : 0.1;
+  request.seed = seed;
+  auto task = app::prepareSimulation(set.cell, request);
+  if (change) change(task);
+  const auto campaign = app::simulateReadings(set.cell, task, seed, {});
+  if (campaign.status != CampaignStatus::kDone) return std::nullopt;
+  set.table = app::parseMeasurementTable(app::measurementsCsv(campaign.readings, set.cell.arm, set.cell.units),
+                                         "simulated.csv", set.cell.arm, set.cell.sheet ? &*set.cell.sheet : nullptr);
+  app::stateSigma(set.table.readings, set.cell, "simulated.csv", 0);
+  return set;
+}
+
+inline MeasurementChecks checksOf(const SeededSet& set) {
+  const CheckedReadings checked{app::startOf(set.cell, set.table.readings), set.table.readings,
+                                app::freeNumbersOf(set.cell), set.table.units,
+                                set.cell.sheet ? &*set.cell.sheet : nullptr};
+  return checkMeasurements(checked);
+}
+
+/// One way to go wrong. `make` does it and gives what mends it; nothing where the set has no room for it.
+struct SeededMistake {
+  const char* name;  ///< of the check that names it
+  const char* label;
+  std::optional<std::string> (*make)(SeededSet&, SeededRandom&);
+};
+
+namespace seeded {
+
+using Made = std::optional<std::string>;
+
+inline void scalePlaces(SeededSet& set, double factor) {
+  for (auto& m : set.table.readings) {
+    if (m.p_W) *m.p_W *= factor;
+    m.own[0] *= factor;
+  }
+}
+
+/// Coordinates that are really in `unit`, whatever the column says.
+inline Made writtenIn(SeededSet& set, const std::string& unit) {
+  const auto& units = set.table.units;
+  if (unit == units.coordinates.name || !set.table.readings.front().p_W) return std::nullopt;
+  scalePlaces(set, units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor);
+  return "coordinates=" + unit;
+}
+inline Made loadsIn(SeededSet& set, const std::string& unit) {
+  const double factor = set.table.units.loads.factor / app::findUnit(app::UnitKind::kForce, unit)->factor;
+  bool has_load = false;
+  for (auto& m : set.table.readings) m.load *= factor, has_load = has_load || m.load > 0;
+  return has_load && unit != set.table.units.loads.name ? Made("loads=" + unit) : std::nullopt;
+}
+inline Made sigmaIn(SeededSet& set, const std::string& unit, double factor) {
+  for (auto& m : set.table.readings) m.sigma *= factor;
+  return "sigma=" + unit;
+}
+inline bool arePlaces(const SeededSet& set) {
+  return std::all_of(set.table.readings.begin(), set.table.readings.end(),
+                     [](const Measurement& m) { return m.p_W.has_value(); });
+}
+inline bool areHoles(const SeededSet& set) {
+  return set.cell.sheet && set.table.readings.front().kind == MeasurementKind::kTouch &&
+         holeOf(set.table.readings.front().point);
+}
+inline int drawnJoint(const SeededSet& set, SeededRandom& random) {
+  return drawnBelow(static_cast<int>(set.table.joints.size()), random);
+}
+inline std::string jointName(const SeededSet& set, int joint) { return jointAt(set.cell.arm, joint).name; }
+
+inline Made millimetres(SeededSet& s, SeededRandom&) { return writtenIn(s, "mm"); }
+inline Made centimetres(SeededSet& s, SeededRandom&) { return writtenIn(s, "cm"); }
+inline Made metres(SeededSet& s, SeededRandom&) { return writtenIn(s, "m"); }
+inline Made feet(SeededSet& s, SeededRandom&) { return writtenIn(s, "ft"); }
+inline Made newtons(SeededSet& s, SeededRandom&) { return loadsIn(s, "N"); }
+inline Made kilograms(SeededSet& s, SeededRandom&) { return loadsIn(s, "kgf"); }
+inline Made sigmaThousandfold(SeededSet& s, SeededRandom&) { return sigmaIn(s, "mil", 1000); }
+inline Made sigmaInMillimetres(SeededSet& s, SeededRandom&) { return sigmaIn(s, "mm", 25.4); }
+inline Made sigmaThousandth(SeededSet& s, SeededRandom&) { return sigmaIn(s, "*", 1e-3); }
+inline Made radians(SeededSet& s, SeededRandom&) {
+  for (auto& m : s.table.readings) m.q *= std::numbers::pi / 180;
+  return "angles=rad";
+}
+inline Made degrees(SeededSet& s, SeededRandom&) {
+  for (auto& m : s.table.readings) m.q *= 180 / std::numbers::pi;
+  s.table.units.angles = {"rad", 1};
+  return "angles=deg";
+}
+inline Made mirrored(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s) || areHoles(s)) return std::nullopt;
+  const int axis = drawnBelow(3, random);
+  for (auto& m : s.table.readings) (*m.p_W)[axis] *= -1;
+  return std::string("mirror=") + "xyz"[axis];
+}
+inline Made exchangedAxes(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s) || areHoles(s)) return std::nullopt;
+  const int kept = drawnBelow(3, random), a = (kept + 1) % 3, b = (kept + 2) % 3;
+  for (auto& m : s.table.readings) std::swap((*m.p_W)[a], (*m.p_W)[b]);
+  std::string order = "xyz";
+  std::swap(order[static_cast<std::size_t>(a)], order[static_cast<std::size_t>(b)]);
+  return "axes=" + order;
+}
+inline Made jointSign(SeededSet& s, SeededRandom& random) {
+  const int joint = drawnJoint(s, random);
+  for (auto& m : s.table.readings) m.q[joint] *= -1;
+  return "joint-sign=" + jointName(s, joint);
+}
+inline Made quarterTurn(SeededSet& s, SeededRandom& random) {
+  const int joint = drawnJoint(s, random);
+  const double turn = random() % 2 ? 90 : -90;
+  for (auto& m : s.table.readings) m.q[joint] -= turn * std::numbers::pi / 180;
+  return "joint-zero=" + jointName(s, joint);
+}
+inline Made partOfATurn(SeededSet& s, SeededRandom& random) {
+  const int joint = drawnJoint(s, random);
+  const double turn = drawnBetween(10, 60, random) * (random() % 2 ? 1 : -1);
+  for (auto& m : s.table.readings) m.q[joint] -= turn * std::numbers::pi / 180;
+  return "joint-zero=" + jointName(s, joint);
+}
+inline Made jointOrder(SeededSet& s, SeededRandom& random) {
+  const int a = drawnJoint(s, random), b = (a + 1 + drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random)) %
+                                           static_cast<int>(s.table.joints.size());
+  for (auto& m : s.table.readings) std::swap(m.q[a], m.q[b]);
+  return "joint-order=" + jointName(s, std::min(a, b)) + ":" + jointName(s, std::max(a, b));
+}
+inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
+  if (areHoles(s)) return std::nullopt;
+  auto& readings = s.table.readings;
+  const auto told = readings;
+  const int by = random() % 2 ? 1 : -1;
+  const int count = static_cast<int>(readings.size());
+  for (int k = 0; k < count; ++k) {
+    const auto& from = told[static_cast<std::size_t>((k - by + count) % count)];
+    auto& to = readings[static_cast<std::size_t>(k)];
+    to.point = from.point, to.p_W = from.p_W, to.own[0] = from.own[0];
+  }
+  return "shift=" + std::to_string(by);
+}
+/// Of a base that is known: else the base takes it.
+inline Made holesOff(SeededSet& s, SeededRandom& random) {
+  if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
+  const bool of_rows = random() % 2;
+  const int by = random() % 2 ? 1 : -1;
+  for (auto& m : s.table.readings) {
+    const auto hole = holeOf(m.point);
+    const auto* tube = s.cell.sheet->find(hole->first - (of_rows ? by : 0), hole->second - (of_rows ? 0 : by));
+    if (!tube) return std::nullopt;
+    m.point = fmt::format("R{}C{}", tube->row, tube->column);
+    m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
+  }
+  return fmt::format("holes={}{:+d}", of_rows ? "R" : "C", by);
+}
+inline Made sheetMirrored(SeededSet& s, SeededRandom&) {
+  if (!areHoles(s)) return std::nullopt;
+  for (auto& m : s.table.readings) {
+    const auto hole = holeOf(m.point);
+    const auto* tube = s.cell.sheet->find(hole->first, s.cell.sheet->columns + 1 - hole->second);
+    if (!tube) return std::nullopt;
+    m.point = fmt::format("R{}C{}", tube->row, tube->column);
+    m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
+  }
+  return "sheet-mirrored=columns";
+}
+inline Made oneHole(SeededSet& s, SeededRandom& random) {
+  if (!areHoles(s) || s.table.readings.size() < 12) return std::nullopt;
+  auto& m = s.table.readings[static_cast<std::size_t>(drawnBelow(static_cast<int>(s.table.readings.size()), random))];
+  const auto hole = holeOf(m.point);
+  const auto* tube = s.cell.sheet->find(hole->first, hole->second + 1);
+  if (!tube) return std::nullopt;
+  const std::string mend = "hole=" + m.id + ":" + m.point;
+  m.point = fmt::format("R{}C{}", tube->row, tube->column);
+  m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
+  return mend;
+}
+/// A base said to be known that stands some centimetres and degrees elsewhere.
+inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
+  if (!s.cell.base_known || !arePlaces(s)) return std::nullopt;
+  const double reach = deflection::reachOf(s.cell.arm);
+  Eigen::Vector3d shift, axis;
+  for (int k = 0; k < 3; ++k)
+    shift[k] = drawnBetween(-0.15, 0.15, random) * reach, axis[k] = drawnBetween(-1, 1, random);
+  const Eigen::AngleAxisd turn(drawnBetween(0.05, 0.4, random), axis.normalized());
+  for (auto& m : s.table.readings)
+    if (m.kind == MeasurementKind::kPosition || m.kind == MeasurementKind::kTouch) *m.p_W = turn * *m.p_W + shift;
+  return "base=unknown";
+}
+/// The second of two set-ups with the reflector in another place of the last link; a rigid shift of the tip is enough.
+inline Made tipAnew(SeededSet& s, SeededRandom& random) {
+  std::vector<std::string> setups;
+  for (const auto& m : s.table.readings)
+    if (std::find(setups.begin(), setups.end(), m.setup) == setups.end()) setups.push_back(m.setup);
+  if (setups.size() < 2) return std::nullopt;
+  const double reach = deflection::reachOf(s.cell.arm);
+  Eigen::Vector3d by;
+  do
+    for (double& b : by) b = drawnBetween(-0.1, 0.1, random) * reach;
+  while (by.head<2>().norm() < 0.04 * reach);
+  const PlacedArm placed = app::startOf(s.cell, s.table.readings);
+  for (auto& m : s.table.readings) {
+    if (m.setup != setups.back() || !m.p_W) continue;
+    // The base is where the cell has it but for what a set-up is off by: the tool's turn in the world is near enough.
+    const auto shape =
+        deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.placings.front().X_WB));
+    *m.p_W += placed.placings.front().X_WB.linear() * shape.X_BD.R * by;
+  }
+  return "setup=" + setups.front();
+}
+inline Made outOfReach(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s) || areHoles(s) || s.table.readings.size() < 12) return std::nullopt;
+  auto& m = s.table.readings[static_cast<std::size_t>(drawnBelow(static_cast<int>(s.table.readings.size()), random))];
+  if (m.kind == MeasurementKind::kDeflection || m.kind == MeasurementKind::kDistance ||
+      m.p_W->cwiseAbs().maxCoeff() < 0.3)
+    return std::nullopt;
+  *m.p_W *= 10;
+  return "without=" + m.id;
+}
+inline Made duplicate(SeededSet& s, SeededRandom& random) {
+  auto m = s.table.readings[static_cast<std::size_t>(drawnBelow(static_cast<int>(s.table.readings.size()), random))];
+  m.id += "-again";
+  s.table.readings.push_back(m);
+  return "without=" + m.id;
+}
+
+}  // namespace seeded
+
+inline const std::vector<SeededMistake>& seededMistakes() {
+  static const std::vector<SeededMistake> kMistakes{
+      {"coordinates", "coordinates in mm", seeded::millimetres},
+      {"coordinates", "coordinates in cm", seeded::centimetres},
+      {"coordinates", "coordinates in m", seeded::metres},
+      {"coordinates", "coordinates in ft", seeded::feet},
+      {"loads", "loads in N", seeded::newtons},
+      {"loads", "loads in kg", seeded::kilograms},
+      {"angles", "radians under deg", seeded::radians},
+      {"angles", "degrees under rad", seeded::degrees},
+      {"sigma", "sigma x 1000", seeded::sigmaThousandfold},
+      {"sigma", "sigma x 25.4", seeded::sigmaInMillimetres},
+      {"sigma", "sigma / 1000", seeded::sigmaThousandth},
+      {"mirror", "one axis mirrored", seeded::mirrored},
+      {"axes", "two axes exchanged", seeded::exchangedAxes},
+      {"joint-sign", "a joint's sign", seeded::jointSign},
+      {"joint-zero", "a zero 90 deg off", seeded::quarterTurn},
+      {"joint-zero", "a zero 10-60 deg off", seeded::partOfATurn},
+      {"joint-order", "two joints exchanged", seeded::jointOrder},
+      {"shift", "rows shifted by one", seeded::shiftedRows},
+      {"holes", "holes one off", seeded::holesOff},
+      {"sheet-mirrored", "sheet mirrored", seeded::sheetMirrored},
+      {"hole", "one hole mistaken", seeded::oneHole},
+      {"base", "base elsewhere", seeded::baseElsewhere},
+      {"setup", "tip mounted anew", seeded::tipAnew},
+      {"out-of-reach", "a place out of reach", seeded::outOfReach},
+      {"duplicates", "a row twice", seeded::duplicate},
+  };
+  return kMistakes;
+}
+
+enum class Naming { kRight, kEqually, kWrong, kMissed };
+
+/// Whether the checks name the mistake: first; among those that explain the readings as well; another; none. A zero's
+/// value is estimated, a sigma's unit a matter of what real instruments have: their kind and place count.
+inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
+  const auto fits = [&](const std::string& assume) {
+    if (mistake.name == std::string("sigma")) return assume.starts_with("sigma=");
+    if (mistake.name == std::string("joint-zero")) return assume.starts_with(mend + ":");
+    if (mistake.name == std::string("setup")) return assume.starts_with("setup=");
+    return assume == mend;
+  };
+  bool is_wrong = false;
+  for (const auto& check : checks.checks) {
+    if (check.assume.empty()) continue;
+    if (fits(check.assume)) return Naming::kRight;
+    if (std::any_of(check.equally.begin(), check.equally.end(), fits)) return Naming::kEqually;
+    is_wrong = true;
+  }
+  return is_wrong ? Naming::kWrong : Naming::kMissed;
+}
+
+/// A clean set by its number: designs, sizes and seeds in turn.
+inline std::optional<SeededSet> cleanSet(std::uint64_t number) {
+  static constexpr int kSizes[] = {30, 60, 120, 45};
+  const int size = kSizes[number / 5 % 4];
+  const auto twoSetups = [](app::SimulationTask& task) {
+    task.design.setups = 2;
+    auto second = task.truth.bases.front();
+    task.truth.bases.front().setup = "A";
+    second.setup = "B";
+    second.X_WB.translation() += Eigen::Vector3d(0.05, -0.03, 0.01);
+    task.truth.bases.push_back(second);
+  };
+  switch (number % 5) {
+    case 0:
+      return simulatedSet("bench.yaml", "bench", size, {}, number);
+    case 1:
+      return simulatedSet("bowl.yaml", "bench", size, {}, number, twoSetups);
+    case 2:
+      return simulatedSet("bowl.yaml", "bowl", size, {}, number);
+    case 3:
+      return simulatedSet("bowl.yaml", "bench", size, {}, number);
+    default: {
+      auto set = simulatedSet("mockup.yaml", "bowl", 18, {}, number, [](app::SimulationTask& task) {
+        task.truth.bases.front().X_WB = shippedCell("mockup.yaml").X_WB;
+      });
+      if (set) set->cell.base_known = number % 2;
+      return set;
+    }
+  }
+}
+
+}  // namespace tubeplan::calibration

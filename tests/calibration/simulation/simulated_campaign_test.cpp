@@ -1,0 +1,257 @@
+// Simulated campaigns: readings are those of the true arm, noise is as stated, conditions are plausible.
+#include "calibration/simulation/simulated_campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "calibration/estimation/base_calibration.hpp"
+#include "deflection/flexible_kinematics.hpp"
+#include "tests/calibration/bench_campaign.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The true tip at the readings, in the world.
+Vector3d tipOf(const CampaignTruth& truth, const Measurement& reading, double load) {
+  const auto base =
+      std::find_if(truth.bases.begin(), truth.bases.end(), [&](const auto& b) { return b.setup == reading.setup; });
+  const auto shape = deflection::solveFlexibleKinematics(
+      truth.arm, {reading.q, load, deflection::gravityInBase(truth.arm, base->X_WB)}, {1e-14, 100});
+  return base->X_WB * shape.X_BD.p;
+}
+
+TEST(SimulatedCampaign, ExactPositionsDeflectionsAndDistancesAreThoseOfTheTrueArm) {
+  const CampaignTruth truth = benchTruth(2);
+  for (const auto kind : {MeasurementKind::kPosition, MeasurementKind::kDeflection, MeasurementKind::kDistance}) {
+    CampaignDesign design = designOf(kind, 0);
+    design.setups = 2;
+    const auto campaign = simulate(truth, design, 120);
+    ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+    ASSERT_EQ(campaign.readings.size(), 120u);
+    for (const auto& reading : campaign.readings) {
+      const Vector3d tip = tipOf(truth, reading, reading.load);
+      EXPECT_TRUE(std::isnan(reading.sigma)) << "exact readings state no noise";
+      double off = (tip - *reading.p_W).norm();
+      if (kind == MeasurementKind::kDeflection) off = (tip - tipOf(truth, reading, 0) - *reading.p_W).norm();
+      if (kind == MeasurementKind::kDistance) off = std::abs((tip - *design.anchor_W).norm() - reading.own[0]);
+      EXPECT_LE(off, 1e-9);
+    }
+  }
+}
+
+TEST(SimulatedCampaign, ExactTouchesMeetTheirPoints) {
+  const CampaignTruth truth = benchTruth(3);
+  for (const bool known : {true, false}) {
+    CampaignDesign design = designOf(MeasurementKind::kTouch, 0);
+    design.points_known = known;
+    design.place = known ? CampaignPlace::kPlane : CampaignPlace::kAnywhere;
+    design.postures_per_point = 2;
+    design.setups = 3;
+    const auto campaign = simulate(truth, design, 180);
+    ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+    ASSERT_EQ(campaign.points.size(), 30u);
+    std::map<std::string, Vector3d> points;
+    for (const auto& point : campaign.points) points[point.name] = point.p_W;
+    for (const auto& reading : campaign.readings) {
+      EXPECT_LE((tipOf(truth, reading, reading.load) - points.at(reading.point)).norm(), 1e-9);
+      EXPECT_EQ(reading.p_W.has_value(), known);
+      if (known) {
+        EXPECT_EQ(*reading.p_W, points.at(reading.point));
+        EXPECT_NEAR(reading.p_W->z(), campaign.points.front().p_W.z(), 1e-12) << "one plane across gravity";
+      }
+    }
+    for (std::size_t k = 0; k + 3 < campaign.readings.size(); k += 6)
+      EXPECT_GT((campaign.readings[k].q - campaign.readings[k + 3].q).norm(), 0.01) << "another posture";
+  }
+}
+
+TEST(SimulatedCampaign, HolesAreTouchedWithTheToolAlongThemAndLookedAtFromBelow) {
+  const app::Cell& cell = mockupCell();
+  const CampaignTruth truth = drawTruth(withEncoders(cell.arm, 0), cell.X_WB);
+  CampaignOptions options;
+  options.readings = 60;
+  for (const auto& tube : cell.sheet->tubes)
+    options.holes.push_back({"at " + std::to_string(tube.x), {tube.x, tube.y, 0}});
+  for (const auto kind : {MeasurementKind::kTouch, MeasurementKind::kPosition}) {
+    CampaignDesign design = designOf(kind, 0);
+    design.place = CampaignPlace::kHoles;
+    design.loads = {0};
+    const auto campaign = simulateCampaign(truth, design, options);
+    ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+    for (const auto& reading : campaign.readings) {
+      const auto shape = deflection::solveFlexibleKinematics(
+          truth.arm, {reading.q, reading.load, deflection::gravityInBase(truth.arm, cell.X_WB)}, {1e-14, 100});
+      const Vector3d tool_W = cell.X_WB.linear() * (shape.X_BD.R * truth.arm.tool_axis_L);
+      EXPECT_GT(tool_W.z(), std::cos(0.15)) << "the tilt that no joint corrects is a few degrees";
+      EXPECT_LE((cell.X_WB * shape.X_BD.p - *reading.p_W).norm(), 1e-9);
+      EXPECT_NEAR(reading.p_W->z(), kind == MeasurementKind::kTouch ? 0 : -options.standoff, 1e-9);
+    }
+  }
+}
+
+TEST(SimulatedCampaign, AHoleComesAgainOnlyWhenNoOtherIsLeft) {
+  const app::Cell& cell = mockupCell();
+  CampaignOptions options;
+  options.readings = 45;
+  for (std::size_t k = 0; k < cell.sheet->tubes.size(); k += 150) {
+    const auto& tube = cell.sheet->tubes[k];
+    options.holes.push_back({tubesheets::tubeName(tube.row, tube.column), {tube.x, tube.y, 0}});
+  }
+  CampaignDesign design = designOf(MeasurementKind::kTouch, 0);
+  design.place = CampaignPlace::kHoles;
+  design.loads = {0};
+  const auto campaign = simulateCampaign(drawTruth(cell.arm, cell.X_WB), design, options);
+  ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+  const std::size_t reached = campaign.points.size();
+  EXPECT_LT(reached, options.holes.size() + 1);
+  EXPECT_GE(reached, 20u);
+  for (std::size_t k = 0; k < reached; ++k) EXPECT_EQ(campaign.readings[k].point, campaign.points[k].name);
+}
+
+TEST(SimulatedCampaign, CoordinateNoiseHasTheStatedDeviation) {
+  const CampaignTruth truth = benchTruth();
+  const double sigma = 2e-4;
+  for (const auto kind : {MeasurementKind::kPosition, MeasurementKind::kTouch, MeasurementKind::kDeflection,
+                          MeasurementKind::kDistance}) {
+    const CampaignDesign design = designOf(kind, sigma);
+    const auto campaign = simulate(truth, design, 3000);
+    ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+    std::vector<double> errors;
+    double sum = 0;
+    for (const auto& reading : campaign.readings) {
+      EXPECT_EQ(reading.sigma, sigma);
+      const Vector3d tip = tipOf(truth, reading, reading.load);
+      Vector3d off = tip - *reading.p_W;
+      if (kind == MeasurementKind::kDeflection) off -= tipOf(truth, reading, 0);
+      if (kind == MeasurementKind::kDistance)
+        errors.push_back((tip - *design.anchor_W).norm() - reading.own[0]);
+      else
+        errors.insert(errors.end(), {off.x(), off.y(), off.z()});
+    }
+    for (const double error : errors) sum += error;
+    const double n = static_cast<double>(errors.size());
+    EXPECT_NEAR(deviation(errors) / sigma, 1, 4 / std::sqrt(2 * n)) << "four standard errors";
+    EXPECT_LE(std::abs(sum / n), 4 * sigma / std::sqrt(n));
+  }
+}
+
+TEST(SimulatedCampaign, EncoderNoiseHasTheStatedDeviation) {
+  const double sigma = 3.5e-5;
+  const auto campaign = simulate(benchTruth(1, sigma), designOf(MeasurementKind::kPosition, 1e-4), 6000);
+  ASSERT_EQ(campaign.status, CampaignStatus::kDone);
+  // The three loads are read at one posture: the readings differ by the encoders' noise alone.
+  std::vector<double> differences;
+  for (std::size_t k = 0; k + 2 < campaign.readings.size(); k += 3) {
+    const Eigen::VectorXd d = campaign.readings[k + 1].q - campaign.readings[k].q;
+    differences.insert(differences.end(), d.begin(), d.end());
+  }
+  EXPECT_NEAR(deviation(differences) / (sigma * std::sqrt(2.)), 1,
+              4 / std::sqrt(2 * static_cast<double>(differences.size())));
+}
+
+TEST(SimulatedCampaign, PosturesStayWithinTheirLimitsAndTheTipBeforeTheBase) {
+  const CampaignTruth truth = benchTruth();
+  const double reach = deflection::reachOf(truth.arm);
+  for (const auto kind : {MeasurementKind::kPosition, MeasurementKind::kTouch}) {
+    const auto campaign = simulate(truth, designOf(kind, 1e-4), 600);
+    ASSERT_EQ(campaign.status, CampaignStatus::kDone);
+    const auto active = deflection::activeRows(truth.arm);
+    for (const auto& reading : campaign.readings) {
+      for (int k = 0; k < reading.q.size(); ++k) {
+        EXPECT_GE(reading.q[k], truth.arm.rows[active[k]].joint.lower);
+        EXPECT_LE(reading.q[k], truth.arm.rows[active[k]].joint.upper);
+      }
+      const Vector3d tip_B = truth.bases.front().X_WB.inverse() * tipOf(truth, reading, reading.load);
+      EXPECT_GT(tip_B.z(), 0);
+      EXPECT_GE(tip_B.norm(), 0.2 * reach);
+    }
+  }
+}
+
+TEST(SimulatedCampaign, SensesFollowTheMotionAndBothOccur) {
+  const CampaignTruth truth = benchTruth();
+  CampaignDesign design = designOf(MeasurementKind::kTouch, 1e-4);
+  CampaignOptions options;
+  options.readings = 600;
+  options.pace.overshoot = 0;
+  const auto straight = simulateCampaign(truth, design, options).readings;
+  ASSERT_EQ(straight.size(), 600u);
+  for (std::size_t k = 1; k < straight.size(); ++k)
+    for (int joint = 0; joint < 4; ++joint) {
+      const double way = straight[k].q[joint] - straight[k - 1].q[joint];
+      if (std::abs(way) > 1e-8) {
+        EXPECT_EQ(straight[k].senses[joint], way > 0 ? 1 : -1);
+      }
+    }
+  options.pace.overshoot = 0.5;
+  const auto mixed = simulateCampaign(truth, design, options).readings;
+  for (int joint = 0; joint < 4; ++joint) {
+    const auto up = std::count_if(mixed.begin(), mixed.end(), [&](const auto& m) { return m.senses[joint] == 1; });
+    EXPECT_NEAR(static_cast<double>(up), 300, 4 * std::sqrt(150.)) << "four standard errors";
+  }
+}
+
+TEST(SimulatedCampaign, TimeGoesOnAndTheTemperatureDriftsSlowly) {
+  for (const int readings : {60, 1200}) {
+    const auto campaign = simulate(benchTruth(), designOf(MeasurementKind::kPosition, 1e-4), readings);
+    double coldest = 1e9, warmest = -1e9, roughest = 0;
+    EXPECT_EQ(campaign.readings.front().time, 0);
+    for (std::size_t k = 0; k < campaign.readings.size(); ++k) {
+      const double temperature = campaign.readings[k].temperature;
+      coldest = std::min(coldest, temperature);
+      warmest = std::max(warmest, temperature);
+      if (k == 0) continue;
+      const double wait = campaign.readings[k].time - campaign.readings[k - 1].time;
+      EXPECT_GE(wait, 60);
+      EXPECT_LE(wait, 180);
+      roughest = std::max(roughest, std::abs(temperature - campaign.readings[k - 1].temperature));
+    }
+    EXPECT_GT(warmest - coldest, 5);
+    EXPECT_LT(warmest - coldest, 16);
+    EXPECT_LT(roughest, 3) << "slow against its range";
+    EXPECT_NEAR((warmest + coldest) / 2, benchCell().arm.reference_temperature, 6);
+  }
+}
+
+TEST(SimulatedCampaign, TheSameSeedReadsTheSameAndAnotherDoesNot) {
+  const CampaignTruth truth = benchTruth(1, 1e-5);
+  const CampaignDesign design = designOf(MeasurementKind::kTouch, 1e-4);
+  const auto one = simulate(truth, design, 90, 7).readings, same = simulate(truth, design, 90, 7).readings,
+             other = simulate(truth, design, 90, 8).readings;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].q, same[k].q);
+    EXPECT_EQ(one[k].senses, same[k].senses);
+    EXPECT_EQ(one[k].temperature, same[k].temperature);
+    EXPECT_NE(one[k].q, other[k].q);
+  }
+}
+
+TEST(SimulatedCampaign, MoreNoiseDoesNotMeanOtherPostures) {
+  const CampaignTruth truth = benchTruth();
+  const auto quiet = simulate(truth, designOf(MeasurementKind::kPosition, 0), 90).readings,
+             loud = simulate(truth, designOf(MeasurementKind::kPosition, 1e-3), 90).readings;
+  for (std::size_t k = 0; k < quiet.size(); ++k) {
+    EXPECT_EQ(quiet[k].q, loud[k].q);
+    EXPECT_EQ(quiet[k].time, loud[k].time);
+    EXPECT_NE(*quiet[k].p_W, *loud[k].p_W);
+  }
+}
+
+TEST(SimulatedCampaign, ACalibrationFindsTheBaseItWasMadeWith) {
+  const CampaignTruth truth = benchTruth(1, 3.5e-5);
+  CampaignDesign design = designOf(MeasurementKind::kTouch, kTouchSigma);
+  design.place = CampaignPlace::kPlane;
+  const auto found = calibrateBase(truth.arm, simulate(truth, design, 60).readings, benchCell().X_WB);
+  ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+  EXPECT_GT(found.p_value, 1e-3);
+  EXPECT_LT(found.p_value, 1 - 1e-3);
+  EXPECT_LE((found.X_WB.translation() - truth.bases.front().X_WB.translation()).norm(), 0.01 * kInch);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

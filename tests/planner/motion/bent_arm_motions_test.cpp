@@ -1,0 +1,17 @@
+#include "tests/planner/motion/bent_arm_motions.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tubeplan::planner {
+namespace {
+
+/// tests/study/motion_proofs.cpp does the same with more motions and finer steps.
+TEST(BentArmAmongThinPlates, NoMotionCalledFreeIsRefutedByFineSteps) {
+  const auto tally = testing::tallyBentArmMotions(1, 200, 500);
+  EXPECT_EQ(tally.refuted, 0);
+  EXPECT_GT(tally.free, 40);
+  EXPECT_GT(tally.blocked, 20);
+}
+
+}  // namespace
+}  // namespace tubeplan::planner

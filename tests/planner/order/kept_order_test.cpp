@@ -1,0 +1,67 @@
+// The order of an earlier plan on a changed list.
+#include "planner/order/kept_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "planner/order/branch_choice.hpp"
+#include "tests/planner/order/route_fixtures.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+std::vector<int> countedFrom(int first, int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), first);
+  return numbers;
+}
+
+TEST(KeptOrder, KeepsWhatStaysInItsOrderAndTakesInTheRest) {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Route route = randomRoute(random, 40, 3, false, false);
+    const auto tubes = countedFrom(100, 40);
+    std::vector<int> before = countedFrom(98, 40);  // two of them are gone, two of now are new
+    std::shuffle(before.begin(), before.end(), random);
+    std::vector<int> order = keptOrder(route, tubes, before);
+    ASSERT_EQ(order.size(), 40u);
+    std::vector<int> kept;
+    for (const int visit : order)
+      if (std::count(before.begin(), before.end(), 100 + visit)) kept.push_back(100 + visit);
+    std::erase_if(before, [](int tube) { return tube < 100; });
+    EXPECT_EQ(kept, before);
+    std::sort(order.begin(), order.end());
+    EXPECT_EQ(order, countedFrom(0, 40));
+  }
+}
+
+TEST(KeptOrder, OneNewTubeStandsWhereItCostsLeast) {
+  // With one branch each the time of an order is the plain sum: every place can be tried.
+  std::mt19937_64 random(9);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Route route = randomRoute(random, 30, 1, false, false);
+    std::vector<int> before = countedFrom(0, 29);
+    std::shuffle(before.begin(), before.end(), random);
+    const auto order = keptOrder(route, countedFrom(0, 30), before);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t place = 0; place <= before.size(); ++place) {
+      auto tried = before;
+      tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(place), 29);
+      least = std::min(least, bestBranches(route, tried).travel_time);
+    }
+    EXPECT_NEAR(bestBranches(route, order).travel_time, least, 1e-9);
+  }
+}
+
+TEST(KeptOrder, GivesWayToANewSearchWhereMuchChanged) {
+  std::mt19937_64 random(2);
+  const Route route = randomRoute(random, 40, 2, false, false);
+  EXPECT_TRUE(keptOrder(route, countedFrom(0, 40), countedFrom(3, 40)).empty());
+  EXPECT_FALSE(keptOrder(route, countedFrom(0, 40), countedFrom(2, 40)).empty());
+  EXPECT_TRUE(keptOrder(route, countedFrom(0, 40), {}).empty());
+}
+
+}  // namespace
+}  // namespace tubeplan::planner

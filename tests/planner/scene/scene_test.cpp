@@ -1,0 +1,73 @@
+#include "planner/scene/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/planner/toy_arm.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+using testing::shape;
+using testing::ToyArm;
+
+bool tells(const std::vector<SceneProblem>& problems, const std::string& path, const std::string& found) {
+  return std::ranges::any_of(problems, [&](const SceneProblem& problem) {
+    return problem.path.find(path) != std::string::npos && problem.found.find(found) != std::string::npos &&
+           !problem.expected.empty();
+  });
+}
+
+Scene plainScene() { return ToyArm{{1, 1, 1}}.scene({{"wall", shape("keep_side", {2, 0, 0, -1, 0, 0}), {}}}); }
+
+TEST(SceneProblems, NoneInASoundScene) {
+  Scene scene = plainScene();
+  scene.links.push_back({"bare", true});  // a link without shapes may be named too
+  scene.obstacles[0].allow = {"link3", "bare"};
+  scene.bodies[0].allow = {"wall", "link3"};
+  EXPECT_TRUE(findSceneProblems(scene).empty());
+}
+
+TEST(SceneProblems, EachIsTold) {
+  Scene scene = plainScene();
+  scene.clearance = -1;
+  scene.obstacles.push_back(scene.obstacles[0]);
+  scene.obstacles.push_back({"", nullptr, {"elbow"}});
+  scene.bodies.push_back({"link9", 1, "thing", shape("keep_side", {0, 0, 0, 1, 0, 0}), {"cupboard"}});
+  const auto problems = findSceneProblems(scene);
+  EXPECT_TRUE(tells(problems, "clearance", "-1"));
+  EXPECT_TRUE(tells(problems, "obstacle wall: name", "again"));
+  EXPECT_TRUE(tells(problems, "obstacle 3: name", "nothing"));
+  EXPECT_TRUE(tells(problems, "obstacle 3", "no shape"));
+  EXPECT_TRUE(tells(problems, "obstacle 3: allow", "elbow"));
+  EXPECT_TRUE(tells(problems, "body thing: link", "link9"));
+  EXPECT_TRUE(tells(problems, "body thing", "a region"));
+  EXPECT_TRUE(tells(problems, "body thing: allow", "cupboard"));
+  EXPECT_EQ(problems.size(), 8u);
+}
+
+TEST(RigidGroups, PassiveRowsMergeAndBarelinksAreLeftOut) {
+  Scene scene;
+  scene.links = {{"pedestal", false}, {"shoulder", true}, {"bracket", false}, {"wrist", true}, {"hand", true}};
+  const auto body = [&](int i) { return Body{scene.links[i].name, i, "", shape("sphere", {0, 0, 0, 0.1}), {}}; };
+  scene.bodies = {body(0), body(1), body(2), body(4), body(4)};
+  EXPECT_EQ(rigidGroups(scene), (std::vector<int>{0, 1, 1, 2, 2}));
+}
+
+TEST(MayTouch, ByLinkOrBodyNameFromEitherSide) {
+  Scene scene = plainScene();
+  Body tip{"link3", 2, "tip", shape("sphere", {1, 0, 0, 0.1}), {}};
+  EXPECT_FALSE(mayTouch(scene.obstacles[0], tip));
+  scene.obstacles[0].allow = {"tip"};
+  EXPECT_TRUE(mayTouch(scene.obstacles[0], tip));
+  EXPECT_FALSE(mayTouch(scene.obstacles[0], scene.bodies[2]));
+  scene.obstacles[0].allow = {"link3"};
+  EXPECT_TRUE(mayTouch(scene.obstacles[0], tip));
+  EXPECT_TRUE(mayTouch(scene.obstacles[0], scene.bodies[2]));
+  EXPECT_FALSE(mayTouch(scene.bodies[0], tip));
+  tip.allow = {"link1"};
+  EXPECT_TRUE(mayTouch(scene.bodies[0], tip));
+  EXPECT_TRUE(mayTouch(tip, scene.bodies[0]));
+}
+
+}  // namespace
+}  // namespace tubeplan::planner
