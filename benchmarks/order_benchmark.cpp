@@ -32,7 +32,7 @@ void order(benchmark::State& state, const std::string& list) {
   for (auto _ : state) found = orderVisits(route);
   if (found.status != VisitOrderStatus::kSolved) state.SkipWithError(found.reason.c_str());
   state.counters["visits"] = static_cast<double>(found.order.size());
-  state.counters["gap_%"] = 100 * found.gap;
+  state.counters["gap_%"] = 100 * found.optimality_gap;
 }
 
 void registerAll() {

@@ -93,7 +93,7 @@ std::vector<Reading> measure(const Arm& arm) {
   return readings;
 }
 
-/// Misfit of all readings as a function of the unknowns.
+/// Lack of fit of all readings as a function of the unknowns.
 class Misfit {
  public:
   explicit Misfit(const Arm& truth) : truth_(truth), readings_(measure(truth)) {

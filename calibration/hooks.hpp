@@ -20,7 +20,7 @@ struct WorkHooks {
 [[nodiscard]] inline bool shouldStop(const StopQuestion& stop) { return stop && stop(); }
 
 /// For work within work: stops as the whole does, and leaves the telling to it.
-[[nodiscard]] inline WorkHooks untold(const WorkHooks& hooks) { return {{}, hooks.stop}; }
+[[nodiscard]] inline WorkHooks withoutProgress(const WorkHooks& hooks) { return {{}, hooks.stop}; }
 
 /// Unwinds work that was asked to stop, within this library: the verb that was given the hooks catches it.
 struct WorkStopped {};

@@ -43,7 +43,7 @@ struct Measurement {
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, one standard deviation of each measured coordinate;
                                                             ///< NaN = not stated
   std::optional<Eigen::Vector3d> sigma_W;                   ///< m, the same of x, y and z apart, where they differ
-  std::vector<int> senses;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
+  std::vector<int> approach_directions;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN = not stated
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN = not stated
   bool is_held_out = false;                                       ///< kept from the fit, to judge it by

@@ -16,7 +16,7 @@ using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStiffest = 1e4;      // a fit may make an axis that much stiffer than its start ...
 constexpr double kSoftest = 100;       // ... or give that often what it may well give
-constexpr double kHardlyGives = 1e-5;  // rad under the arm's whole weight at its reach: the start of a rigid axis
+constexpr double kNearlyRigid = 1e-5;  // rad under the arm's whole weight at its reach: the start of a rigid axis
 constexpr double kMayGive = 0.02;      // rad under the same: what a rigid axis may typically turn out to give
 
 double weightOf(const deflection::Arm& arm) {
@@ -102,15 +102,15 @@ double priorSigmaOf(const Unknown& unknown, const Priors& priors) {
 void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
   static constexpr const char* kNames[] = {"base.shift.x", "base.shift.y", "base.shift.z",
                                            "base.turn.x",  "base.turn.y",  "base.turn.z"};
-  for (int p = 0; p < static_cast<int>(placed.placings.size()); ++p) {
-    const Placing& placing = placed.placings[static_cast<std::size_t>(p)];
-    if (placing.is_known) continue;
+  for (int p = 0; p < static_cast<int>(placed.base_poses.size()); ++p) {
+    const BasePose& base_pose = placed.base_poses[static_cast<std::size_t>(p)];
+    if (base_pose.is_known) continue;
     for (int k = 0; k < 6; ++k) {
       Unknown unknown;
       unknown.owner = Unknown::Owner::kBase;
-      unknown.name = kNames[k] + (placing.setup.empty() ? "" : "@" + placing.setup);
+      unknown.name = kNames[k] + (base_pose.setup.empty() ? "" : "@" + base_pose.setup);
       unknown.quantity = k < 3 ? Quantity::kLength : Quantity::kAngle;
-      unknown.placing = p;
+      unknown.base_pose = p;
       unknown.component = k;
       unknown.typical = k < 3 ? deflection::reachOf(placed.arm) : 1;
       unknown.lower = -kInfinity;
@@ -130,7 +130,7 @@ bool soften(deflection::Arm& arm, const std::string& name) {
     if (row.name != name.substr(0, dot)) continue;
     auto& stiffness = row.joint_stiffness[static_cast<Eigen::Index>(axis)];
     if (std::isfinite(stiffness)) return false;
-    stiffness = weightOf(arm) * deflection::reachOf(arm) / kHardlyGives;
+    stiffness = weightOf(arm) * deflection::reachOf(arm) / kNearlyRigid;
     return true;
   }
   return false;
@@ -142,19 +142,19 @@ PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& 
                            const std::vector<Measurement>& readings) {
   PlacedArm placed{arm, {}};
   for (const auto& reading : readings) {
-    const bool is_there = std::any_of(placed.placings.begin(), placed.placings.end(),
-                                      [&](const Placing& p) { return p.setup == reading.setup; });
-    if (!is_there) placed.placings.push_back({reading.setup, X_WB, is_known});
+    const bool is_there = std::any_of(placed.base_poses.begin(), placed.base_poses.end(),
+                                      [&](const BasePose& p) { return p.setup == reading.setup; });
+    if (!is_there) placed.base_poses.push_back({reading.setup, X_WB, is_known});
   }
-  if (placed.placings.empty()) placed.placings.push_back({"", X_WB, is_known});
+  if (placed.base_poses.empty()) placed.base_poses.push_back({"", X_WB, is_known});
   return placed;
 }
 
-int placingOf(const PlacedArm& placed, const Measurement& reading) {
-  const auto found = std::find_if(placed.placings.begin(), placed.placings.end(),
-                                  [&](const Placing& p) { return p.setup == reading.setup; });
-  assert(found != placed.placings.end());
-  return static_cast<int>(found - placed.placings.begin());
+int basePoseOf(const PlacedArm& placed, const Measurement& reading) {
+  const auto found = std::find_if(placed.base_poses.begin(), placed.base_poses.end(),
+                                  [&](const BasePose& p) { return p.setup == reading.setup; });
+  assert(found != placed.base_poses.end());
+  return static_cast<int>(found - placed.base_poses.begin());
 }
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
@@ -245,16 +245,16 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step) {
 }
 
 void apply(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x, PlacedArm& placed) {
-  std::vector<BaseStep> steps(placed.placings.size(), BaseStep::Zero());
+  std::vector<BaseStep> steps(placed.base_poses.size(), BaseStep::Zero());
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const Unknown& unknown = unknowns[k];
     const double value = x[static_cast<Eigen::Index>(k)];
     if (unknown.owner == Unknown::Owner::kBase)
-      steps[static_cast<std::size_t>(unknown.placing)][unknown.component] = value;
+      steps[static_cast<std::size_t>(unknown.base_pose)][unknown.component] = value;
     else
       deflection::locate(placed.arm, unknown.path) = valueAt(unknown, value);
   }
-  for (std::size_t p = 0; p < steps.size(); ++p) placed.placings[p].X_WB = moved(start.placings[p].X_WB, steps[p]);
+  for (std::size_t p = 0; p < steps.size(); ++p) placed.base_poses[p].X_WB = moved(start.base_poses[p].X_WB, steps[p]);
 }
 
 PlacedArm applied(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) {

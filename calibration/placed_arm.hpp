@@ -17,8 +17,8 @@ namespace tubeplan::calibration {
 using BaseStep = Eigen::Matrix<double, 6, 1>;
 [[nodiscard]] Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step);
 
-/// One placing of the base: every set-up of a session has its own.
-struct Placing {
+/// One base pose: every set-up of a session has its own.
+struct BasePose {
   std::string setup;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   bool is_known = false;
@@ -26,7 +26,7 @@ struct Placing {
 
 struct PlacedArm {
   deflection::Arm arm;
-  std::vector<Placing> placings;
+  std::vector<BasePose> base_poses;
 };
 
 /// The arm placed at X_WB for every set-up that the readings name, in their order.
@@ -34,7 +34,7 @@ struct PlacedArm {
                                          const std::vector<Measurement>& readings);
 
 /// Index of the placing a reading was made at; the set-up must be one of them.
-[[nodiscard]] int placingOf(const PlacedArm& placed, const Measurement& reading);
+[[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& reading);
 
 /// One number that a fit may change: of the arm, or one of the six of a placing (a shift [m] along, then a turn [rad]
 /// about, the world's axes, from where the placing started). Stiffnesses change by their compliance, to which readings
@@ -45,7 +45,7 @@ struct Unknown {
   deflection::Quantity quantity = deflection::Quantity::kNone;
   Owner owner = Owner::kArm;
   deflection::ParameterPath path;
-  int placing = -1, component = -1;
+  int base_pose = -1, component = -1;
   enum class Scale { kLinear, kCompliance };
   Scale scale = Scale::kLinear;
   bool is_geometry = false;     ///< freed by `geometry`
@@ -74,12 +74,12 @@ struct FreeProblem {
 
 struct FreeChoice {
   std::vector<std::string> names;  ///< as namesBehind() has them
-  bool base = true;                ///< also every placing that is not known
+  bool base = true;                ///< also every base pose that is not known
   Priors priors = {};
 };
 
-/// The unknowns of a choice: placings first, then names in their order, `geometry` last. Axes that are rigid and named
-/// become finite in `placed`. Every variable is 0 at the start.
+/// The unknowns of a choice: base poses first, then names in their order, `geometry` last. Axes that are rigid and
+/// named become finite in `placed`. Every variable is 0 at the start.
 struct Unknowns {
   std::vector<FreeProblem> problems;
   std::vector<Unknown> list;

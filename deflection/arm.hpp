@@ -92,11 +92,12 @@ struct Weight {
   std::vector<Lump<S>> lumps;
 };
 
-/// What effects add to a row while a shape is solved; no file has such numbers. What is there at all (`joint_gives`,
-/// `member_gives`, `bends`, `has_gap`) is structure: it is the same whatever the values are, zero included.
+/// What effects add to a row while a shape is solved; no file has such numbers. What is there at all
+/// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) is structure: it is the same whatever the values
+/// are, zero included.
 template <class S>
-struct Addition {
-  bool joint_gives = false, member_gives = false;
+struct EffectTerms {
+  bool joint_is_compliant = false, member_is_compliant = false;
   std::array<bool, 3> bends{}, has_gap{};
   Vector3<S> compliance = Vector3<S>::Zero();          ///< rad/(N m), at the origin, about the row's axes
   Vector3<S> softness = Vector3<S>::Zero();            ///< see elements/joint_stiffness.hpp ...
@@ -115,7 +116,7 @@ struct Row {
   Vector3<S> joint_stiffness = Vector3<S>::Constant(S(kRigid));  ///< N m/rad about the row's axes, acting at its origin
   std::optional<Beam<S>> beam;
   Weight<S> weight;
-  std::optional<Addition<S>> addition;
+  std::optional<EffectTerms<S>> effect_terms;
 };
 
 /// What effects do to the loads at the tip while a shape is solved; no file has such numbers.

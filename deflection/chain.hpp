@@ -96,7 +96,7 @@ inline int segmentsOf(const Row<double>& values) {
 template <class S>
 void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   const auto before = chain.components.size();
-  if (values.addition) chain.clearances += static_cast<int>((values.addition->gap.array() > 0).count());
+  if (values.effect_terms) chain.clearances += static_cast<int>((values.effect_terms->gap.array() > 0).count());
   addElements<S>(chain, values, row, ElementPlace::kOrigin, 1);
   if (chain.components.size() == before) return;
   ChainLink<S> link{ChainLinkType::kFlexJoint, row};

@@ -101,13 +101,13 @@ void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const
   for (int axis = 0; axis < 3; ++axis)
     if (element.has_gap[axis])
       addProduct(Eigen::Matrix<double, 6, 1>(answer.rotation.col(axis) * answer.rests[axis].by_gap),
-                 changesOf(row.addition->gap[axis]), tip);
+                 changesOf(row.effect_terms->gap[axis]), tip);
   if (!changes(flexibility.compliance) && !changes(flexibility.softness) && !changes(flexibility.knee) &&
       !changes(flexibility.member))
     return;
-  const Deflection<Dual> gives = element.kind->deflectDual(flexibility, arm_.equilibrium_.loadingOf(e));
-  if (changes(gives.displacement)) addProduct(answer.displacement, changesOf(gives.displacement), tip);
-  if (changes(gives.rotation)) addProduct(answer.rotation, changesOf(gives.rotation), tip);
+  const Deflection<Dual> deflected = element.kind->deflectDual(flexibility, arm_.equilibrium_.loadingOf(e));
+  if (changes(deflected.displacement)) addProduct(answer.displacement, changesOf(deflected.displacement), tip);
+  if (changes(deflected.rotation)) addProduct(answer.rotation, changesOf(deflected.rotation), tip);
 }
 
 void DirectChanges::addRow(std::size_t index, const Row<Dual>& row, const Dual& reading, const Vector3<Dual>& to_next,
@@ -124,8 +124,8 @@ void DirectChanges::addRow(std::size_t index, const Row<Dual>& row, const Dual& 
       addElement(e++, link, row, tip);
     else
       addLink(k, link, tip);
-    if (link.type == ChainLinkType::kEndWeight && row.addition && changes(row.addition->pull))
-      addProduct(sensitivity_.forceAt(k, sensitivity_.frames()[k].p), changesOf(row.addition->pull), tip);
+    if (link.type == ChainLinkType::kEndWeight && row.effect_terms && changes(row.effect_terms->pull))
+      addProduct(sensitivity_.forceAt(k, sensitivity_.frames()[k].p), changesOf(row.effect_terms->pull), tip);
   }
 }
 

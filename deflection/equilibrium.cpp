@@ -30,17 +30,17 @@ void Equilibrium::straighten() {
     element.gap.setZero();
     element.turn.setIdentity();
   }
-  beyond_.resize(elements.size() * loads.size());
+  outboard_.resize(elements.size() * loads.size());
 }
 
 Loading<double> Equilibrium::loadingOf(std::size_t e) const {
   const FlexibleElement& element = elements[e];
-  const Beyond& gravity = beyond(e, 0);
+  const OutboardLoad& gravity = outboard(e, 0);
   const Vector3d lever = element.turn * gravity.moment;
   Loading<double> loading{gravity.size * gravity.direction, lever.cross(gravity.direction),
                           element.weight * gravity.direction, element.chord()};
   for (std::size_t d = 1; d < loads.size(); ++d) {
-    const Beyond& other = beyond(e, d);
+    const OutboardLoad& other = outboard(e, d);
     const Vector3d arm = element.turn * other.moment;
     loading.force += other.size * other.direction;
     loading.moment += arm.cross(other.direction);
@@ -51,14 +51,14 @@ Loading<double> Equilibrium::loadingOf(std::size_t e) const {
 clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) const {
   double moment_per_angle = 0, forces = 0;
   for (std::size_t d = 0; d < loads.size(); ++d) {
-    const Beyond& load = beyond(e, d);
+    const OutboardLoad& load = outboard(e, d);
     const Vector3d lever = elements[e].turn * load.moment;
     // The moment about n of what hangs there changes with a turn about n by n . (n x r) x F.
     moment_per_angle += load.direction[axis] * lever[axis] - load.direction.dot(lever);
     forces += std::abs(load.size) * load.direction.norm();
   }
-  return clearance::settle(elements[e].gap_width[axis], elements[e].gap[axis], moment,
-                           {moment_per_angle, forces * reach, clearances});
+  return clearance::converge(elements[e].gap_width[axis], elements[e].gap[axis], moment,
+                             {moment_per_angle, forces * reach, clearances});
 }
 
 /// What bend() does to an element that turns about one axis: a turn about it leaves the moment about it as it is.
@@ -67,7 +67,7 @@ double Equilibrium::turnHinge(std::size_t e) {
   const int k = element.hinge, i = (k + 1) % 3, j = (k + 2) % 3;
   double moment = 0;
   for (std::size_t d = 0; d < loads.size(); ++d) {
-    const Beyond& load = beyond(e, d);
+    const OutboardLoad& load = outboard(e, d);
     const double x = element.turn(i, i) * load.moment[i] + element.turn(i, j) * load.moment[j];
     const double y = element.turn(j, i) * load.moment[i] + element.turn(j, j) * load.moment[j];
     moment += x * load.direction[j] - y * load.direction[i];
@@ -115,8 +115,8 @@ void Equilibrium::gatherInwards(bool bends) {
       }
       if (b == 0) break;
       const std::size_t e = b - 1;
-      beyond(e, d).size = size;
-      beyond(e, d).moment = moment;
+      outboard(e, d).size = size;
+      outboard(e, d).moment = moment;
       if (bends && d + 1 == loads.size()) bend(e, false);
       const FlexibleElement& element = elements[e];
       moment = element.turn * moment + (d == 0 ? size + element.weight / 2 : size) * element.chord();
@@ -129,16 +129,16 @@ double Equilibrium::turnOutwards(bool bends) {
   double change = 0;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     for (std::size_t d = 0; d < loads.size(); ++d) {
-      const Vector3d& inboard = e == 0 ? loads[d].direction_B : beyond(e - 1, d).direction;
+      const Vector3d& inboard = e == 0 ? loads[d].direction_B : outboard(e - 1, d).direction;
       const Vector3d far = e == 0 ? inboard : Vector3d(elements[e - 1].turn.transpose() * inboard);
-      beyond(e, d).direction = bodies[e].far.R.transpose() * far;
+      outboard(e, d).direction = bodies[e].far.R.transpose() * far;
     }
     if (bends) change += bend(e, true);
   }
   return change;
 }
 
-KinematicsStatus Equilibrium::settle(double tolerance, int max_iterations) {
+KinematicsStatus Equilibrium::converge(double tolerance, int max_iterations) {
   straighten();
   gatherInwards(false);
   for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
@@ -151,7 +151,7 @@ KinematicsStatus Equilibrium::settle(double tolerance, int max_iterations) {
 }
 
 void Equilibrium::carryLoads() {
-  beyond_.resize(elements.size() * loads.size());
+  outboard_.resize(elements.size() * loads.size());
   gatherInwards(false);
   (void)turnOutwards(false);
 }

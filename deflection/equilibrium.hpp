@@ -61,7 +61,7 @@ class Equilibrium {
   int clearances = 0;  ///< axes with an open gap
 
   /// From the undeflected shape until the elements rest: no sweep moves the tip by more than `tolerance` [m].
-  KinematicsStatus settle(double tolerance, int max_iterations);
+  KinematicsStatus converge(double tolerance, int max_iterations);
 
   /// What the elements carry when they have given as they are said to have.
   void carryLoads();
@@ -81,7 +81,7 @@ class Equilibrium {
  private:
   /// Loads of one direction beyond an element: size and first moment about its far end in far axes, and the direction
   /// in near axes.
-  struct Beyond {
+  struct OutboardLoad {
     double size = 0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(), direction = Eigen::Vector3d::Zero();
   };
@@ -91,12 +91,14 @@ class Equilibrium {
   [[nodiscard]] double turnOutwards(bool bends);
   double bend(std::size_t element, bool with_gaps);
   double turnHinge(std::size_t element);
-  [[nodiscard]] Beyond& beyond(std::size_t element, std::size_t load) { return beyond_[element * loads.size() + load]; }
-  [[nodiscard]] const Beyond& beyond(std::size_t element, std::size_t load) const {
-    return beyond_[element * loads.size() + load];
+  [[nodiscard]] OutboardLoad& outboard(std::size_t element, std::size_t load) {
+    return outboard_[element * loads.size() + load];
+  }
+  [[nodiscard]] const OutboardLoad& outboard(std::size_t element, std::size_t load) const {
+    return outboard_[element * loads.size() + load];
   }
 
-  std::vector<Beyond> beyond_;
+  std::vector<OutboardLoad> outboard_;
   int iterations_ = 0;
 };
 

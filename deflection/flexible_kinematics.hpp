@@ -18,7 +18,8 @@ struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
-  std::vector<int> senses = {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
+  std::vector<int> approach_directions =
+      {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN: the arm's reference temperature
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN: now, after any slip and without drift
   std::string_view setup = {};  ///< of the base; what it views must outlive the posture

@@ -156,9 +156,9 @@ Vector3<To> castVector(const Vector3<From>& v) {
 }
 
 template <class To, class From>
-Addition<To> castAddition(const Addition<From>& a) {
-  return {a.joint_gives,
-          a.member_gives,
+EffectTerms<To> castEffectTerms(const EffectTerms<From>& a) {
+  return {a.joint_is_compliant,
+          a.member_is_compliant,
           a.bends,
           a.has_gap,
           castVector<To>(a.compliance),
@@ -193,7 +193,7 @@ Row<To> castRow(const Row<From>& row) {
   out.weight.end = castScalar<To>(row.weight.end);
   for (const auto& lump : row.weight.lumps)
     out.weight.lumps.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
-  if (row.addition) out.addition = castAddition<To>(*row.addition);
+  if (row.effect_terms) out.effect_terms = castEffectTerms<To>(*row.effect_terms);
   return out;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "deflection/hinges/hinge_chain.hpp"
-#include "deflection/hinges/kernels.hpp"
+#include "deflection/revolute_chain/kernels.hpp"
+#include "deflection/revolute_chain/revolute_chain.hpp"
 
 namespace tubeplan::deflection {
 
@@ -28,9 +28,9 @@ void copyOut(const double* from, Index first, Index count, Index width, Side& to
 }
 
 /// The last postures of a batch, fewer than lanes. Derivatives stay lane by lane, in `out`.
-void solveRest(const hinges::Kernel& kernel, const hinges::HingeArm& arm, const PostureBatch& postures, Index first,
-               const FlexibleKinematicsOptions& options, TipBatch& tips, double* sweeps, hinges::Shapes out) {
-  double q[hinges::kMaxJoints * kMostLanes], load[kMostLanes], gravity[3 * kMostLanes], pose[12 * kMostLanes],
+void solveRest(const simd::Kernel& kernel, const simd::RevoluteArm& arm, const PostureBatch& postures, Index first,
+               const FlexibleKinematicsOptions& options, TipBatch& tips, double* sweeps, simd::Shapes out) {
+  double q[simd::kMaxJoints * kMostLanes], load[kMostLanes], gravity[3 * kMostLanes], pose[12 * kMostLanes],
       took[kMostLanes];
   const Index count = postures.size() - first, width = kernel.lanes;
   copyIn(postures.q, first, count, width, q);
@@ -61,7 +61,7 @@ PoseOf<double> TipBatch::X_BD(Index k) const {
 
 BatchKinematics::BatchKinematics(const Arm& arm) : given_(arm), arm_(arm), joints_(jointVariables(arm)) {}
 
-int BatchKinematics::lanes() const { return arm_.hasJacobian() ? hinges::kernels().back().lanes : 1; }
+int BatchKinematics::lanes() const { return arm_.hasJacobian() ? simd::kernels().back().lanes : 1; }
 
 void BatchKinematics::solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options) {
   static const std::vector<Variable> kNone;
@@ -105,13 +105,13 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
 void BatchKinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips,
                                       const FlexibleKinematicsOptions& options,
                                       const std::vector<Variable>& variables) {
-  const hinges::Kernel& kernel = hinges::kernels().back();
-  const hinges::HingeVariables* derived = variables.empty() ? nullptr : arm_.kernelFor(variables);
+  const simd::Kernel& kernel = simd::kernels().back();
+  const simd::RevoluteVariables* derived = variables.empty() ? nullptr : arm_.kernelFor(variables);
   if (derived) derivatives_.resize(static_cast<std::size_t>(6 * kMostLanes * derived->columns()));
-  const hinges::HingeArm arm = arm_.hinges()->numbers();
+  const simd::RevoluteArm arm = arm_.revoluteChain()->numbers();
   const Index n = postures.size();
   sweeps_.resize(static_cast<std::size_t>(n));
-  hinges::Shapes out{};
+  simd::Shapes out{};
   for (Index k = 0; k < n; k += kernel.lanes) {
     const Index count = std::min<Index>(kernel.lanes, n - k);
     if (derived) derived->place(derivatives_.data(), kernel.lanes, out);

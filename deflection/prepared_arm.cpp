@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "deflection/hinges/hinge_variables.hpp"
+#include "deflection/revolute_chain/revolute_variables.hpp"
 
 namespace tubeplan::deflection {
 
@@ -47,7 +47,7 @@ int hingeOf(const FlexibleElement& element) {
 
 PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(!dependsOnPosture(arm) && !hasSlide(arm)) {
   if (is_fixed_) prepare(arm, turnsUndone(arm, VectorXd::Zero(static_cast<Eigen::Index>(activeRows(arm).size()))));
-  if (is_fixed_) findHinges(arm);
+  if (is_fixed_) findRevoluteChain(arm);
 }
 
 PreparedArm::~PreparedArm() = default;
@@ -59,9 +59,9 @@ void PreparedArm::addElement(const Arm& arm, const ChainLink<double>& link) {
   element.kind = &elementKinds()[static_cast<std::size_t>(component.kind)];
   element.flexibility = element.kind->flexibilityOf(row, link.p);
   element.weight = link.weight;
-  if (row.addition && link.type == ChainLinkType::kFlexJoint) {
-    element.has_gap = row.addition->has_gap;
-    element.gap_width = row.addition->gap;
+  if (row.effect_terms && link.type == ChainLinkType::kFlexJoint) {
+    element.has_gap = row.effect_terms->has_gap;
+    element.gap_width = row.effect_terms->gap;
   }
   element.hinge = hingeOf(element);
   equilibrium_.elements.push_back(element);
@@ -94,9 +94,9 @@ void PreparedArm::addLink(const Arm& arm, const std::vector<int>& joints, std::s
   }
   rigid.weight += link.weight;
   rigid.far.p += p;
-  if (link.type != ChainLinkType::kEndWeight || !row.addition || row.addition->pull.isZero(0)) return;
+  if (link.type != ChainLinkType::kEndWeight || !row.effect_terms || row.effect_terms->pull.isZero(0)) return;
   DeadLoad pull;
-  pull.direction_B = row.addition->pull;
+  pull.direction_B = row.effect_terms->pull;
   pull.body = static_cast<int>(part_ends_.size());
   hanging_.push_back({equilibrium_.loads.size(), static_cast<int>(parts_.size()) - 1, rigid.far.p});
   equilibrium_.loads.push_back(pull);
@@ -161,9 +161,9 @@ void PreparedArm::load(const Arm& arm, const Posture& posture) const {
 KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinematicsOptions& options) {
   asked_ = posture;
   if (dependsOnPosture(arm_)) {
-    if (!situation_) situation_.emplace(arm_, asked_);
-    applyEffects(*situation_);
-    if (!situation_->undefined.empty()) {
+    if (!context_) context_.emplace(arm_, asked_);
+    applyEffects(*context_);
+    if (!context_->undefined.empty()) {
       undefine();
       return status_;
     }
@@ -172,16 +172,16 @@ KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinema
   const Posture& effective_posture = effectivePosture();
   if (!is_fixed_) {
     prepare(arm, turnsUndone(arm, effective_posture.q));
-    findHinges(arm);
+    findRevoluteChain(arm);
   }
-  if (hinges_) return solveHinges(options, {});
-  is_told_ = true;
+  if (revolute_chain_) return solveRevoluteChain(options, {});
+  is_copied_out_ = true;
   pose(effective_posture.q);
   load(arm, effective_posture);
-  status_ = equilibrium_.settle(options.tolerance * equilibrium_.reach, options.max_iterations);
+  status_ = equilibrium_.converge(options.tolerance * equilibrium_.reach, options.max_iterations);
   iterations_ = equilibrium_.iterations();
   X_BD_ = equilibrium_.tip();
-  if (situation_) X_BD_ = situation_->X_BM * X_BD_;
+  if (context_) X_BD_ = context_->X_BM * X_BD_;
   return status_;
 }
 
@@ -192,7 +192,7 @@ void PreparedArm::undefine() {
 }
 
 std::string PreparedArm::reason() const {
-  if (status_ == KinematicsStatus::kUndefined) return situation_->undefined;
+  if (status_ == KinematicsStatus::kUndefined) return context_->undefined;
   if (status_ == KinematicsStatus::kNotConverged)
     return "the deflected shape does not settle: the arm is too soft for its load";
   return "";
@@ -236,7 +236,7 @@ PoseOf<double> PreparedArm::X_BL(int row) const {
     if (k < chain_.links.size() && chain_.links[k].type == ChainLinkType::kFrame && chain_.links[k].row == row)
       found = X;
   });
-  return situation_ ? situation_->X_BM * found : found;
+  return context_ ? context_->X_BM * found : found;
 }
 
 /// What everything from a row's origin outwards does there, on the deflected shape.
@@ -252,8 +252,8 @@ void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::ve
     moment +=
         chord.cross(force) + (hangs_aside ? Vector3d(frames[k].R * link.lever) : Vector3d(chord / 2)).cross(weight);
     force += weight;
-    const auto& addition = arm.rows[static_cast<std::size_t>(link.row)].addition;
-    if (link.type == ChainLinkType::kEndWeight && addition) force += addition->pull;
+    const auto& effect_terms = arm.rows[static_cast<std::size_t>(link.row)].effect_terms;
+    if (link.type == ChainLinkType::kEndWeight && effect_terms) force += effect_terms->pull;
     if (link.type != ChainLinkType::kFrame) continue;
     RowState& row = rows[static_cast<std::size_t>(link.row)];
     row.force_B = force;
@@ -304,7 +304,7 @@ FlexibleKinematics PreparedArm::shape() const {
     result.components[e].rotation = element.deflection.rotation;
     result.components[e].gap = element.gap;
   }
-  if (situation_) moveBase(situation_->X_BM, result);
+  if (context_) moveBase(context_->X_BM, result);
   return result;
 }
 

@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "deflection/chain.hpp"
-#include "deflection/effects/situation.hpp"
+#include "deflection/effects/effect_context.hpp"
 #include "deflection/equilibrium.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::deflection {
 
-namespace hinges {
-class HingeChain;
-class HingeVariables;
+namespace simd {
+class RevoluteChain;
+class RevoluteVariables;
 struct Shapes;
-}  // namespace hinges
+}  // namespace simd
 struct Variable;
 
 /// Solves one posture after the other; each thread needs its own.
@@ -37,15 +37,15 @@ class PreparedArm {
 
   /// How a kernel's derivatives make those by `variables`; null where they do not. Worked out once for variables that
   /// are asked for again and again, and good until others are.
-  [[nodiscard]] const hinges::HingeVariables* kernelFor(const std::vector<Variable>& variables);
+  [[nodiscard]] const simd::RevoluteVariables* kernelFor(const std::vector<Variable>& variables);
 
   /// Solves a posture with the derivatives that `variables` of kernelFor() is put together from, as one lane of a
   /// kernel writes them.
   KinematicsStatus solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
-                                        const hinges::HingeVariables& variables, double* derivatives);
+                                        const simd::RevoluteVariables& variables, double* derivatives);
 
-  /// The arm as a kernel takes it, for every posture alike; null where it is not (hinges/hinge_chain.hpp).
-  [[nodiscard]] const hinges::HingeChain* hinges() const;
+  /// The arm as a kernel takes it, for every posture alike; null where it is not (revolute_chain/revolute_chain.hpp).
+  [[nodiscard]] const simd::RevoluteChain* revoluteChain() const;
 
   [[nodiscard]] KinematicsStatus status() const { return status_; }
   [[nodiscard]] std::string reason() const;
@@ -84,12 +84,12 @@ class PreparedArm {
     Eigen::Vector3d place;
   };
 
-  [[nodiscard]] const Arm& effective() const { return situation_ ? situation_->arm : arm_; }
-  [[nodiscard]] const Posture& effectivePosture() const { return situation_ ? situation_->posture : asked_; }
+  [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
+  [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
   void prepare(const Arm& arm, const Eigen::VectorXd& q);
   [[nodiscard]] double angleOf(const JointTurn& turn, const Eigen::VectorXd& q) const;
-  void findHinges(const Arm& arm);
-  KinematicsStatus solveHinges(const FlexibleKinematicsOptions& options, hinges::Shapes out);
+  void findRevoluteChain(const Arm& arm);
+  KinematicsStatus solveRevoluteChain(const FlexibleKinematicsOptions& options, simd::Shapes out);
   void tellElements() const;
   void addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k);
   void addElement(const Arm& arm, const ChainLink<double>& link);
@@ -103,19 +103,20 @@ class PreparedArm {
 
   const Arm& arm_;
   Posture asked_;
-  std::optional<Situation<double>> situation_;  ///< where the arm has effects
-  bool is_fixed_;                               ///< no slides, nothing that depends on the posture: the same links
-  Chain<double> chain_;                         ///< with the turning joints at zero
+  std::optional<EffectContext<double>> context_;  ///< where the arm has effects
+  bool is_fixed_;                                 ///< no slides, nothing that depends on the posture: the same links
+  Chain<double> chain_;                           ///< with the turning joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< of each body
   std::vector<Hanging> hanging_;
   mutable Equilibrium equilibrium_;  ///< where a kernel has solved the shape, told by tellElements() when asked for
-  std::unique_ptr<const hinges::HingeChain> hinges_;      ///< the same arm for the kernels, where it is one for them
-  std::vector<double> gives_;                             ///< what a kernel has found of each turn
-  std::vector<Variable> kernel_asked_;                    ///< of kernelFor(), the last ones
-  std::unique_ptr<const hinges::HingeVariables> kernel_;  ///< of those, null where there is none
-  mutable bool is_told_ = true;
+  std::unique_ptr<const simd::RevoluteChain>
+      revolute_chain_;                                     ///< the same arm for the kernels, where it is one for them
+  std::vector<double> element_states_;                     ///< what a kernel has found of each turn
+  std::vector<Variable> kernel_asked_;                     ///< of kernelFor(), the last ones
+  std::unique_ptr<const simd::RevoluteVariables> kernel_;  ///< of those, null where there is none
+  mutable bool is_copied_out_ = true;
   int iterations_ = 0;
   KinematicsStatus status_ = KinematicsStatus::kNotRun;
   PoseOf<double> X_BD_;

@@ -10,7 +10,7 @@ namespace tubeplan::deflection {
 
 /// A tip at some readings and how it moves with them, base axes.
 struct TipMotion {
-  bool settles = true;                                                           ///< false: the rest are not numbers
+  bool is_converged = true;                                                      ///< false: the rest are not numbers
   Eigen::Vector3d p = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();  ///< place [m]; the tool's direction
   Eigen::Vector3d last_axis = Eigen::Vector3d::UnitZ();                          ///< of the last joint
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns;  ///< d p [m], then the rotation vector [rad], per unit of a reading

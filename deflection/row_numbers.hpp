@@ -32,7 +32,7 @@ void visitPlacements(Row<A>& a, const Row<B>& b, Visit&& visit) {
 
 /// What effects add to what gives.
 template <class A, class B, class Visit>
-void visitAdditions(Addition<A>& a, const Addition<B>& b, Visit&& visit) {
+void visitEffectTerms(EffectTerms<A>& a, const EffectTerms<B>& b, Visit&& visit) {
   visitVectors(a.compliance, b.compliance, visit);
   visitVectors(a.softness, b.softness, visit);
   visitVectors(a.knee, b.knee, visit);
@@ -52,7 +52,7 @@ void visitFlexibilities(Row<A>& a, const Row<B>& b, Visit&& visit) {
     visit(a.beam->G, b.beam->G);
     visit(a.beam->J, b.beam->J);
   }
-  if (a.addition && b.addition) visitAdditions(*a.addition, *b.addition, visit);
+  if (a.effect_terms && b.effect_terms) visitEffectTerms(*a.effect_terms, *b.effect_terms, visit);
 }
 
 /// The joint's offset, and what weighs or pulls.
@@ -66,7 +66,7 @@ void visitLoads(Row<A>& a, const Row<B>& b, Visit&& visit) {
     visit(a.weight.lumps[k].weight, b.weight.lumps[k].weight);
     visitVectors(a.weight.lumps[k].at, b.weight.lumps[k].at, visit);
   }
-  if (a.addition && b.addition) visitVectors(a.addition->pull, b.addition->pull, visit);
+  if (a.effect_terms && b.effect_terms) visitVectors(a.effect_terms->pull, b.effect_terms->pull, visit);
 }
 
 }  // namespace tubeplan::deflection

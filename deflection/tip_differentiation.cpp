@@ -38,12 +38,12 @@ void setValue(Dual& x, double value) {
 
 /// The row at its effective values, derivatives as they are.
 void setValues(Row<Dual>& row, const Row<double>& values) {
-  if (values.addition) {
-    if (!row.addition) row.addition.emplace();
-    row.addition->joint_gives = values.addition->joint_gives;
-    row.addition->member_gives = values.addition->member_gives;
-    row.addition->bends = values.addition->bends;
-    row.addition->has_gap = values.addition->has_gap;
+  if (values.effect_terms) {
+    if (!row.effect_terms) row.effect_terms.emplace();
+    row.effect_terms->joint_is_compliant = values.effect_terms->joint_is_compliant;
+    row.effect_terms->member_is_compliant = values.effect_terms->member_is_compliant;
+    row.effect_terms->bends = values.effect_terms->bends;
+    row.effect_terms->has_gap = values.effect_terms->has_gap;
   }
   visitPlacements(row, values, setValue);
   visitFlexibilities(row, values, setValue);
@@ -139,23 +139,23 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
 }
 
 /// What the seeded numbers change by way of the effects.
-void TipDifferentiation::differentiateSituation(TipColumns& tip) {
+void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   const Arm& values = arm_.effective();
   const Posture& posture = arm_.effectivePosture();
-  applyEffects(*situation_);
-  ArmOf<Dual>& arm = situation_->arm;
+  applyEffects(*context_);
+  ArmOf<Dual>& arm = context_->arm;
   for (std::size_t i = 0; i < arm.rows.size(); ++i) setValues(arm.rows[i], values.rows[i]);
   for (int axis = 0; axis < 3; ++axis) setValue(arm.p_LT[axis], values.p_LT[axis]);
-  for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(situation_->posture.q[j], posture.q[j]);
+  for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(context_->posture.q[j], posture.q[j]);
   bool leads_elsewhere = changes(arm.p_LT);
   for (std::size_t i = arm.rows.size(); i-- > 0;)
-    leads_elsewhere = differentiateRow(i, arm, readingOf(i, situation_->posture.q), leads_elsewhere, tip);
-  direct_.addTipLoad(situation_->posture.load, arm.tip_load, tip);
-  direct_.addGravity(situation_->posture.gravity_B, tip);
+    leads_elsewhere = differentiateRow(i, arm, readingOf(i, context_->posture.q), leads_elsewhere, tip);
+  direct_.addTipLoad(context_->posture.load, arm.tip_load, tip);
+  direct_.addGravity(context_->posture.gravity_B, tip);
 }
 
 void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& variables) {
-  if (!situation_) situation_.emplace(dual_arm_, dual_posture_);
+  if (!context_) context_.emplace(dual_arm_, dual_posture_);
   Block block{};
   for (std::size_t first = 0; first < variables.size(); first += kDualSize) {
     const int count = static_cast<int>(std::min<std::size_t>(kDualSize, variables.size() - first));
@@ -166,7 +166,7 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
     const Eigen::Vector3d g = valuesOf(dual_posture_.gravity_B);
     dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
     TipColumns tip = TipColumns::Zero();
-    differentiateSituation(tip);
+    differentiateInContext(tip);
     moveBase(tip);
     dual_posture_.gravity_B = g.cast<Dual>();
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
@@ -176,14 +176,14 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
 
 /// From the moved base to the base as named, which the variables may move too.
 void TipDifferentiation::moveBase(TipColumns& tip) const {
-  const PoseOf<double>& X_BM = arm_.situation_->X_BM;
+  const PoseOf<double>& X_BM = arm_.context_->X_BM;
   const Eigen::Vector3d p_MD_B = X_BM.R * sensitivity_.frames().back().p;
   tip.topRows<3>() = (X_BM.R * tip.topRows<3>()).eval();
   tip.bottomRows<3>() = (X_BM.R * tip.bottomRows<3>()).eval();
-  addMotion(situation_->X_BM, p_MD_B, tip);
+  addMotion(context_->X_BM, p_MD_B, tip);
 }
 
-KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const hinges::HingeVariables& kernel,
+KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const simd::RevoluteVariables& kernel,
                                                    const FlexibleKinematicsOptions& options) {
   kernel_columns_.resize(6 * static_cast<std::size_t>(kernel.columns()));
   arm_.solveWithDerivatives(posture, options, kernel, kernel_columns_.data());
@@ -196,7 +196,7 @@ void TipDifferentiation::castPosture(const Posture& posture) {
   dual_posture_.q = posture.q.cast<Dual>();
   dual_posture_.load = posture.load;
   dual_posture_.gravity_B = posture.gravity_B.cast<Dual>();
-  dual_posture_.senses = posture.senses;
+  dual_posture_.approach_directions = posture.approach_directions;
   dual_posture_.temperature = posture.temperature;
   dual_posture_.setup = posture.setup;
   dual_posture_.time = posture.time;
@@ -206,7 +206,7 @@ KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::ve
                                            const FlexibleKinematicsOptions& options) {
   const auto n = static_cast<Eigen::Index>(variables.size());
   columns_.resize(6, n);
-  const hinges::HingeVariables* kernel = n > 0 ? arm_.kernelFor(variables) : nullptr;
+  const simd::RevoluteVariables* kernel = n > 0 ? arm_.kernelFor(variables) : nullptr;
   kernel ? solveByKernel(posture, *kernel, options) : arm_.solve(posture, options);
   if (arm_.status() != KinematicsStatus::kConverged) {
     columns_.setConstant(std::numeric_limits<double>::quiet_NaN());

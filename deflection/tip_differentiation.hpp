@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "deflection/direct_changes.hpp"
-#include "deflection/hinges/hinge_variables.hpp"
 #include "deflection/prepared_arm.hpp"
+#include "deflection/revolute_chain/revolute_variables.hpp"
 #include "deflection/tip_derivatives.hpp"
 #include "deflection/tip_sensitivity.hpp"
 
@@ -33,7 +33,7 @@ class TipDifferentiation {
  private:
   using Block = std::array<std::size_t, kDualSize>;  ///< the variables of a pass
 
-  KinematicsStatus solveByKernel(const Posture& posture, const hinges::HingeVariables& kernel,
+  KinematicsStatus solveByKernel(const Posture& posture, const simd::RevoluteVariables& kernel,
                                  const FlexibleKinematicsOptions& options);
   void castPosture(const Posture& posture);
   void seed(const Variable& variable, int slot, double size);
@@ -41,7 +41,7 @@ class TipDifferentiation {
   void differentiateWithoutEffects(const std::vector<Variable>& variables);
   bool differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere, TipColumns& tip);
   void differentiateWithEffects(const std::vector<Variable>& variables);
-  void differentiateSituation(TipColumns& tip);
+  void differentiateInContext(TipColumns& tip);
   void moveBase(TipColumns& tip) const;
   void store(const Block& block, int count, const TipColumns& tip);
   [[nodiscard]] Dual readingOf(std::size_t row, const Eigen::Matrix<Dual, Eigen::Dynamic, 1>& q) const;
@@ -54,9 +54,9 @@ class TipDifferentiation {
   ArmOf<Dual> dual_arm_;  ///< empty until it is needed
   PostureOf<Dual> dual_posture_;
   Vector3<Dual> gravity_turn_;
-  std::optional<Situation<Dual>> situation_;  ///< of the dual arm and posture, where there are effects
-  std::vector<int> joints_;                   ///< of each row, -1 where it is passive
-  std::vector<int> active_;                   ///< row of each joint
+  std::optional<EffectContext<Dual>> context_;  ///< of the dual arm and posture, where there are effects
+  std::vector<int> joints_;                     ///< of each row, -1 where it is passive
+  std::vector<int> active_;                     ///< row of each joint
   std::vector<std::pair<int, std::size_t>> order_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns_;
 };

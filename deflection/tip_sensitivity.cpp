@@ -32,11 +32,11 @@ TipRows TipSensitivity::forceAt(std::size_t k, const Vector3d& p) const {
 }
 
 TipRows TipSensitivity::shiftAt(std::size_t k) const {
-  return shiftOfTip() - loads_[k].by_moment * cross(beyond_[k].force);
+  return shiftOfTip() - loads_[k].by_moment * cross(outboard_[k].force);
 }
 
 TipRows TipSensitivity::turnAt(std::size_t k, const Vector3d& p) const {
-  return motion_[k] + loads_[k].by_moment * beyond_[k].by_turn + shiftAt(k) * cross(p);
+  return motion_[k] + loads_[k].by_moment * outboard_[k].by_turn + shiftAt(k) * cross(p);
 }
 
 void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t e) {
@@ -61,8 +61,8 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     out.rotation_by_weight = slopes.rotation_by_weight + slopes.rotation_by_chord * out.displacement_by_weight;
   }
   // How the loads beyond, as seen from the near axes, turn with the near end.
-  const Beyond& beyond = beyond_[k];
-  const Matrix3d by_turn = beyond.by_turn - momentByTurn(frames_[k + 1].p, beyond.force);
+  const OutboardLoad& outboard = outboard_[k];
+  const Matrix3d by_turn = outboard.by_turn - momentByTurn(frames_[k + 1].p, outboard.force);
   const Matrix3d moment_by_turn = out.R.transpose() * by_turn;
   out.moment_by_rotation = moment_by_turn * out.turn_B;
   const Matrix3d seen = moment_by_turn + cross(load.moment) * out.R.transpose();
@@ -71,14 +71,14 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     right +=
         (out.rotation_by_force * cross(load.force) + out.rotation_by_weight * cross(load.weight)) * out.R.transpose();
   Matrix3d own = Matrix3d::Identity() - out.rotation_by_moment * out.moment_by_rotation;
-  out.gives.setOnes();
+  out.is_compliant.setOnes();
   for (int axis = 0; axis < 3; ++axis) {
     elements_[e].rests[axis] = {};
     if (!element.has_gap[axis]) continue;
     elements_[e].rests[axis] = shape.restOf(e, axis, load.moment[axis]);
     if (elements_[e].rests[axis].by_angle == 0) continue;
     // It hangs: in the place of its law, no moment about the axis.
-    out.gives[axis] = 0;
+    out.is_compliant[axis] = 0;
     out.rotation_by_moment.row(axis) = Eigen::RowVector3d::Unit(axis);
     right.row(axis) = seen.row(axis);
     own.row(axis) = -out.moment_by_rotation.row(axis);
@@ -98,13 +98,13 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
   const Vector3d& g = arm.effectivePosture().gravity_B;
   const DeadLoad& load = arm.equilibrium_.loads.front();
   const PoseOf<double>& tip = frames_.back();
-  Beyond beyond{load.at_tip * g, momentByTurn(load.at_tip * tip.p + tip.R * load.tip_moment, g)};
+  OutboardLoad outboard{load.at_tip * g, momentByTurn(load.at_tip * tip.p + tip.R * load.tip_moment, g)};
   TipRows motion;
   motion << -cross(tip.p), Matrix3d::Identity();
   std::size_t e = arm.equilibrium_.elements.size();
   for (std::size_t k = arm.chain_.links.size(); k-- > 0;) {
     const ChainLink<double>& link = arm.chain_.links[k];
-    beyond_[k] = beyond;
+    outboard_[k] = outboard;
     motion_[k] = motion;
     const Vector3d weight = link.weight * g;
     if (link.component >= 0) {
@@ -114,35 +114,35 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
       Matrix3d moved = cross(frames_[k + 1].p) * turn;
       if (answer.is_member) {
         moved += answer.shift_by_turn;
-        beyond.by_turn -= cross(weight / 2) * answer.shift_by_turn;
+        outboard.by_turn -= cross(weight / 2) * answer.shift_by_turn;
       }
-      beyond.by_turn += beyond_[k].by_turn * turn - cross(beyond.force) * moved;
+      outboard.by_turn += outboard_[k].by_turn * turn - cross(outboard.force) * moved;
       motion += motion_[k] * turn;
       motion.topRows<3>() += moved;
     }
     if (link.weight != 0) {
-      beyond.by_turn += momentByTurn(placeOfWeight(link, frames_[k], frames_[k + 1]), weight);
-      beyond.force += weight;
+      outboard.by_turn += momentByTurn(placeOfWeight(link, frames_[k], frames_[k + 1]), weight);
+      outboard.force += weight;
     }
-    const auto& addition = numbers.rows[static_cast<std::size_t>(link.row)].addition;
-    if (link.type != ChainLinkType::kEndWeight || !addition) continue;
-    beyond.by_turn += momentByTurn(frames_[k].p, addition->pull);
-    beyond.force += addition->pull;
+    const auto& effect_terms = numbers.rows[static_cast<std::size_t>(link.row)].effect_terms;
+    if (link.type != ChainLinkType::kEndWeight || !effect_terms) continue;
+    outboard.by_turn += momentByTurn(frames_[k].p, effect_terms->pull);
+    outboard.force += effect_terms->pull;
   }
 }
 
 /// From the near to the far end of an element: what a load beyond it does to the tip more than one before it.
 void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::size_t e, LoadAnswer& load) {
   const Answer& a = answers_[e];
-  const Beyond& beyond = beyond_[k];
+  const OutboardLoad& outboard = outboard_[k];
   const Vector3d& p = frames_[k + 1].p;
   ElementSensitivity& out = elements_[e];
-  const TipRows shift = shiftOfTip() - load.by_moment * cross(beyond.force);
-  const TipRows turn = motion_[k] + load.by_moment * beyond.by_turn + shift * cross(p);
+  const TipRows shift = shiftOfTip() - load.by_moment * cross(outboard.force);
+  const TipRows turn = motion_[k] + load.by_moment * outboard.by_turn + shift * cross(p);
   TipRows rotation = turn * a.turn_B;
   if (!a.is_member) {
     rotation = (rotation * a.inverse).eval();
-    out.rotation = rotation * a.gives.asDiagonal();
+    out.rotation = rotation * a.is_compliant.asDiagonal();
     const TipRows moment = rotation * (a.rotation_by_moment * a.R.transpose());
     load.by_force -= moment * cross(p);
     load.by_moment += moment;
@@ -151,14 +151,15 @@ void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::siz
   const Vector3d weight = arm.chain_.links[k].weight * arm.effectivePosture().gravity_B;
   const TipRows displacement = (shift - load.by_moment * cross(weight / 2)) * a.R;
   rotation = ((rotation + displacement * (a.displacement_by_moment * a.moment_by_rotation)) * a.inverse).eval();
-  const TipRows gives = rotation * a.gives.asDiagonal();
-  out.rotation = gives;
-  out.displacement = gives * a.rotation_by_displacement + displacement * a.displacement_itself;
-  out.weight = (gives * a.rotation_by_weight + displacement * a.displacement_by_weight) * a.R.transpose() +
+  const TipRows compliant_rotation = rotation * a.is_compliant.asDiagonal();
+  out.rotation = compliant_rotation;
+  out.displacement = compliant_rotation * a.rotation_by_displacement + displacement * a.displacement_itself;
+  out.weight = (compliant_rotation * a.rotation_by_weight + displacement * a.displacement_by_weight) * a.R.transpose() +
                load.by_force + load.by_moment * cross((frames_[k].p + p) / 2);
   const TipRows moment = (rotation * a.rotation_by_moment + displacement * a.displacement_by_moment) * a.R.transpose();
   load.by_force +=
-      (gives * a.rotation_by_force + displacement * a.displacement_by_force) * a.R.transpose() - moment * cross(p);
+      (compliant_rotation * a.rotation_by_force + displacement * a.displacement_by_force) * a.R.transpose() -
+      moment * cross(p);
   load.by_moment += moment;
 }
 
@@ -193,7 +194,7 @@ void TipSensitivity::addGravity(const PreparedArm& arm) {
 void TipSensitivity::linearize(const PreparedArm& arm) {
   arm.linkFrames(false, frames_);
   const std::size_t links = arm.chain_.links.size(), elements = arm.equilibrium_.elements.size();
-  beyond_.resize(links);
+  outboard_.resize(links);
   motion_.resize(links);
   loads_.resize(links);
   answers_.resize(elements);

@@ -43,7 +43,7 @@ class TipSensitivity {
 
  private:
   /// What is beyond a cut: the force, and how its moment about the base's origin changes with a turn of it.
-  struct Beyond {
+  struct OutboardLoad {
     Eigen::Vector3d force;
     Eigen::Matrix3d by_turn;
   };
@@ -59,7 +59,7 @@ class TipSensitivity {
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
     Eigen::Matrix3d displacement_itself;          ///< by what it gives under the same load
     Eigen::Matrix3d moment_by_rotation, inverse;  ///< of the loads beyond; of the rotation's own equation
-    Eigen::Vector3d gives;                        ///< 0 for an axis that hangs freely in its gap, else 1
+    Eigen::Vector3d is_compliant;                 ///< 0 for an axis that hangs freely in its gap, else 1
     Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< base axes: of the element, by a turn of its near end
   };
 
@@ -70,7 +70,7 @@ class TipSensitivity {
   void addGravity(const PreparedArm& arm);
 
   std::vector<PoseOf<double>> frames_;
-  std::vector<Beyond> beyond_;   ///< of each link's far end
+  std::vector<OutboardLoad> outboard_;  ///< of each link's far end
   std::vector<TipRows> motion_;  ///< answer to a turn about the base's origin under the same loads inboard, far ends
   std::vector<Answer> answers_;
   std::vector<LoadAnswer> loads_;  ///< of each link

@@ -29,10 +29,10 @@ SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& opti
 }
 
 /// A retreat is its approach backwards: proved with it.
-void fillIn(const std::vector<MotionEnds>& ends, const PlanMemory& memory, VisitPlan& plan) {
+void fillIn(const std::vector<MotionEnds>& ends, const PlanCache& cache, VisitPlan& plan) {
   plan.min_margin = kInfinity;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
-    const SegmentProof& proof = memory.proofs.at(ends[k]);
+    const SegmentProof& proof = cache.proofs.at(ends[k]);
     plan.segments[k].margin = proof.margin;
     plan.segments[k].tightest = proof.tightest;
     if (proof.margin >= plan.min_margin) continue;
@@ -44,11 +44,11 @@ void fillIn(const std::vector<MotionEnds>& ends, const PlanMemory& memory, Visit
 }  // namespace
 
 bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, const std::vector<MotionEnds>& ends,
-              const PlanHooks& hooks, PlanMemory& memory, VisitPlan& plan) {
+              const PlanHooks& hooks, PlanCache& cache, VisitPlan& plan) {
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
     if (plan.segments[k].kind == SegmentKind::kRetreat) continue;
-    if (memory.proofs.contains(ends[k]))
+    if (cache.proofs.contains(ends[k]))
       ++plan.kept.proofs;
     else
       open.push_back(k);
@@ -65,11 +65,11 @@ bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, co
     }
     const SegmentProof proof = proofOf(clearance, options, speeds, plan.segments[open[k]]);
     const std::lock_guard lock(telling);
-    memory.proofs[ends[open[k]]] = proof;
+    cache.proofs[ends[open[k]]] = proof;
     tell(hooks, "proof", ++done, open.size());
-    keep(hooks, memory);
+    keep(hooks, cache);
   });
-  if (!stopped) fillIn(ends, memory, plan);
+  if (!stopped) fillIn(ends, cache, plan);
   return !stopped;
 }
 

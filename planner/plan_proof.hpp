@@ -9,7 +9,7 @@ namespace tubeplan::planner {
 /// `ends` has one entry per segment: what the memory keeps its proof by. False when the hooks asked to stop before the
 /// end.
 [[nodiscard]] bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options,
-                            const std::vector<MotionEnds>& ends, const PlanHooks& hooks, PlanMemory& memory,
+                            const std::vector<MotionEnds>& ends, const PlanHooks& hooks, PlanCache& cache,
                             VisitPlan& plan);
 
 }  // namespace tubeplan::planner

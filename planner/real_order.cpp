@@ -38,14 +38,14 @@ struct Priced {
 
 /// Plans the moves that an order chose and puts their extra time into the table.
 Priced priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const JointSpeeds& speeds,
-                  EdgePenalties& penalties, const PlanHooks& hooks, const PlanMemory& memory) {
+                  EdgePenalties& penalties, const PlanHooks& hooks, const PlanCache& cache) {
   Priced priced;
   for (std::size_t k = 0; k + 1 < stops.size() && !shouldStop(hooks); ++k) {
     const Stop a = stops[k], b = stops[k + 1];
     tell(hooks, "travel", k + 1, stops.size() - 1);
     const MotionPlan& travel = network.between(a, b);
     const double time = network.timeOf(travel);
-    keep(hooks, memory);
+    keep(hooks, cache);
     if (travel.apart && !priced.is_parted) priced.between = travel.tightest;
     priced.is_parted |= travel.apart;
     priced.time += std::min(time, kForbiddenTime);
@@ -60,16 +60,16 @@ Priced priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const 
 /// The order of one round, from the memory where it has it. An order kept from another list that cannot avoid a
 /// forbidden move is found anew.
 VisitOrder orderOfRound(const Route& route, const std::vector<int>& zones, std::size_t round,
-                        VisitOrderOptions& ordering, const PlanHooks& hooks, PlanMemory& memory) {
-  if (round < memory.orders.size()) return memory.orders[round];
+                        VisitOrderOptions& ordering, const PlanHooks& hooks, PlanCache& cache) {
+  if (round < cache.orders.size()) return cache.orders[round];
   VisitOrder order = orderByZones(route, zones, ordering);
   if (order.status == VisitOrderStatus::kForbiddenMove && !ordering.start.empty()) {
     ordering.start.clear();
     order = orderByZones(route, zones, ordering);
   }
   if (shouldStop(hooks)) return order;
-  memory.orders.push_back(order);
-  keep(hooks, memory);
+  cache.orders.push_back(order);
+  keep(hooks, cache);
   return order;
 }
 
@@ -223,7 +223,7 @@ std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roa
 }
 
 RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, const VisitPlanOptions& options,
-                             bool gives_up_if_parted, const PlanHooks& hooks, PlanMemory& memory,
+                             bool gives_up_if_parted, const PlanHooks& hooks, PlanCache& cache,
                              std::size_t& rounds_done) {
   RealOrder best;
   const JointSpeeds speeds = jointSpeedsOf(network.arm());
@@ -232,7 +232,7 @@ RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, 
   VisitOrderOptions ordering = options.order;
   ordering.seed = options.seed;
   ordering.stop = hooks.stop;
-  ordering.start = keptOrder(route, choice.tubes(), memory.visiting_order);
+  ordering.start = keptOrder(route, choice.tubes(), cache.visiting_order);
   EdgePenalties penalties;
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < options.reprice_rounds && !shouldStop(hooks); ++round) {
@@ -240,7 +240,7 @@ RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, 
       route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
         return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
       };
-    const VisitOrder order = orderOfRound(route, zones, rounds_done++, ordering, hooks, memory);
+    const VisitOrder order = orderOfRound(route, zones, rounds_done++, ordering, hooks, cache);
     if (round == 0) {
       best.lower_bound = order.lower_bound;
       ordering.with_bound = false;
@@ -253,7 +253,7 @@ RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, 
     }
     std::vector<Stop> stops = stopsOf(order, choice, options.conditions);
     (ordering.start.empty() ? ordering.hint : ordering.start) = order.order;
-    const Priced priced = priceOrder(stops, network, speeds, penalties, hooks, memory);
+    const Priced priced = priceOrder(stops, network, speeds, penalties, hooks, cache);
     if (priced.is_parted && !best.is_parted) best.between = priced.between;
     best.is_parted |= priced.is_parted;
     if (priced.time < least || best.stops.empty()) best.stops = std::move(stops);

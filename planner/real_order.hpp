@@ -39,7 +39,7 @@ struct RealOrder {
 /// surprises; of all rounds the quickest. `rounds_done` counts the orders that the memory keeps.
 [[nodiscard]] RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network,
                                            const VisitPlanOptions& options, bool gives_up_if_parted,
-                                           const PlanHooks& hooks, PlanMemory& memory, std::size_t& rounds_done);
+                                           const PlanHooks& hooks, PlanCache& cache, std::size_t& rounds_done);
 
 /// Where no travel was found between two stops: the longest stretch and what can be joined to it. The other tubes are
 /// added to `left_out`.

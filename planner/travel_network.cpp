@@ -68,12 +68,12 @@ const Roadmap& TravelRoadmap::get() {
 }
 
 TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap,
-                             const VisitPlanOptions& options, PlanMemory& memory)
+                             const VisitPlanOptions& options, PlanCache& cache)
     : clearance_(clearance),
       reach_(reach),
       speeds_(jointSpeedsOf(clearance.cell().arm)),
       options_(options),
-      memory_(memory),
+      cache_(cache),
       problem_(travelProblemOf(clearance, options)) {
   problem_.roadmap = [&roadmap](const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) {
     return roadmap.get().between(q0, q1, checks);
@@ -95,12 +95,12 @@ const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
   const bool is_backward = postureOf(b) < postureOf(a);
   if (is_backward) std::swap(a, b);
   const TubePosture first = postureOf(a), second = postureOf(b);
-  auto known = memory_.travels.find({first, second});
-  if (known == memory_.travels.end()) {
+  auto known = cache_.travels.find({first, second});
+  if (known == cache_.travels.end()) {
     MotionPlannerOptions motion = options_.motion;
     motion.seed = pairSeed(options_.seed, first, second);
     const MotionPlan plan = planMotion(standoff(a), standoff(b), problem_, motion);
-    known = memory_.travels.emplace(MotionEnds{first, second}, plan).first;
+    known = cache_.travels.emplace(MotionEnds{first, second}, plan).first;
   }
   if (!is_backward) return known->second;
   const auto backward = backward_.find({second, first});

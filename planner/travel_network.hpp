@@ -35,7 +35,7 @@ class TravelRoadmap {
 class TravelNetwork {
  public:
   TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap,
-                const VisitPlanOptions& options, PlanMemory& memory);
+                const VisitPlanOptions& options, PlanCache& cache);
 
   /// The travel from one stop to another, planned the first time it is asked for (or its reverse).
   const MotionPlan& between(Stop a, Stop b);
@@ -50,7 +50,7 @@ class TravelNetwork {
   const std::vector<TubeReach>& reach_;
   const JointSpeeds speeds_;
   const VisitPlanOptions& options_;
-  PlanMemory& memory_;
+  PlanCache& cache_;
   MotionProblem problem_;
   std::map<MotionEnds, MotionPlan> backward_;  ///< the greater end first
 };

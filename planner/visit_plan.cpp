@@ -19,12 +19,12 @@ namespace {
 
 /// Every tube on its own, so in parallel; results stand in the order of the list.
 std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector<int>& tubes,
-                                const TubeReachOptions& options, const PlanHooks& hooks, PlanMemory& memory,
+                                const TubeReachOptions& options, const PlanHooks& hooks, PlanCache& cache,
                                 VisitPlan& plan) {
   std::vector<TubeReach> reach(tubes.size());
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < tubes.size(); ++k) {
-    if (const auto known = memory.reach.find(tubes[k]); known != memory.reach.end())
+    if (const auto known = cache.reach.find(tubes[k]); known != cache.reach.end())
       reach[k] = known->second;
     else
       open.push_back(k);
@@ -37,9 +37,9 @@ std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector
     TubeReach& found = reach[open[k]];
     found = reachTube(clearance, tubes[open[k]], options);
     const std::lock_guard lock(telling);
-    memory.reach[found.tube] = found;
+    cache.reach[found.tube] = found;
     tell(hooks, "reach", ++done, tubes.size());
-    keep(hooks, memory);
+    keep(hooks, cache);
   });
   return reach;
 }
@@ -95,7 +95,7 @@ void compareTimes(const Workcell& cell, const std::vector<Stop>& stops, const Vi
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
   if (kept.reach.size() < choice.reach.size()) plan.lower_bound = zonedBound(route, zones);
   plan.row_by_row_time = rowByRowTime(route, zones, rows, columns);
-  plan.gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
+  plan.optimality_gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
 
 void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
@@ -169,16 +169,16 @@ JointSpeeds jointSpeedsOf(const deflection::Arm& arm) {
 
 VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                      const PlanHooks& hooks) {
-  PlanMemory memory;
-  return planVisits(cell, tubes, options, hooks, memory);
+  PlanCache cache;
+  return planVisits(cell, tubes, options, hooks, cache);
 }
 
 VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
-                     const PlanHooks& hooks, PlanMemory& memory) {
+                     const PlanHooks& hooks, PlanCache& cache) {
   VisitPlan plan;
   const ArmClearance clearance(cell, options.reach.padding);
   const JointSpeeds speeds = jointSpeedsOf(cell.arm);
-  std::vector<TubeReach> reach = reachAll(clearance, tubes, options.reach, hooks, memory, plan);
+  std::vector<TubeReach> reach = reachAll(clearance, tubes, options.reach, hooks, cache, plan);
   if (shouldStop(hooks)) return stopped(plan);
   for (const auto& tube : reach)
     if (tube.status == ReachStatus::kUnreachable) plan.unreachable.push_back({tube.tube, tube.reason, tube.blocking});
@@ -191,18 +191,18 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
   const VisitConditions& conditions = options.conditions;
   if (std::string problem = findEndProblem(clearance, options); !problem.empty())
     return withoutOrder(std::move(plan), std::move(problem));
-  const std::set<MotionEnds> travels_before = keysOf(memory.travels);
+  const std::set<MotionEnds> travels_before = keysOf(cache.travels);
   VisitChoice choice = allBranches(std::move(reach));
   TravelRoadmap roadmap(clearance, options);
-  auto network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, memory);
+  auto network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, cache);
   std::size_t rounds = 0;
-  RealOrder order = orderWithRealMoves(choice, *network, options, true, hooks, memory, rounds);
+  RealOrder order = orderWithRealMoves(choice, *network, options, true, hooks, cache, rounds);
   if (order.is_parted && !shouldStop(hooks)) {
     // No order avoids a move that cannot be made: what cannot be joined is left out, and the rest ordered anew.
     const auto left_out = keepOnePart(choice, roadmap.get(), conditions, order.between);
     plan.unreachable.insert(plan.unreachable.end(), left_out.begin(), left_out.end());
-    network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, memory);
-    order = orderWithRealMoves(choice, *network, options, false, hooks, memory, rounds);
+    network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, cache);
+    order = orderWithRealMoves(choice, *network, options, false, hooks, cache, rounds);
   }
   if (shouldStop(hooks)) return stopped(plan);
   if (order.stops.empty()) return withoutOrder(std::move(plan), order.reason);
@@ -212,11 +212,11 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
     return withoutOrder(std::move(plan), "no path was found between the start or end posture and the tubes");
   const std::vector<MotionEnds> ends = laySegments(stops, choice, conditions, *network, plan);
   for (const auto& [a, b] : ends) plan.kept.travels += a != b && travels_before.contains(std::minmax(a, b));
-  if (!proveAll(clearance, options, ends, hooks, memory, plan) || shouldStop(hooks)) return stopped(plan);
+  if (!proveAll(clearance, options, ends, hooks, cache, plan) || shouldStop(hooks)) return stopped(plan);
   timeSegments(speeds, plan);
   compareTimes(cell, stops, choice, speeds, conditions, plan);
-  memory.visiting_order.clear();
-  for (const auto& visit : plan.visits) memory.visiting_order.push_back(visit.tube);
+  cache.visiting_order.clear();
+  for (const auto& visit : plan.visits) cache.visiting_order.push_back(visit.tube);
   plan.status = VisitPlanStatus::kPlanned;
   return plan;
 }

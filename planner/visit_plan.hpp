@@ -9,7 +9,7 @@
 
 #include "planner/motion/motion_planner.hpp"
 #include "planner/order/visit_order.hpp"
-#include "planner/plan_memory.hpp"
+#include "planner/plan_cache.hpp"
 #include "planner/reach/tube_reach.hpp"
 #include "planner/timing/trapezoid_timing.hpp"
 #include "planner/visit_conditions.hpp"
@@ -21,14 +21,14 @@ namespace tubeplan::planner {
 struct PlanHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   std::function<bool()> stop;
-  std::function<void(const PlanMemory& memory)> keep;
+  std::function<void(const PlanCache& cache)> keep;
 };
 inline bool shouldStop(const PlanHooks& hooks) { return hooks.stop && hooks.stop(); }
 inline void tell(const PlanHooks& hooks, std::string_view stage, std::size_t done, std::size_t total) {
   if (hooks.progress) hooks.progress(stage, done, total);
 }
-inline void keep(const PlanHooks& hooks, const PlanMemory& memory) {
-  if (hooks.keep) hooks.keep(memory);
+inline void keep(const PlanHooks& hooks, const PlanCache& cache) {
+  if (hooks.keep) hooks.keep(cache);
 }
 
 struct VisitPlanOptions {
@@ -79,7 +79,7 @@ struct VisitPlan {
   std::vector<PathSegment> segments;
   double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, between the standoffs, start and end postures
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved, of the same
-  double gap = std::numeric_limits<double>::quiet_NaN();
+  double optimality_gap = std::numeric_limits<double>::quiet_NaN();
   double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves row after row
   double total_time = std::numeric_limits<double>::quiet_NaN();       ///< s, approaches, retreats and stays included
   double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< m, proved, over all segments
@@ -96,7 +96,7 @@ struct VisitPlan {
 /// The same with a memory, which must be of the same cell and options and, where it has orders, of the same list; what
 /// it has is not worked out again. Taken up after a stop, wherever that was, it gives the plan of a run without one.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
-                                   const PlanHooks& hooks, PlanMemory& memory);
+                                   const PlanHooks& hooks, PlanCache& cache);
 
 /// Speed and acceleration limits of the arm's joints.
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm);

@@ -11,7 +11,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/files/atomic_file.hpp"
-#include "app/files/checkpoint/tally_keeper.hpp"
+#include "app/files/checkpoint/tally_checkpoint.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/studies/monte_carlo/centring_trial.hpp"
@@ -78,7 +78,7 @@ class CampaignDesk {
 
  private:
   void keep(bool must) {
-    if (keeper_) keeper_->save([&] { return KeptTally{schedule_->done(), campaign_.experiment->total()}; }, must);
+    if (keeper_) keeper_->save([&] { return TallySoFar{schedule_->done(), campaign_.experiment->total()}; }, must);
   }
 
   int explainStop() {
@@ -106,7 +106,7 @@ class CampaignDesk {
   const Campaign& campaign_;
   std::uint64_t runs_;
   std::optional<OutputFolder> folder_;
-  std::optional<TallyKeeper> keeper_;
+  std::optional<TallyCheckpoint> keeper_;
   std::optional<RunSchedule> schedule_;
 };
 

@@ -10,9 +10,9 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/diagnosis_json.hpp"
+#include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/documents/splitting_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/jobs/diagnosis_job.hpp"
 
@@ -48,7 +48,7 @@ int run(const DiagnoseOptions& options) {
     return kDone;
   }
   fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units),
-             splittingText(outcome.next, outcome.candidates, input.cell.arm, units));
+             discriminationText(outcome.next, outcome.candidates, input.cell.arm, units));
   if (!options.run_sheet.empty())
     fmt::print("{}", sheet.empty() ? "no run sheet: no reading is proposed\n"
                                    : fmt::format("wrote {}: fill in what is measured and give it after the readings\n",

@@ -15,8 +15,8 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/diagnosis_json.hpp"
 #include "app/documents/figures.hpp"
-#include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/jobs/improvement_job.hpp"
@@ -80,7 +80,7 @@ void print(const Improvement& result, const ImproveOptions& options, const Units
   if (result.end == ImprovementEnd::kNotFitted)
     fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
   if (result.end == ImprovementEnd::kMostSteps) fmt::print("ended after --steps {}\n", options.request.steps);
-  if (!result.models.empty()) fmt::print("{}", ladderText(rungsOf(result), units));
+  if (!result.models.empty()) fmt::print("{}", modelComparisonText(comparisonRowsOf(result), units));
   if (!result.isUsable())
     fmt::print("nothing was written\n");
   else

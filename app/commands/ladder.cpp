@@ -9,8 +9,8 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/jobs/ladder_job.hpp"
 
@@ -50,7 +50,7 @@ int run(const LadderOptions& options) {
                         "--report");
   const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
-    fmt::print("{}{}{}", checksText(models.back().input.checks, units), ladderText(outcome.rungs, units),
+    fmt::print("{}{}{}", checksText(models.back().input.checks, units), modelComparisonText(outcome.comparison, units),
                ladderStepsText(outcome.steps, units));
   return kDone;
 }

@@ -23,13 +23,13 @@ struct PlanOptions {
   bool resume = false, trajectory = false;
 };
 
-int explainStop(PlanKeeper& keeper, const OutputFolder& folder) {
-  const std::string summary = keeper.summary();
+int explainStop(PlanCheckpoint& checkpoint, const OutputFolder& folder) {
+  const std::string summary = checkpoint.summary();
   if (summary.empty()) {
     fmt::print(stderr, "stopped before there was anything to keep\n");
     return kStoppedExitCode;
   }
-  keeper.save();
+  checkpoint.save();
   fmt::print(stderr, "stopped; {} are kept in {}: the same command goes on from there\n", summary,
              (folder.path() / kProgressFile).string());
   return kStoppedExitCode;
@@ -51,7 +51,7 @@ int explain(const PlanOutcome& outcome) {
   return kNegativeAnswer;
 }
 
-std::string keptText(const std::string& from, const PlanOutcome& outcome) {
+std::string checkpointText(const std::string& from, const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const std::size_t tubes = plan.visits.size() + plan.unreachable.size();
   return fmt::format(
@@ -62,22 +62,22 @@ std::string keptText(const std::string& from, const PlanOutcome& outcome) {
 
 int run(const PlanOptions& options) {
   OutputFolder folder(options.out, "--out");
-  PlanKeeper keeper(folder.path(), options.resume, options.from);
-  const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), keeper);
-  if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(keeper, folder);
+  PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
+  const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
+  if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(checkpoint, folder);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) {
     // Refused touches answer nothing: what an earlier run left stays.
-    if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) keeper.discard();
+    if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) checkpoint.discard();
     return explain(outcome);
   }
-  folder.write(kMemoryFile, keeper.text());
+  folder.write(kCacheFile, checkpoint.text());
   folder.remove(kProgressFile);
   if (options.trajectory)
     folder.write(kTrajectoryFile, trajectoryYaml(outcome));
   else
     folder.remove(kTrajectoryFile);
   writePlan(options.request, outcome, folder);
-  fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : keptText(options.from, outcome),
+  fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : checkpointText(options.from, outcome),
              (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   return kDone;
 }

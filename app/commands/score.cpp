@@ -18,7 +18,7 @@
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/step_experiment.hpp"
 #include "planner/reach/tube_reach.hpp"

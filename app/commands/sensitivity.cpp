@@ -15,7 +15,7 @@
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/workcell.hpp"
-#include "app/jobs/cell_knowledge.hpp"
+#include "app/jobs/cell_estimate.hpp"
 #include "app/studies/measurements/reading_candidates.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "calibration/design/touch_choice.hpp"
@@ -84,18 +84,18 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
 }
 
 /// Sigma of every number of the arm, as the readings tell it.
-std::vector<double> sigmasTold(const calibration::Knowledge& knowledge, const deflection::Arm& arm) {
-  const auto n = knowledge.information.rows();
-  const Eigen::MatrixXd covariance = knowledge.information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+std::vector<double> posteriorSigmas(const calibration::Estimate& estimate, const deflection::Arm& arm) {
+  const auto n = estimate.information.rows();
+  const Eigen::MatrixXd covariance = estimate.information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   const auto parameters = deflection::parametersOf(arm);
   std::vector<double> sigmas(parameters.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t k = 0; k < knowledge.unknowns.size(); ++k) {
-    const auto& unknown = knowledge.unknowns[k];
+  for (std::size_t k = 0; k < estimate.unknowns.size(); ++k) {
+    const auto& unknown = estimate.unknowns[k];
     const auto index = static_cast<Eigen::Index>(k);
     for (std::size_t p = 0; p < parameters.size(); ++p)
       if (parameters[p].name == unknown.name)
         sigmas[p] = std::sqrt(covariance(index, index)) * unknown.typical *
-                    std::abs(calibration::slopeAt(unknown, knowledge.x[index]));
+                    std::abs(calibration::slopeAt(unknown, estimate.x[index]));
   }
   return sigmas;
 }
@@ -111,12 +111,10 @@ int run(const SensitivityOptions& options) {
   if (!options.readings.empty()) {
     const auto made = readingsMade(options.readings, cell, 0, options.assume);
     checks = made.checks;
-    const auto knowledge =
-        knowledgeOf(cell, made.readings, {cell.identify, !cell.base_known}, cell.path + " (identify)");
-    if (!knowledge.note.empty())
-      throw InputError(options.readings, knowledge.note, "readings that tell the parameters");
-    cell = cellAsKnown(cell, knowledge);
-    report.sigmas = sigmasTold(knowledge, cell.arm);
+    const auto estimate = estimateOf(cell, made.readings, {cell.identify, !cell.base_known}, cell.path + " (identify)");
+    if (!estimate.note.empty()) throw InputError(options.readings, estimate.note, "readings that tell the parameters");
+    cell = cellAsEstimated(cell, estimate);
+    report.sigmas = posteriorSigmas(estimate, cell.arm);
   }
   report.has_sheet = cell.sheet.has_value();
   if (report.has_sheet)

@@ -20,7 +20,7 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::Adequacy, calibration::ComparedReading, calibration::Comparison, calibration::ComparisonStatus,
-    calibration::JointEquivalents, calibration::Measurement, calibration::ModelMisfit, calibration::Repeats;
+    calibration::JointEquivalents, calibration::Measurement, calibration::ModelLackOfFit, calibration::Repeats;
 using nlohmann::json;
 
 constexpr std::size_t kWorstShown = 10;
@@ -54,18 +54,18 @@ json repeatsJson(const Repeats& repeats) {
             {"p_value", finiteJson(repeats.lack_of_fit_p_value)}}}};
 }
 
-json misfitJson(const ModelMisfit& misfit, const Units& units) {
-  return {{"rms", lengthJson(misfit.errors.rms, units)},
-          {"mean", lengthJson(misfit.errors.mean, units)},
-          {"worst", lengthJson(misfit.errors.max, units)},
-          {"readings", misfit.errors.readings},
-          {"noise_floor", lengthJson(misfit.noise_floor, units)},
-          {"chi2", finiteJson(misfit.chi2)},
-          {"degrees_of_freedom", misfit.degrees_of_freedom},
-          {"chi2_per_dof", finiteJson(misfit.chi2 / std::max(1, misfit.degrees_of_freedom))},
-          {"p_value", finiteJson(misfit.p_value)},
-          {"verdict", nameOf(misfit.adequacy)},
-          {"repeats", misfit.repeats.groups > 0 ? repeatsJson(misfit.repeats) : json()}};
+json lackOfFitJson(const ModelLackOfFit& lack_of_fit, const Units& units) {
+  return {{"rms", lengthJson(lack_of_fit.errors.rms, units)},
+          {"mean", lengthJson(lack_of_fit.errors.mean, units)},
+          {"worst", lengthJson(lack_of_fit.errors.max, units)},
+          {"readings", lack_of_fit.errors.readings},
+          {"noise_floor", lengthJson(lack_of_fit.noise_floor, units)},
+          {"chi2", finiteJson(lack_of_fit.chi2)},
+          {"degrees_of_freedom", lack_of_fit.degrees_of_freedom},
+          {"chi2_per_dof", finiteJson(lack_of_fit.chi2 / std::max(1, lack_of_fit.degrees_of_freedom))},
+          {"p_value", finiteJson(lack_of_fit.p_value)},
+          {"verdict", nameOf(lack_of_fit.adequacy)},
+          {"repeats", lack_of_fit.repeats.groups > 0 ? repeatsJson(lack_of_fit.repeats) : json()}};
 }
 
 json equivalentsJson(const Comparison& result, const JointEquivalents& joints, const Units& units) {
@@ -104,7 +104,7 @@ json readingJson(const ComparedReading& compared, const Measurement& reading, co
       {"setup", reading.setup},
       {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
       {"joints", jointsJson(reading.q, result.fitted.arm, units)},
-      {"senses", reading.senses},
+      {"senses", reading.approach_directions},
       {"temperature",
        std::isfinite(reading.temperature) ? finiteJson(units.temperatureToFile(reading.temperature)) : json()},
       {"time", finiteJson(reading.time / units.factor(dimension::kTime))},
@@ -159,12 +159,13 @@ std::string noiseSentence(const Comparison& result) {
       repeats.noise_ratio, chanceText(repeats.noise_p_value));
 }
 
-std::string misfitLine(const char* title, const ModelMisfit& misfit, const Units& units) {
+std::string lackOfFitLine(const char* title, const ModelLackOfFit& lack_of_fit, const Units& units) {
   return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
-                     lengthText(misfit.errors.rms, units, 3), lengthText(misfit.errors.mean, units, 3),
-                     lengthText(misfit.errors.max, units, 3), misfit.chi2 / std::max(1, misfit.degrees_of_freedom),
-                     misfit.degrees_of_freedom > 0 ? chanceText(misfit.p_value) : "no degree of freedom",
-                     nameOf(misfit.adequacy));
+                     lengthText(lack_of_fit.errors.rms, units, 3), lengthText(lack_of_fit.errors.mean, units, 3),
+                     lengthText(lack_of_fit.errors.max, units, 3),
+                     lack_of_fit.chi2 / std::max(1, lack_of_fit.degrees_of_freedom),
+                     lack_of_fit.degrees_of_freedom > 0 ? chanceText(lack_of_fit.p_value) : "no degree of freedom",
+                     nameOf(lack_of_fit.adequacy));
 }
 
 std::string equivalentsText(const Comparison& result, const Units& units) {
@@ -190,7 +191,7 @@ const char* nameOf(Adequacy adequacy) {
       return "not-run";
     case Adequacy::kAdequate:
       return "adequate";
-    case Adequacy::kFallsShort:
+    case Adequacy::kInadequate:
       return "falls-short";
     case Adequacy::kInconclusive:
       return "inconclusive";
@@ -222,8 +223,8 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                  {"noise", noiseSentence(result)},
                  {"chi2_per_dof", finiteJson(after.chi2 / std::max(1, after.degrees_of_freedom))},
                  {"p_value", finiteJson(after.p_value)},
-                 {"as_it_stands", misfitJson(result.as_it_stands, units)},
-                 {"after_refit", misfitJson(after, units)}};
+                 {"as_it_stands", lackOfFitJson(result.as_it_stands, units)},
+                 {"after_refit", lackOfFitJson(after, units)}};
   report["rms"] = {{"before", lengthJson(result.as_it_stands.errors.rms, units)},
                    {"after_base", lengthJson(refit.after_base.rms, units)},
                    {"after", lengthJson(after.errors.rms, units)},
@@ -251,8 +252,8 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
 std::string comparisonText(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), comparisonSentence(result, units));
   if (!result.reason.empty()) text += "  " + result.reason + "\n";
-  text += misfitLine("as it stands", result.as_it_stands, units);
-  text += misfitLine("after the refit", result.after_refit, units);
+  text += lackOfFitLine("as it stands", result.as_it_stands, units);
+  text += lackOfFitLine("after the refit", result.after_refit, units);
   if (result.refit.heldout.readings > 0)
     text += fmt::format("  held out: rms {} with only the base placed, {} after the refit\n",
                         lengthText(result.refit.heldout_before.rms, units, 3),

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/documents/ladder_json.hpp"
+#include "app/documents/model_comparison_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -89,20 +89,20 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
   for (const double value : joints) entry["joints"].push_back(brief(value));
   addOwnNumbers(reading, units, entry);
   if (!reading.setup.empty()) entry["setup"] = reading.setup;
-  if (!reading.senses.empty()) entry["senses"] = reading.senses;
+  if (!reading.approach_directions.empty()) entry["senses"] = reading.approach_directions;
   if (std::isfinite(reading.temperature)) entry["temperature"] = brief(units.temperatureToFile(reading.temperature));
   if (std::isfinite(reading.time)) entry["time"] = brief(reading.time / units.factor(dimension::kTime));
   return entry;
 }
 
-json ladderJson(const Diagnosis& result, const Units& units) {
+json modelComparisonJson(const Diagnosis& result, const Units& units) {
   const auto rung = [&](const std::string& name, double rms, double heldout) {
     return json{{"name", name}, {"rms", lengthJson(rms, units)}, {"heldout_rms", lengthJson(heldout, units)}};
   };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const auto& placings = result.baseline.fitted.placings;
+  const auto& base_poses = result.baseline.fitted.base_poses;
   const bool is_placed =
-      std::all_of(placings.begin(), placings.end(), [](const auto& placing) { return placing.is_known; });
+      std::all_of(base_poses.begin(), base_poses.end(), [](const auto& base_pose) { return base_pose.is_known; });
   json ladder = {is_placed ? rung("as the model stands", result.baseline.before.rms, kNone)
                            : rung("as the model stands, only its base fitted", result.baseline.after_base.rms, kNone),
                  rung("refitted", result.before.rms, result.heldout_before.rms)};
@@ -115,7 +115,7 @@ void addViews(const Diagnosis& result, const std::vector<Measurement>& readings,
   const deflection::Arm& arm = result.baseline.fitted.arm;
   const auto shown = calibration::explanationsShown(result);
   target["joints"] = jointsJson(arm, units);
-  target["ladder"] = ladderJson(result, units);
+  target["ladder"] = modelComparisonJson(result, units);
   target["readings"] = json::array();
   std::map<int, int> listed;
   for (const auto& view : result.views.readings) {

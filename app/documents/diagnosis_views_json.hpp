@@ -22,7 +22,7 @@ void addOwnNumbers(const calibration::Measurement& reading, const Units& units, 
 
 /// [{name, rms, heldout_rms}, ...]: the model as it stands, refitted, and with each explanation that is shown. What
 /// nothing was fitted for has no held-out error of its own.
-[[nodiscard]] nlohmann::json ladderJson(const calibration::Diagnosis& result, const Units& units);
+[[nodiscard]] nlohmann::json modelComparisonJson(const calibration::Diagnosis& result, const Units& units);
 
 /// Adds to a diagnosis: `joints`, `ladder`, `readings` (each as above with position: [3], before: [3], after: [3] by
 /// the leading explanation, and explained: [[3], ...] by each that is shown; errors are measured less predicted),

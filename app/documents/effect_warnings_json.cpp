@@ -21,7 +21,7 @@ const char* nameOf(EffectWarningKind kind) {
       return "better-explained-by";
     case EffectWarningKind::kBeyondPlausible:
       return "beyond-plausible";
-    case EffectWarningKind::kMisfitRemains:
+    case EffectWarningKind::kLackOfFitRemains:
       return "misfit-remains";
   }
   return "";
@@ -69,7 +69,7 @@ std::string warningText(const EffectWarning& warning, const Units& units) {
                          own, warning.number.name, inFile(warning.number.value, warning.number.quantity, units),
                          units.nameOf(dimensionOf(warning.number.quantity)),
                          inFile(warning.plausible, warning.number.quantity, units));
-    case EffectWarningKind::kMisfitRemains:
+    case EffectWarningKind::kLackOfFitRemains:
       return fmt::format(
           "{}: it does not bring the error to the floor (p = {:.2g}): something else is missing, run diagnose", own,
           warning.p_value);

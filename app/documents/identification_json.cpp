@@ -111,9 +111,9 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kArm) json["parameters"].push_back(numberJson(number, units));
   json["bases"] = nlohmann::json::array();
-  for (const auto& placing : result.fitted.placings)
+  for (const auto& base_pose : result.fitted.base_poses)
     json["bases"].push_back(
-        {{"setup", placing.setup}, {"known", placing.is_known}, {"base", poseJson(placing.X_WB, units)}});
+        {{"setup", base_pose.setup}, {"known", base_pose.is_known}, {"base", poseJson(base_pose.X_WB, units)}});
   json["base_steps"] = nlohmann::json::array();
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kBase) json["base_steps"].push_back(numberJson(number, units));

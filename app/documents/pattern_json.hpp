@@ -1,4 +1,4 @@
-// A pattern of the misfit as JSON and as a plain sentence.
+// A pattern of the residual as JSON and as a plain sentence.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

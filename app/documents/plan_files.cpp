@@ -148,7 +148,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"unreachable", unreachableJson(outcome)},
                  {"travel_time_s", plan.travel_time},
                  {"lower_bound_s", plan.lower_bound},
-                 {"gap", plan.gap},
+                 {"gap", plan.optimality_gap},
                  {"row_by_row_time_s", plan.row_by_row_time},
                  {"total_time_s", plan.total_time},
                  {"detours", plan.detours},
@@ -260,7 +260,8 @@ std::string planText(const PlanOutcome& outcome) {
     text += fmt::format("  and {} more, each with its reason in plan.json\n", plan.unreachable.size() - 5);
   text += fmt::format(
       "travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n",
-      plan.travel_time, plan.lower_bound, 100 * plan.gap, plan.row_by_row_time, plan.total_time, plan.detours);
+      plan.travel_time, plan.lower_bound, 100 * plan.optimality_gap, plan.row_by_row_time, plan.total_time,
+      plan.detours);
   text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
                       minClearance(outcome) / units.factor(dimension::kLength), unit,
                       outcome.model.scene.clearance / units.factor(dimension::kLength),

@@ -8,7 +8,7 @@
 
 #include "app/files/cell_reader.hpp"
 #include "app/files/plan_conditions.hpp"
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/positioning/step_chances.hpp"
 #include "app/studies/positioning/step_score.hpp"
 #include "planner/visit_plan.hpp"

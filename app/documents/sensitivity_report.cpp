@@ -67,7 +67,7 @@ double designFigure(const SensitivityReport& report, std::size_t n) {
 }
 
 /// Error at work of one sigma where readings tell it, else of one per cent.
-double knowledgeFigure(const SensitivityReport& report, std::size_t n) {
+double estimateFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
   const double sigma = sigmaOf(report, n);
   if (std::isfinite(sigma)) return sigma * number.error;
@@ -90,10 +90,10 @@ nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
   return list;
 }
 
-nlohmann::json knowledgeJson(const SensitivityReport& report, const Cell& cell) {
+nlohmann::json estimateJson(const SensitivityReport& report, const Cell& cell) {
   nlohmann::json list = nlohmann::json::array();
   const double unit = cell.units.factor(dimension::kLength);
-  for (const std::size_t n : ranked(report, knowledgeFigure)) {
+  for (const std::size_t n : ranked(report, estimateFigure)) {
     const auto& number = report.figures.numbers[n];
     const double factor = cell.units.factor(dimensionOf(number.parameter.quantity)), sigma = sigmaOf(report, n);
     nlohmann::json json = {{"name", number.parameter.name},
@@ -128,13 +128,13 @@ std::string designText(const SensitivityReport& report, const Cell& cell) {
                             cell.units.length().name);
 }
 
-std::string knowledgeText(const SensitivityReport& report, const Cell& cell) {
+std::string estimateText(const SensitivityReport& report, const Cell& cell) {
   const double unit = cell.units.factor(dimension::kLength);
   std::string text = fmt::format(
       "what must be known, most first: mean error at work, {}, that compensation and calibration leave\n"
       "  {:<36} {:>10} {:>12} {:>12}\n",
       cell.units.length().name, "", "of 1 %", "base known", report.sigmas.empty() ? "" : "of one sigma");
-  for (const std::size_t n : ranked(report, knowledgeFigure)) {
+  for (const std::size_t n : ranked(report, estimateFigure)) {
     const auto& number = report.figures.numbers[n];
     text += fmt::format("  {:<36}", number.parameter.name);
     text += isDesignable(number) ? fmt::format(" {:10.3g} {:12.3g}", perCent(number, number.error) / unit,
@@ -157,7 +157,7 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
           {"mean_uncompensated_error", finiteJson(report.figures.mean_uncompensated / unit)},
           {"error", report.has_sheet ? "across the holes" : "whole"},
           {"design", designJson(report, cell)},
-          {"knowledge", knowledgeJson(report, cell)},
+          {"knowledge", estimateJson(report, cell)},
           {"units", unitsJson(cell.units)}};
 }
 
@@ -173,7 +173,7 @@ std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
       fmt::format("mean sag {:.4f} {}, mean {} without compensation {:.4f} {}\n", report.figures.mean_deflection / unit,
                   cell.units.length().name, report.has_sheet ? "centring error" : "error",
                   report.figures.mean_uncompensated / unit, cell.units.length().name);
-  return text + designText(report, cell) + knowledgeText(report, cell);
+  return text + designText(report, cell) + estimateText(report, cell);
 }
 
 }  // namespace tubeplan::app

@@ -83,7 +83,7 @@ nlohmann::json numberJson(const NumberForecast& number, const Units& units) {
            {{"now", finiteJson(number.now / factor)},
             {"after", finiteJson(number.after / factor)},
             {"random", finiteJson(number.random / factor)}}},
-          {"told", {{"now", number.is_told_now}, {"after", number.is_told_after}}}};
+          {"told", {{"now", number.is_identifiable_now}, {"after", number.is_identifiable_after}}}};
 }
 
 nlohmann::json proposalJson(const TouchOutcome& outcome, const Proposal& proposal, const ReadingNoise& noise) {
@@ -151,7 +151,7 @@ std::string joined(const std::vector<std::string>& words) {
 /// Whether readings made so far place the base, or it is known.
 bool isPlaced(const calibration::NextReadings& next) {
   return std::all_of(next.numbers.begin(), next.numbers.end(), [](const NumberForecast& number) {
-    return number.unknown.owner == calibration::Unknown::Owner::kArm || number.is_told_now;
+    return number.unknown.owner == calibration::Unknown::Owner::kArm || number.is_identifiable_now;
   });
 }
 
@@ -198,10 +198,11 @@ std::string parametersText(const TouchOutcome& outcome) {
   for (const auto& number : proposal.next.numbers) {
     const Dimension unit = dimensionOf(number.unknown.quantity);
     const double factor = outcome.cell.units.factor(unit);
-    text += fmt::format("  {:<36} {:>12} {:>12} {:>12} {}\n", number.unknown.name,
-                        shareText(number.now / factor, number.is_told_now),
-                        shareText(number.after / factor, number.is_told_after),
-                        shareText(number.random / factor, number.is_told_random), outcome.cell.units.nameOf(unit));
+    text +=
+        fmt::format("  {:<36} {:>12} {:>12} {:>12} {}\n", number.unknown.name,
+                    shareText(number.now / factor, number.is_identifiable_now),
+                    shareText(number.after / factor, number.is_identifiable_after),
+                    shareText(number.random / factor, number.is_identifiable_random), outcome.cell.units.nameOf(unit));
   }
   return text;
 }

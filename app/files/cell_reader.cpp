@@ -184,9 +184,9 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.scene = std::move(scene.scene);
   cell.meshes = std::move(scene.meshes);
   cell.warnings = sceneWarnings(cell.meshes, cell.arm, cell.X_WB);
-  const auto told_by_scene = findToolAxis(cell.scene);
-  if (!source.names_tool_axis) cell.arm.tool_axis_L = told_by_scene.value_or(cell.arm.tool_axis_L);
-  cell.tool_axis_told = source.names_tool_axis || told_by_scene.has_value();
+  const auto stated_by_scene = findToolAxis(cell.scene);
+  if (!source.names_tool_axis) cell.arm.tool_axis_L = stated_by_scene.value_or(cell.arm.tool_axis_L);
+  cell.tool_axis_stated = source.names_tool_axis || stated_by_scene.has_value();
   return cell;
 }
 

@@ -120,14 +120,14 @@ std::string withoutIdentifying(const std::string& text, const Cell& cell, const 
   return left.size() == cell.identify.size() ? text : withYamlValue(text, "identify", identifyList(left));
 }
 
-std::optional<Matrix6d> baseCovariance(const calibration::Identification& result, int placing) {
+std::optional<Matrix6d> baseCovariance(const calibration::Identification& result, int base_pose) {
   Matrix6d covariance = Matrix6d::Zero();
   int found = 0;
   for (std::size_t i = 0; i < result.numbers.size(); ++i)
     for (std::size_t j = 0; j < result.numbers.size(); ++j) {
       const auto &a = result.numbers[i].unknown, &b = result.numbers[j].unknown;
       const auto is_its = [&](const calibration::Unknown& unknown) {
-        return unknown.owner == calibration::Unknown::Owner::kBase && unknown.placing == placing;
+        return unknown.owner == calibration::Unknown::Owner::kBase && unknown.base_pose == base_pose;
       };
       if (!is_its(a) || !is_its(b)) continue;
       covariance(a.component, b.component) =
@@ -138,36 +138,37 @@ std::optional<Matrix6d> baseCovariance(const calibration::Identification& result
 }
 
 /// A set-up's name as part of a file's, none like another's.
-std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t placing) {
-  const std::string& part = placed.placings[placing].setup;
+std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t base_pose) {
+  const std::string& part = placed.base_poses[base_pose].setup;
   const bool is_plain = !part.empty() && std::all_of(part.begin(), part.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '-' || c == '_';
   });
-  return is_plain ? part : std::to_string(placing + 1) + "-of-" + std::to_string(placed.placings.size());
+  return is_plain ? part : std::to_string(base_pose + 1) + "-of-" + std::to_string(placed.base_poses.size());
 }
 
 /// A cell has one base: of several set-ups each gets a cell of its own, with the same arm.
 std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
                                     const calibration::Identification& result, const fs::path& out) {
   std::vector<TextFile> files;
-  const auto& placings = result.fitted.placings;
-  for (std::size_t k = 0; k < placings.size(); ++k) {
-    if (placings[k].is_known) continue;
+  const auto& base_poses = result.fitted.base_poses;
+  for (std::size_t k = 0; k < base_poses.size(); ++k) {
+    if (base_poses[k].is_known) continue;
     fs::path path = out;
     path.replace_filename(out.stem().string() + "-setup-" + fileNamePart(result.fitted, k) + out.extension().string());
     const auto covariance = baseCovariance(result, static_cast<int>(k));
-    files.push_back({path, withBase(text, cell, {placings[k].X_WB, covariance, cell.base_known})});
+    files.push_back({path, withBase(text, cell, {base_poses[k].X_WB, covariance, cell.base_known})});
   }
   return files;
 }
 
-/// Where the files say that the arm stands, for every placing of the fit.
-calibration::PlacedArm rereadPlacings(const CellFiles& files, const calibration::PlacedArm& fitted) {
+/// Where the files say that the arm stands, for every base pose of the fit.
+calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration::PlacedArm& fitted) {
   const Cell cell = files.reread();
-  calibration::PlacedArm placed{cell.arm, fitted.placings};
+  calibration::PlacedArm placed{cell.arm, fitted.base_poses};
   std::size_t next = 0;
-  for (auto& placing : placed.placings)
-    placing.X_WB = placing.is_known || files.of_setups.empty() ? cell.X_WB : files.reread(files.of_setups[next++]).X_WB;
+  for (auto& base_pose : placed.base_poses)
+    base_pose.X_WB =
+        base_pose.is_known || files.of_setups.empty() ? cell.X_WB : files.reread(files.of_setups[next++]).X_WB;
   return placed;
 }
 
@@ -176,7 +177,7 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
   constexpr double kAlike = 0.01, kLeast = 1e-9;  // of the error; m
   std::vector<calibration::Measurement> used;
   for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
-  const double rms = calibration::judge(rereadPlacings(files, result.fitted), used).rms;
+  const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
   if (std::abs(rms - result.after.rms) <= kAlike * result.after.rms + kLeast) return;
   if (!std::isfinite(rms))
     throw InputError(files.cell.path.string(), "a fitted arm so soft that its shape does not settle at every reading",
@@ -211,10 +212,10 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   if (!result.fitted.arm.effects.empty())
     text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
   if (const auto error = modelErrorOf(result)) text = withModelError(text, *error, cell.units);
-  if (result.fitted.placings.size() > 1)
+  if (result.fitted.base_poses.size() > 1)
     files.of_setups = cellsOfSetups(text, cell, result, out);
-  else if (!result.fitted.placings.front().is_known)
-    text = withBase(text, cell, {result.fitted.placings.front().X_WB, baseCovariance(result, 0), cell.base_known});
+  else if (!result.fitted.base_poses.front().is_known)
+    text = withBase(text, cell, {result.fitted.base_poses.front().X_WB, baseCovariance(result, 0), cell.base_known});
   files.cell = {out, text};
   return files;
 }

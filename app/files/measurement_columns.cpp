@@ -96,10 +96,10 @@ void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& 
         joint.name, joint.type == JointType::kPrismatic ? UnitKind::kLength : UnitKind::kAngle));
   }
   for (const int row : deflection::activeRows(arm))
-    if (const auto sense = header.take(arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir"))
-      columns.senses.push_back(*sense);
-  if (!columns.senses.empty() && columns.senses.size() != columns.joints.size())
-    header.fail(fmt::format("{} columns <joint>_dir", columns.senses.size()),
+    if (const auto approach_direction = header.take(arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir"))
+      columns.approach_directions.push_back(*approach_direction);
+  if (!columns.approach_directions.empty() && columns.approach_directions.size() != columns.joints.size())
+    header.fail(fmt::format("{} columns <joint>_dir", columns.approach_directions.size()),
                 fmt::format("one for each of the {} joints, or none", columns.joints.size()), "");
 }
 

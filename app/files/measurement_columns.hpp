@@ -25,9 +25,9 @@ struct MeasurementColumns {
   std::optional<NumberColumn> load, x, y, z, tool_x, tool_y, tool_z, sigma, sigma_x, sigma_y, sigma_z, turn_sigma,
       temperature, time;
   std::optional<std::size_t> dx, dy, dz;
-  std::vector<NumberColumn> joints;         ///< one for each active row
-  std::vector<std::size_t> senses;          ///< one for each active row, or none
-  std::map<std::string, NumberColumn> own;  ///< by name, of the kinds' own
+  std::vector<NumberColumn> joints;              ///< one for each active row
+  std::vector<std::size_t> approach_directions;  ///< one for each active row, or none
+  std::map<std::string, NumberColumn> own;       ///< by name, of the kinds' own
 };
 
 /// In which units a kind's own numbers of that quantity may stand: lengths or angles.

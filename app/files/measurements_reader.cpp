@@ -132,14 +132,15 @@ std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const Measure
   return direction->normalized();
 }
 
-std::vector<int> readSenses(const RowReader& row, const MeasurementColumns& columns) {
-  std::vector<int> senses;
-  for (const std::size_t column : columns.senses) {
-    const auto sense = tubesheets::parseInteger(row.field(column));
-    if (!sense || *sense < -1 || *sense > 1) row.fail(column, inQuotes(row.field(column)), "-1, 0 or 1");
-    senses.push_back(*sense);
+std::vector<int> readApproachDirections(const RowReader& row, const MeasurementColumns& columns) {
+  std::vector<int> approach_directions;
+  for (const std::size_t column : columns.approach_directions) {
+    const auto approach_direction = tubesheets::parseInteger(row.field(column));
+    if (!approach_direction || *approach_direction < -1 || *approach_direction > 1)
+      row.fail(column, inQuotes(row.field(column)), "-1, 0 or 1");
+    approach_directions.push_back(*approach_direction);
   }
-  return senses;
+  return approach_directions;
 }
 
 bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
@@ -231,7 +232,7 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
   m.sigma_W = readSigmas(row, columns, kind);
   if (m.sigma_W) m.sigma = std::sqrt(m.sigma_W->squaredNorm() / 3);
   m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
-  m.senses = readSenses(row, columns);
+  m.approach_directions = readApproachDirections(row, columns);
   m.temperature = row.numberOrNaN(columns.temperature);
   m.time = row.numberOrNaN(columns.time);
   m.is_held_out = readSplit(row, columns.split);

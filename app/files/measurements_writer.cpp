@@ -130,9 +130,11 @@ class Table {
   }
 
   void addConditions() {
-    if (anyHas(readings_, [](const auto& m) { return !m.senses.empty(); }))
+    if (anyHas(readings_, [](const auto& m) { return !m.approach_directions.empty(); }))
       for (std::size_t k = 0; k < active_.size(); ++k)
-        add(joint(k).name + "_dir", [k](const auto& m) { return std::to_string(m.senses.empty() ? 0 : m.senses[k]); });
+        add(joint(k).name + "_dir", [k](const auto& m) {
+          return std::to_string(m.approach_directions.empty() ? 0 : m.approach_directions[k]);
+        });
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.temperature); }))
       add("temperature_" + std::string(units_.temperature().name),
           [this](const auto& m) { return numberOrNothing(units_.temperatureToFile(m.temperature)); });

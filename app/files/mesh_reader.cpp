@@ -14,7 +14,7 @@
 #include <fstream>
 #include <vector>
 
-#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/input_error.hpp"
 
 namespace tubeplan::app {

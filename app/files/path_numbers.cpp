@@ -1,6 +1,6 @@
 #include "app/files/path_numbers.hpp"
 
-#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/checkpoint/plan_key.hpp"
 
 namespace tubeplan::app {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "tubesheets/work_list.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/files/cell_reader.hpp"
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurement.hpp"
 

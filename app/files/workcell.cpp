@@ -5,7 +5,7 @@
 namespace tubeplan::app {
 
 planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
-  if (!cell.tool_axis_told)
+  if (!cell.tool_axis_stated)
     throw InputError(
         cell.path, "no word on which way the tool enters a hole", "it: needed to " + purpose,
         "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");

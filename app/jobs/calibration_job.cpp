@@ -20,7 +20,7 @@ constexpr std::size_t kHolesOfSlowArms = 8;  // whose inverse kinematics is a se
 /// In which the arm works: under holes spread over the sheet; none where the cell does not say how.
 std::vector<Eigen::VectorXd> workPostures(const Cell& cell, const Eigen::Isometry3d& X_WB) {
   std::vector<Eigen::VectorXd> postures;
-  if (!cell.sheet || !cell.tool_axis_told) return postures;
+  if (!cell.sheet || !cell.tool_axis_stated) return postures;
   planner::Workcell work;
   work.arm = cell.arm;
   work.X_WB = X_WB;

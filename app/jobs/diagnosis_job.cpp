@@ -1,12 +1,12 @@
 #include "app/jobs/diagnosis_job.hpp"
 
 #include "app/documents/diagnosis_json.hpp"
+#include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/documents/splitting_json.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/report/diagnosis_report.hpp"
-#include "app/studies/measurements/splitting_candidates.hpp"
+#include "app/studies/measurements/discrimination_candidates.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "app/version.hpp"
 
@@ -20,13 +20,14 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, con
   using calibration::Verdict;
   const auto& diagnosis = outcome.diagnosis;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) return;
-  SplittingCandidateOptions choice;
+  DiscriminationCandidateOptions choice;
   choice.seed = request.seed;
-  outcome.candidates = splittingCandidates(input.cell, diagnosis.baseline.fitted, input.readings, choice);
-  calibration::SplittingOptions splitting;
-  splitting.count = request.next;
-  splitting.hooks = hooks;
-  outcome.next = calibration::proposeSplittingReadings(diagnosis, input.readings, outcome.candidates, splitting);
+  outcome.candidates = discriminationCandidates(input.cell, diagnosis.baseline.fitted, input.readings, choice);
+  calibration::DiscriminationOptions discrimination;
+  discrimination.count = request.next;
+  discrimination.hooks = hooks;
+  outcome.next =
+      calibration::proposeDiscriminatingMeasurements(diagnosis, input.readings, outcome.candidates, discrimination);
   requireGoingOn(hooks);
 }
 

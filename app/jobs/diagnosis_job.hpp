@@ -10,8 +10,8 @@
 #include "app/files/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/discriminating_measurements.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
-#include "calibration/diagnosis/splitting_readings.hpp"
 
 namespace tubeplan::app {
 
@@ -24,7 +24,7 @@ struct DiagnosisRequest {
 struct DiagnosisOutcome {
   calibration::Diagnosis diagnosis;
   std::vector<calibration::ReadingCandidate> candidates;  ///< of the readings to propose
-  calibration::SplittingReadings next;
+  calibration::DiscriminatingMeasurements next;
   std::vector<calibration::EffectWarning> warnings;  ///< of the effects that the cell has
   nlohmann::json figures;                            ///< as `tubeplan diagnose --json` writes them
 };

@@ -9,8 +9,8 @@
 
 #include "app/documents/diagnosis_json.hpp"
 #include "app/documents/figures.hpp"
-#include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/model_comparison_json.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/jobs/effect_addition.hpp"
 #include "app/studies/model/cell_fit.hpp"
@@ -231,17 +231,17 @@ const char* nameOf(ImprovementEnd end) {
   return "";
 }
 
-std::vector<Rung> rungsOf(const Improvement& result) {
-  std::vector<Rung> rungs;
-  for (const auto& model : result.models) rungs.push_back(rungOf(model.name, model.fit));
-  return rungs;
+std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result) {
+  std::vector<ModelComparisonRow> comparison;
+  for (const auto& model : result.models) comparison.push_back(comparisonRowOf(model.name, model.fit));
+  return comparison;
 }
 
 nlohmann::json improvementJson(const Improvement& result, const Units& units) {
   const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
     return nlohmann::json{{"before", lengthJson(before.rms, units)}, {"after", lengthJson(after.rms, units)}};
   };
-  nlohmann::json json = ladderJson(rungsOf(result), units);
+  nlohmann::json json = modelComparisonJson(comparisonRowsOf(result), units);
   json["end"] = nameOf(result.end);
   json["steps"] = nlohmann::json::array();
   for (const auto& step : result.steps)

@@ -9,7 +9,7 @@
 
 #include "app/files/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
-#include "app/studies/model/ladder.hpp"
+#include "app/studies/model/model_comparison.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 
 namespace tubeplan::app {
@@ -73,6 +73,6 @@ struct Improvement {
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result, const Units& units);
 
 /// The ladder of the models.
-[[nodiscard]] std::vector<Rung> rungsOf(const Improvement& result);
+[[nodiscard]] std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result);
 
 }  // namespace tubeplan::app

@@ -1,6 +1,6 @@
 #include "app/jobs/ladder_job.hpp"
 
-#include "app/documents/ladder_json.hpp"
+#include "app/documents/model_comparison_json.hpp"
 #include "app/report/diagnosis_report.hpp"
 #include "app/version.hpp"
 
@@ -18,12 +18,13 @@ LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderSt
   std::vector<Cell> cells;
   for (const auto& [name, input] : models) {
     beginStep(hooks, "ladder: " + name, cells.size(), models.size());
-    outcome.rungs.push_back(rungOf(name, input.cell, input.readings, options.seed, calibration::untold(hooks)));
+    outcome.comparison.push_back(
+        comparisonRowOf(name, input.cell, input.readings, options.seed, calibration::withoutProgress(hooks)));
     cells.push_back(input.cell);
   }
-  outcome.steps = addSteps(options, cells, outcome.rungs, within(hooks, "ladder"));
+  outcome.steps = addSteps(options, cells, outcome.comparison, within(hooks, "ladder"));
   const Units& units = cells.front().units;
-  outcome.figures = ladderJson(outcome.rungs, units);
+  outcome.figures = modelComparisonJson(outcome.comparison, units);
   outcome.figures["step_table"] = ladderStepsJson(outcome.steps, options, units);
   return outcome;
 }
@@ -32,14 +33,15 @@ std::string ladderPage(const nlohmann::json& figures, const std::string& measure
   nlohmann::json page = {
       {"title", "Ladder of models"}, {"measurements", measurements}, {"seed", seed},
       {"version", kVersion},         {"units", figures["units"]},    {"models", nlohmann::json::array()}};
-  for (const auto& rung : figures["rungs"]) {
-    page["noise_floor"] = rung["rms"]["noise_floor"];
-    page["models"].push_back({{"name", rung["name"]},
-                              {"rms", rung["rms"]["fitted"]},
-                              {"heldout_rms", rung["rms"]["heldout"]},
-                              {"chi2_per_dof", rung["chi2_per_dof"]},
-                              {"numbers", rung["fitted_numbers"]}});
-    if (rung.contains("steps") && rung["steps"].is_object()) page["models"].back()["steps"] = rung["steps"]["counts"];
+  for (const auto& compared : figures["rungs"]) {
+    page["noise_floor"] = compared["rms"]["noise_floor"];
+    page["models"].push_back({{"name", compared["name"]},
+                              {"rms", compared["rms"]["fitted"]},
+                              {"heldout_rms", compared["rms"]["heldout"]},
+                              {"chi2_per_dof", compared["chi2_per_dof"]},
+                              {"numbers", compared["fitted_numbers"]}});
+    if (compared.contains("steps") && compared["steps"].is_object())
+      page["models"].back()["steps"] = compared["steps"]["counts"];
   }
   page["step_table"] = figures["step_table"];
   return renderLadderReport(page);

@@ -1,4 +1,4 @@
-// The error of one model after another on the same readings: from models to rungs and figures.
+// The error of one model after another on the same readings: from models to rows of the comparison and figures.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ struct LadderModel {
 };
 
 struct LadderOutcome {
-  std::vector<Rung> rungs;
+  std::vector<ModelComparisonRow> comparison;
   LadderSteps steps;
   nlohmann::json figures;  ///< as `tubeplan ladder --json` writes them
 };

@@ -28,30 +28,30 @@ void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
 }
 
 /// The model whose held-out error is least.
-const Rung* bestRung(const std::vector<Rung>& rungs) {
-  const Rung* best = nullptr;
-  for (const auto& rung : rungs)
-    if (!rung.model.arm.rows.empty() && std::isfinite(rung.heldout.rms) &&
-        (!best || rung.heldout.rms < best->heldout.rms))
-      best = &rung;
+const ModelComparisonRow* bestRow(const std::vector<ModelComparisonRow>& comparison) {
+  const ModelComparisonRow* best = nullptr;
+  for (const auto& compared : comparison)
+    if (!compared.model.arm.rows.empty() && std::isfinite(compared.heldout.rms) &&
+        (!best || compared.heldout.rms < best->heldout.rms))
+      best = &compared;
   return best;
 }
 
 /// The best model for want of the real arm: what it leaves open is taken as large as the noise floor.
-void standIn(const Rung& best, RealArm& real) {
+void standIn(const ModelComparisonRow& best, RealArm& real) {
   real.cell.arm = best.model.arm;
-  real.cell.X_WB = best.model.placings.back().X_WB;
+  real.cell.X_WB = best.model.base_poses.back().X_WB;
   real.name = best.name + ", with an unmodelled error as large as the noise floor";
   real.unmodelled = std::isfinite(best.noise_floor) ? best.noise_floor / std::sqrt(3.) : 0;
 }
 
 }  // namespace
 
-LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& cells, std::vector<Rung>& rungs,
-                     const WorkHooks& hooks) {
+LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& cells,
+                     std::vector<ModelComparisonRow>& comparison, const WorkHooks& hooks) {
   LadderSteps steps;
   const auto with_sheet = sheetCell(options, cells);
-  const Rung* best = bestRung(rungs);
+  const ModelComparisonRow* best = bestRow(comparison);
   if (!with_sheet)
     steps.reason = "no cell has a tube sheet and a calibration tool (--sheet CELL names one)";
   else if (!best && options.truth.empty())
@@ -68,19 +68,20 @@ LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& 
     steps.real.name = options.truth;
   }
   steps.real.cell.arm.tool_axis_L = with_sheet->arm.tool_axis_L;  // a cell without a sheet may not tell it
-  beginStep(hooks, "steps of the tool", 0, rungs.size() + 1);
+  beginStep(hooks, "steps of the tool", 0, comparison.size() + 1);
   const StepHoles holes = drawStepHoles(steps.real, options.holes, options.seed, hooks.stop);
   steps.holes = static_cast<int>(holes.holes.size());
   steps.out_of_reach = holes.out_of_reach;
   if (holes.holes.empty()) steps.reason = "the real arm reaches no hole of the sheet";
-  for (std::size_t k = 0; k < rungs.size() && steps.reason.empty(); ++k) {
+  for (std::size_t k = 0; k < comparison.size() && steps.reason.empty(); ++k) {
     requireOneSheet(cells[k], steps.real.cell.sheet);
-    beginStep(hooks, "steps of the tool", k + 1, rungs.size() + 1);
-    auto& table = rungs[k].steps.emplace();
-    if (rungs[k].model.arm.rows.empty())
+    beginStep(hooks, "steps of the tool", k + 1, comparison.size() + 1);
+    auto& table = comparison[k].steps.emplace();
+    if (comparison[k].model.arm.rows.empty())
       table.reason = "the model could not be fitted";
     else
-      table = stepTableOf(rungs[k].model.arm, rungs[k].model.placings.back().X_WB, steps.real, holes, hooks.stop);
+      table = stepTableOf(comparison[k].model.arm, comparison[k].model.base_poses.back().X_WB, steps.real, holes,
+                          hooks.stop);
   }
   requireGoingOn(hooks);
   return steps;

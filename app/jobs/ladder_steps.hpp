@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/files/cell_reader.hpp"
-#include "app/studies/model/ladder.hpp"
+#include "app/studies/model/model_comparison.hpp"
 
 namespace tubeplan::app {
 
@@ -23,10 +23,10 @@ struct LadderSteps {
   int holes = 0, out_of_reach = 0;
 };
 
-/// Adds its step table to every rung; `cells` are those of the rungs. Throws InputError for sheets that differ,
-/// JobStopped.
+/// Adds its step table to every row of the comparison; `cells` are those of the rows of the comparison. Throws
+/// InputError for sheets that differ, JobStopped.
 [[nodiscard]] LadderSteps addSteps(const LadderStepOptions& options, const std::vector<Cell>& cells,
-                                   std::vector<Rung>& rungs, const WorkHooks& hooks = {});
+                                   std::vector<ModelComparisonRow>& comparison, const WorkHooks& hooks = {});
 
 /// {real_arm, unmodelled_sigma, holes, out_of_reach, seed}, or {reason}.
 [[nodiscard]] nlohmann::json ladderStepsJson(const LadderSteps& steps, const LadderStepOptions& options,

@@ -35,7 +35,7 @@ void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& tr
                      "the cell's (" + cell.sheet.fingerprint() + ")");
 }
 
-std::vector<calibration::Measurement> rehearsedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
+std::vector<calibration::Measurement> simulatedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
   if (!outcome.truth)
     throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
                      "name a true cell, or a file of touches");
@@ -53,7 +53,7 @@ std::vector<calibration::Measurement> rehearsedTouches(const PlanOutcome& outcom
 }
 
 std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
-  if (request.touches == "auto") return rehearsedTouches(outcome, request.seed);
+  if (request.touches == "auto") return simulatedTouches(outcome, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
   const auto touches = touchesOf(readings, outcome.cell, request.touches);
@@ -160,21 +160,22 @@ bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touch
   return true;
 }
 
-void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks, PlanKeeper* keeper,
-          PlanOutcome& outcome) {
+void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks,
+          PlanCheckpoint* checkpoint, PlanOutcome& outcome) {
   checkPadding(request, outcome);
-  planner::PlanMemory forgotten;
-  planner::PlanMemory& memory = keeper ? keeper->memory() : forgotten;
-  if (keeper) {
-    keeper->begin(questionOf({outcome.cell, outcome.model, outcome.conditions, request.compensation,
-                              standoffOf(request, outcome), request.padding, request.seed, keeper->fromFingerprint()},
-                             tubes));
-    hooks.keep = [keeper](const planner::PlanMemory&) { keeper->saveNowAndThen(); };
+  planner::PlanCache forgotten;
+  planner::PlanCache& cache = checkpoint ? checkpoint->cache() : forgotten;
+  if (checkpoint) {
+    checkpoint->begin(
+        planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, standoffOf(request, outcome),
+                   request.padding, request.seed, checkpoint->fromFingerprint()},
+                  tubes));
+    hooks.keep = [checkpoint](const planner::PlanCache&) { checkpoint->saveNowAndThen(); };
   }
-  const std::vector<int> order_before = memory.visiting_order;
-  outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome), hooks, memory);
+  const std::vector<int> order_before = cache.visiting_order;
+  outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome), hooks, cache);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
-  if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(memory.visiting_order, outcome.conditions);
+  if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(cache.visiting_order, outcome.conditions);
   countChanges(order_before, outcome);
   if (request.padding > 0) outcome.padding = paddingAtHoles(request, outcome);
   predict(outcome);
@@ -183,7 +184,7 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
 
 }  // namespace
 
-PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanKeeper& keeper) {
+PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint) {
   const Cell cell = readCell(request.cell);
   PlanOutcome outcome = begun(cell, request);
   if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
@@ -191,7 +192,7 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
   if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
-  plan(request, selection.tube_indices, std::move(hooks), &keeper, outcome);
+  plan(request, selection.tube_indices, std::move(hooks), &checkpoint, outcome);
   return outcome;
 }
 

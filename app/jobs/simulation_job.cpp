@@ -75,7 +75,7 @@ int countReadings(const SimulationRequest& request, const CampaignFile& file) {
 void requireHoles(const Cell& cell, const CampaignDesign& design) {
   if (design.place != CampaignPlace::kHoles) return;
   (void)requireSheet(cell, "measure at its holes");
-  if (!cell.tool_axis_told)
+  if (!cell.tool_axis_stated)
     throw InputError(
         cell.path, "no word on which way the tool enters a hole", "it: needed to measure at holes",
         "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");

@@ -11,7 +11,7 @@
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/workcell.hpp"
-#include "app/jobs/cell_knowledge.hpp"
+#include "app/jobs/cell_estimate.hpp"
 #include "app/studies/measurements/reading_candidates.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "calibration/design/touch_choice.hpp"
@@ -24,7 +24,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Knowledge, calibration::Measurement, calibration::ReadingCandidate;
+using calibration::Estimate, calibration::Measurement, calibration::ReadingCandidate;
 using Proposal = TouchOutcome::Proposal;
 
 constexpr int kHoles = 60, kPostures = 600, kWorkPostures = 60;
@@ -38,7 +38,7 @@ struct Job {
   const TouchRequest& request;
   TouchOutcome& outcome;
   std::vector<Measurement> readings;
-  std::optional<Knowledge> of_numbers, of_base;
+  std::optional<Estimate> of_numbers, of_base;
   std::optional<planner::Workcell> sheet_cell;  ///< of cells with a sheet
   calibration::Work work;
 };
@@ -137,12 +137,12 @@ std::vector<ReachedHole> surelyReached(Job& job, const std::vector<ReachedHole>&
 }
 
 /// The best three (and more) of all, where no reading tells anything yet.
-calibration::Design exhaustiveChoice(const Job& job, const Knowledge& knowledge, const std::vector<ReachedHole>& holes,
+calibration::Design exhaustiveChoice(const Job& job, const Estimate& estimate, const std::vector<ReachedHole>& holes,
                                      const calibration::PosedDesign& posed, int count) {
   std::vector<calibration::TouchPlan> plans;
   for (const int k : posed.candidates) plans.push_back({"", "", {}, holes[static_cast<std::size_t>(k)].q});
-  const auto placed = calibration::placedAsKnown(knowledge);
-  const auto choice = calibration::chooseTouches(placed.arm, placed.placings.back().X_WB, plans, job.work.postures,
+  const auto placed = calibration::placedAsEstimated(estimate);
+  const auto choice = calibration::chooseTouches(placed.arm, placed.base_poses.back().X_WB, plans, job.work.postures,
                                                  {count, job.outcome.base_noise.sigma});
   if (choice.status == calibration::TouchChoiceStatus::kDone)
     return calibration::judgeReadings(posed.problem, choice.chosen);
@@ -152,11 +152,11 @@ calibration::Design exhaustiveChoice(const Job& job, const Knowledge& knowledge,
   return none;
 }
 
-void compareWithNearest(Job& job, const Knowledge& knowledge) {
+void compareWithNearest(Job& job, const Estimate& estimate) {
   const auto nearest = nearestHoles(*job.sheet_cell);
   if (nearest.size() < 3) return;
   const auto touches = holeTouches(*job.sheet_cell, nearest, job.outcome.base_noise.sigma);
-  const auto posed = calibration::poseDesign(knowledge, touches, job.work);
+  const auto posed = calibration::poseDesign(estimate, touches, job.work);
   if (posed.candidates.size() < 3) return;
   for (const auto& touch : touches) job.outcome.nearest_holes.push_back(touch.readings.front().point);
   const auto design = calibration::judgeReadings(posed.problem, {0, 1, 2});
@@ -167,21 +167,21 @@ void proposeForBase(Job& job) {
   auto& proposal = job.outcome.base.emplace();
   const int count = job.request.count > 0 ? job.request.count : kTouches;
   if (count < 3) throw InputError("--count", std::to_string(count), "three or more touches to place a base");
-  const Knowledge& knowledge = *job.of_base;
+  const Estimate& estimate = *job.of_base;
   const bool is_first = job.readings.empty();
   auto holes = reachHoles(*job.sheet_cell, spreadHoles(job), false);
   if (is_first) holes = surelyReached(job, holes, count);
   proposal.candidates = holeTouches(*job.sheet_cell, holes, job.outcome.base_noise.sigma);
-  const auto posed = calibration::poseDesign(knowledge, proposal.candidates, job.work);
+  const auto posed = calibration::poseDesign(estimate, proposal.candidates, job.work);
   calibration::NextReadingsOptions options;
   options.seed = job.request.seed;
   options.design.count = count;
   options.design.optimality = calibration::Optimality::kMeanTip;
-  auto design = is_first && holes.size() <= kExhaustive ? exhaustiveChoice(job, knowledge, holes, posed, count)
+  auto design = is_first && holes.size() <= kExhaustive ? exhaustiveChoice(job, estimate, holes, posed, count)
                                                         : calibration::chooseReadings(posed.problem, options.design);
-  proposal.next = calibration::forecastReadings(knowledge, posed, std::move(design), options);
+  proposal.next = calibration::forecastReadings(estimate, posed, std::move(design), options);
   proposal.reason = proposal.next.reason;
-  if (is_first) compareWithNearest(job, knowledge);
+  if (is_first) compareWithNearest(job, estimate);
 }
 
 /// What could be read: holes or postures, each under each load.
@@ -222,38 +222,38 @@ void proposeForParameters(Job& job) {
 }
 
 /// New readings are made where the arm stands now.
-std::string lastSetup(const Knowledge& knowledge) { return knowledge.start.placings.back().setup; }
+std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
-void note(const Knowledge& knowledge, const Units& units, std::vector<std::string>& notes) {
-  if (!knowledge.note.empty())
-    notes.push_back("the readings could not be fitted (" + knowledge.note + "): the cell's own values stand in");
-  if (knowledge.model_error > 0)
+void note(const Estimate& estimate, const Units& units, std::vector<std::string>& notes) {
+  if (!estimate.note.empty())
+    notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's own values stand in");
+  if (estimate.model_error > 0)
     notes.push_back(fmt::format(
         "lack of fit: beyond the stated noise the model is off by {:.4g} {} in each coordinate, which counts "
         "as noise of every reading",
-        knowledge.model_error / units.factor(dimension::kLength), units.length().name));
-  if (knowledge.start.placings.size() > 1)
-    notes.push_back("new readings belong to the last set-up, '" + lastSetup(knowledge) + "'");
+        estimate.model_error / units.factor(dimension::kLength), units.length().name));
+  if (estimate.start.base_poses.size() > 1)
+    notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
 
 /// Learns from the readings what they tell, and stands the cell accordingly.
 void learn(Job& job, const std::string& named_by) {
   auto& outcome = job.outcome;
   if (wants(job, "parameters")) {
-    job.of_numbers = knowledgeOf(outcome.cell, job.readings,
-                                 {job.request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
+    job.of_numbers = estimateOf(outcome.cell, job.readings,
+                                {job.request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
     note(*job.of_numbers, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*job.of_numbers);
-    outcome.cell = cellAsKnown(outcome.cell, *job.of_numbers);
+    outcome.cell = cellAsEstimated(outcome.cell, *job.of_numbers);
   }
   if (!wants(job, "base")) return;
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
-  job.of_base = knowledgeOf(unplaced, job.readings, {{}, true}, named_by);
+  job.of_base = estimateOf(unplaced, job.readings, {{}, true}, named_by);
   if (wants(job, "parameters")) return;
   outcome.setup = lastSetup(*job.of_base);
   note(*job.of_base, outcome.cell.units, outcome.notes);
-  outcome.cell = cellAsKnown(outcome.cell, *job.of_base);
+  outcome.cell = cellAsEstimated(outcome.cell, *job.of_base);
 }
 
 void refuseWithoutWork(Job& job) {

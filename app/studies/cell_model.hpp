@@ -37,7 +37,7 @@ struct CellModel {
   deflection::Arm arm;  ///< with the tool axis that the cell tells, where the arm file does not
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< world = tube-sheet frame
   bool base_known = false;
-  bool tool_axis_told = false;              ///< by the arm file or by the scene; else the arm has the default
+  bool tool_axis_stated = false;            ///< by the arm file or by the scene; else the arm has the default
   std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
   BasePrior base_prior;
   std::optional<ModelError> model_error;

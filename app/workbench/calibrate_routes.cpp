@@ -33,13 +33,13 @@ Answer propose(Workbench& workbench, const Request& request) {
   if (asked.goal != "base" && asked.goal != "parameters" && asked.goal != "both")
     throw InputError("request (goal)", inQuotes(asked.goal), "base, parameters or both");
   asked.count = integerOf(body, "count", 0, 0, 50);
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   if (cell.sheet && body.contains("tubes")) asked.tubes = tubesText(body, *cell.sheet, "spread:60");
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.seed = seedOf(body);
   return beginResultJob(
-      workbench, "touches", "what to touch or read next", [asked](const Situation& began, JobContext& context) {
+      workbench, "touches", "what to touch or read next", [asked](const Session& began, JobContext& context) {
         beginStage(context, "proposals");
         const auto outcome =
             proposeTouches(asked, currentModel(began).cell,
@@ -63,7 +63,7 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
 }
 
 /// What the true arm, or for want of it the cell's own, would read there.
-calibration::Measurement simulatedTouch(const Situation& now, const calibration::TouchPlan& plan) {
+calibration::Measurement simulatedTouch(const Session& now, const calibration::TouchPlan& plan) {
   const Cell& model = currentModel(now).cell;
   const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
   calibration::TouchSimulationOptions options;
@@ -77,7 +77,7 @@ calibration::Measurement simulatedTouch(const Situation& now, const calibration:
 
 Answer addTouch(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   if (now.touches.size() >= kMostTouches)
     return refusal(409, InputError("touches", fmt::format("{} already", now.touches.size()), "fewer"));
@@ -93,9 +93,9 @@ Answer addTouch(Workbench& workbench, const Request& request) {
   else
     made.touch = calibration::plannedTouch(plan, plan.q_start, loadOf(body, cell),
                                            touchSigmaOf(requireTool(cell, "touch a hole")));
-  workbench.change([&](Situation& situation) {
-    situation.touches.push_back(made);
-    ++situation.next_touch;
+  workbench.change([&](Session& session) {
+    session.touches.push_back(made);
+    ++session.next_touch;
     return true;
   });
   return answerOf(stateJson(workbench));
@@ -103,9 +103,9 @@ Answer addTouch(Workbench& workbench, const Request& request) {
 
 Answer removeTouch(Workbench& workbench, const Request& request) {
   const auto index = tubesheets::parseNumber(request.words[1]);
-  const bool done = workbench.change([&](Situation& situation) {
-    const bool is_one = index && *index >= 0 && *index < static_cast<double>(situation.touches.size());
-    if (is_one) situation.touches.erase(situation.touches.begin() + static_cast<std::ptrdiff_t>(*index));
+  const bool done = workbench.change([&](Session& session) {
+    const bool is_one = index && *index >= 0 && *index < static_cast<double>(session.touches.size());
+    if (is_one) session.touches.erase(session.touches.begin() + static_cast<std::ptrdiff_t>(*index));
     return is_one;
   });
   if (!done) return refusal(404, InputError("touch", inQuotes(request.words[1]), "the place of one in the list"));
@@ -113,7 +113,7 @@ Answer removeTouch(Workbench& workbench, const Request& request) {
 }
 
 Answer touches(Workbench& workbench, const Request&) {
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   nlohmann::json list = nlohmann::json::array();
   for (const auto& made : now.touches)
@@ -129,11 +129,11 @@ Answer touches(Workbench& workbench, const Request&) {
 
 /// Those of the list; where it is empty, those among the readings that are not set aside. Through the text of a
 /// measurement file, as the command takes them.
-std::vector<calibration::Measurement> touchesToUse(const Situation& situation, const Cell& cell) {
-  if (situation.touches.empty() && situation.readings)
-    return touchesOf(readingsInUse(*situation.readings), cell, situation.readings->name);
+std::vector<calibration::Measurement> touchesToUse(const Session& session, const Cell& cell) {
+  if (session.touches.empty() && session.readings)
+    return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);
   std::vector<calibration::Measurement> made;
-  for (const auto& touch : situation.touches) made.push_back(touch.touch);
+  for (const auto& touch : session.touches) made.push_back(touch.touch);
   if (made.empty()) throw InputError("touches", "none", "three or more touched holes", "touch some first");
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
@@ -141,7 +141,7 @@ std::vector<calibration::Measurement> touchesToUse(const Situation& situation, c
 Answer calibrate(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   return beginJob(workbench, "calibrate", "where the base stands", [&workbench](JobContext& context) {
-    const Situation began = workbench.situation();
+    const Session began = workbench.session();
     const Cell& cell = currentModel(began).cell;
     beginStage(context, "calibration");
     const CalibrationOutcome outcome = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
@@ -149,9 +149,9 @@ Answer calibrate(Workbench& workbench, const Request& request) {
     if (result.status != calibration::CalibrationStatus::kDone)
       throw InputError("touches", result.reason, "touches that place the base");
     const Cell calibrated = rereadCell(cell, calibratedCellText(cell, outcome, cell.path));
-    finishJob(workbench, began, [&, &document = outcome.figures](Situation& situation) {
-      const int id = pushModel(situation, "base calibrated", "calibration", calibrated);
-      putResult(situation, "calibrate", id, document);
+    finishJob(workbench, began, [&, &document = outcome.figures](Session& session) {
+      const int id = pushModel(session, "base calibrated", "calibration", calibrated);
+      putResult(session, "calibrate", id, document);
     });
     return "calibrate";
   });

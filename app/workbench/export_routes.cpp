@@ -36,62 +36,62 @@ std::vector<TextFile> cellFiles(const Cell& cell, const std::filesystem::path& o
   return files;
 }
 
-const PlanOutcome& planOf(const Situation& situation) {
-  if (!situation.plan) throw InputError("export", "no plan", "one that was made");
-  return *situation.plan;
+const PlanOutcome& planOf(const Session& session) {
+  if (!session.plan) throw InputError("export", "no plan", "one that was made");
+  return *session.plan;
 }
 
-nlohmann::json figuresOf(const Situation& situation, const std::string& name) {
-  const auto result = findResult(situation, name);
+nlohmann::json figuresOf(const Session& session, const std::string& name) {
+  const auto result = findResult(session, name);
   if (!result) throw InputError("export", "no result '" + name + "'", "one that was asked for");
   return result->document;
 }
 
 /// The model that a result is of, with the readings.
-CellReadings inputOfResult(const Situation& situation, const std::string& name) {
-  CellReadings input = inputOf(situation);
-  const int id = findResult(situation, name)->model;
-  for (const auto& model : situation.models)
+CellReadings inputOfResult(const Session& session, const std::string& name) {
+  CellReadings input = inputOf(session);
+  const int id = findResult(session, name)->model;
+  for (const auto& model : session.models)
     if (model->id == id) input.cell = model->cell;
   return input;
 }
 
-std::string cellText(const Situation& s) {
+std::string cellText(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml")).back().text;
 }
-std::string armText(const Situation& s) {
+std::string armText(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   if (cell.arm_source.text.empty()) throw InputError("export", "an arm that stands in the cell", "cell.yaml");
   return cell.arm_source.text;
 }
-std::string readingsText(const Situation& s) {
+std::string readingsText(const Session& s) {
   const CellReadings input = inputOf(s);  // refuses where there are none
   return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
-std::string touchesText(const Situation& s) {
+std::string touchesText(const Session& s) {
   std::vector<calibration::Measurement> touches;
   for (const auto& made : s.touches) touches.push_back(made.touch);
   return touchesCsv(touches, currentModel(s).cell);
 }
-std::string planText(const Situation& s) { return planFileText(s.plan_request, planOf(s)); }
-std::string pathText(const Situation& s) { return pathCsv(planOf(s)); }
-std::string workListText(const Situation& s) { return workListCsv(planOf(s)); }
-std::string trajectoryText(const Situation& s) { return trajectoryYaml(planOf(s)); }
-std::string planReport(const Situation& s) { return renderPlanReport(reportJson(s.plan_request, planOf(s))); }
-std::string comparisonReport(const Situation& s) {
+std::string planText(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
+std::string pathText(const Session& s) { return pathCsv(planOf(s)); }
+std::string workListText(const Session& s) { return workListCsv(planOf(s)); }
+std::string trajectoryText(const Session& s) { return trajectoryYaml(planOf(s)); }
+std::string planReport(const Session& s) { return renderPlanReport(reportJson(s.plan_request, planOf(s))); }
+std::string comparisonReport(const Session& s) {
   const auto figures = figuresOf(s, "compare");
   return comparisonPage(inputOfResult(s, "compare"), {}, figures);
 }
-std::string diagnosisReport(const Situation& s) {
+std::string diagnosisReport(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   return diagnosisPage(inputOfResult(s, "diagnose"), {}, figures);
 }
-std::string ladderReport(const Situation& s) { return ladderPage(figuresOf(s, "ladder"), inputOf(s).file, 1); }
+std::string ladderReport(const Session& s) { return ladderPage(figuresOf(s, "ladder"), inputOf(s).file, 1); }
 
 struct Export {
   std::string_view name, content_type;
-  std::string (*text)(const Situation&);
+  std::string (*text)(const Session&);
 };
 constexpr Export kExports[] = {
     {"cell.yaml", "application/yaml", cellText},
@@ -115,7 +115,7 @@ Answer download(Workbench& workbench, const Request& request) {
   if (found == std::end(kExports))
     return refusal(404, InputError(inQuotes(request.words[1]), "no such export", "another"));
   try {
-    return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.situation()));
+    return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.session()));
   } catch (const InputError& error) {
     return refusal(404, error);
   }
@@ -127,7 +127,7 @@ Answer saveCell(Workbench& workbench, const Request& request) {
   const std::string name = textOf(body, "file");
   const auto place = workbench.folder().fileToWrite(name);
   if (place.extension() != ".yaml") throw InputError("request (file)", inQuotes(name), "a name that ends in .yaml");
-  const auto files = cellFiles(currentModel(workbench.situation()).cell, place);
+  const auto files = cellFiles(currentModel(workbench.session()).cell, place);
   nlohmann::json written = nlohmann::json::array();
   for (const auto& file : files) {
     const auto checked = workbench.folder().fileToWrite(file.path.filename().string());

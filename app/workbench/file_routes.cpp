@@ -31,13 +31,13 @@ Answer files(Workbench& workbench, const Request&) {
 Answer noReadings() { return refusal(404, InputError("measurements", "none loaded", "some")); }
 
 Answer readings(Workbench& workbench, const Request&) {
-  const Situation situation = workbench.situation();
-  return situation.readings ? answerOf(readingsJson(currentModel(situation), *situation.readings)) : noReadings();
+  const Session session = workbench.session();
+  return session.readings ? answerOf(readingsJson(currentModel(session), *session.readings)) : noReadings();
 }
 
 Answer moments(Workbench& workbench, const Request&) {
-  const Situation situation = workbench.situation();
-  return situation.readings ? answerOf(momentsJson(currentModel(situation).cell, *situation.readings)) : noReadings();
+  const Session session = workbench.session();
+  return session.readings ? answerOf(momentsJson(currentModel(session).cell, *session.readings)) : noReadings();
 }
 
 /// "theta3,forearm.z" in the address.
@@ -50,18 +50,18 @@ std::vector<std::string> namesAt(const Request& request) {
 }
 
 Answer leverage(Workbench& workbench, const Request& request) {
-  const Situation situation = workbench.situation();
-  if (!situation.readings) return noReadings();
-  return answerOf(leverageJson(currentModel(situation).cell, *situation.readings, namesAt(request)));
+  const Session session = workbench.session();
+  if (!session.readings) return noReadings();
+  return answerOf(leverageJson(currentModel(session).cell, *session.readings, namesAt(request)));
 }
 
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
   if (set->readings.size() > kMostReadings)
     throw InputError(set->name, fmt::format("{} readings", set->readings.size()),
                      fmt::format("at most {} in the workbench", kMostReadings), "the commands take more");
-  workbench.change([&](Situation& situation) {
-    situation.readings = std::move(set);
-    forgetResultsOfReadings(situation);
+  workbench.change([&](Session& session) {
+    session.readings = std::move(set);
+    forgetResultsOfReadings(session);
     return true;
   });
 }
@@ -70,7 +70,7 @@ Answer uploadReadings(Workbench& workbench, const Request& request) {
   const auto name = request.query.find("name");
   auto set = std::make_shared<ReadingSet>();
   set->name = name == request.query.end() || name->second.empty() ? "readings.csv" : name->second.substr(0, 200);
-  Cell cell = currentModel(workbench.situation()).cell;
+  Cell cell = currentModel(workbench.session()).cell;
   auto [readings, checks] = parseAndCheck(request.body, set->name, cell, {});
   set->readings = std::move(readings);
   set->checks = std::move(checks);
@@ -80,7 +80,7 @@ Answer uploadReadings(Workbench& workbench, const Request& request) {
 
 Answer openReadingsFile(Workbench& workbench, const Request& request) {
   const auto path = workbench.folder().fileToRead(textOf(objectOf(request), "file"));
-  take(workbench, openReadings({path.string()}, currentModel(workbench.situation()).cell));
+  take(workbench, openReadings({path.string()}, currentModel(workbench.session()).cell));
   return answerOf(stateJson(workbench));
 }
 
@@ -114,11 +114,11 @@ Answer setAside(Workbench& workbench, const Request& request) {
   const bool aside = booleanOf(body, "aside", true);
   if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
   bool has_readings = false;
-  workbench.change([&](Situation& situation) {
-    has_readings = situation.readings != nullptr;
+  workbench.change([&](Session& session) {
+    has_readings = session.readings != nullptr;
     if (!has_readings) return false;
-    situation.readings = withSetAside(*situation.readings, ids, aside);
-    forgetResultsOfReadings(situation);
+    session.readings = withSetAside(*session.readings, ids, aside);
+    forgetResultsOfReadings(session);
     return true;
   });
   return has_readings ? answerOf(stateJson(workbench)) : noReadings();
@@ -126,10 +126,10 @@ Answer setAside(Workbench& workbench, const Request& request) {
 
 /// Another cell or project instead of what is there; work that stands in no project is not dropped unasked.
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
-  if (isUnsaved(workbench.situation()) && !booleanOf(body, "discard", false))
+  if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
     return refusal(409,
                    InputError("cell", "work that is not saved as a project", "a saved one", "save it, or say discard"));
-  Situation opened = openCell(path.string(), "");
+  Session opened = openCell(path.string(), "");
   opened.saved_revision = opened.revision;
   if (!workbench.replace(std::move(opened)))
     return refusal(409, InputError("cell", "a job that is not done yet", "none"));
@@ -158,11 +158,11 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   const auto place = workbench.folder().fileToWrite(name);
   if (std::filesystem::exists(place) && !booleanOf(body, "overwrite", false))
     return refusal(409, InputError(name, "a file that is there already", "another name", "or say overwrite"));
-  const Situation saved = workbench.situation();
+  const Session saved = workbench.session();
   writeFileAtomically(place, projectText(saved), "file");
-  workbench.change([&](Situation& situation) {
-    situation.saved_revision = situation.revision == saved.revision ? saved.revision + 1 : saved.revision;
-    situation.project = name;
+  workbench.change([&](Session& session) {
+    session.saved_revision = session.revision == saved.revision ? saved.revision + 1 : saved.revision;
+    session.project = name;
     return true;
   });
   return answerOf(stateJson(workbench));

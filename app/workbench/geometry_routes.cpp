@@ -13,32 +13,32 @@ namespace tubeplan::app {
 namespace {
 
 Answer sheet(Workbench& workbench, const Request&) {
-  const Situation situation = workbench.situation();
-  const Cell& cell = currentModel(situation).cell;
+  const Session session = workbench.session();
+  const Cell& cell = currentModel(session).cell;
   if (!cell.sheet) return refusal(404, InputError(cell.path, "no key 'tubesheet'", "one"));
   return answerOf(sheetDrawing(cell, *cell.sheet));
 }
 
 Answer scene(Workbench& workbench, const Request&) {
-  return answerOf(sceneDrawing(currentModel(workbench.situation()).cell));
+  return answerOf(sceneDrawing(currentModel(workbench.session()).cell));
 }
 
 Answer pose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const Situation situation = workbench.situation();
-  const Model& model = currentModel(situation);
+  const Session session = workbench.session();
+  const Model& model = currentModel(session);
   PostureQuestion question{jointsOf(body, model.cell), loadOf(body, model.cell), holeOf(body, model.cell)};
   return answerOf(answerPosture(model, question));
 }
 
 Answer catalogue(Workbench& workbench, const Request&) {
-  return answerOf(catalogueJson(currentModel(workbench.situation()).cell));
+  return answerOf(catalogueJson(currentModel(workbench.session()).cell));
 }
 
 Answer select(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const Situation situation = workbench.situation();
-  const auto& sheet = requireSheet(currentModel(situation).cell, "choose tubes");
+  const Session session = workbench.session();
+  const auto& sheet = requireSheet(currentModel(session).cell, "choose tubes");
   auto selection = selectedTubes(textOf(body, "text"), sheet);
   std::sort(selection.begin(), selection.end());
   return answerOf({{"holes", selection}});

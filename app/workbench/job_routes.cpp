@@ -15,10 +15,9 @@ Answer beginJob(Workbench& workbench, const std::string& kind, const std::string
 
 Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label, ResultWork work) {
   return beginJob(workbench, kind, label, [&workbench, kind, work = std::move(work)](JobContext& context) {
-    const Situation began = workbench.situation();
+    const Session began = workbench.session();
     const nlohmann::json document = work(began, context);
-    finishJob(workbench, began,
-              [&](Situation& situation) { putResult(situation, kind, currentModel(began).id, document); });
+    finishJob(workbench, began, [&](Session& session) { putResult(session, kind, currentModel(began).id, document); });
     return kind;
   });
 }
@@ -37,21 +36,21 @@ planner::PlanHooks planHooksOf(JobContext& context) {
   return hooks;
 }
 
-CellReadings inputOf(const Situation& situation) {
-  const Cell& cell = currentModel(situation).cell;
-  if (!situation.readings)
+CellReadings inputOf(const Session& session) {
+  const Cell& cell = currentModel(session).cell;
+  if (!session.readings)
     throw InputError("measurements", "none loaded", "readings of this arm", "load a CSV file, or simulate some");
-  CellReadings input{cell, situation.readings->name, readingsInUse(*situation.readings), situation.readings->checks};
+  CellReadings input{cell, session.readings->name, readingsInUse(*session.readings), session.readings->checks};
   requireDefinedFormulas(input.readings, input.cell, input.file);
   return input;
 }
 
-void finishJob(Workbench& workbench, const Situation& began, const std::function<void(Situation&)>& step) {
-  const bool is_same = workbench.change([&](Situation& situation) {
-    if (situation.readings != began.readings || currentModel(situation).id != currentModel(began).id ||
-        situation.models.front() != began.models.front())
+void finishJob(Workbench& workbench, const Session& began, const std::function<void(Session&)>& step) {
+  const bool is_same = workbench.change([&](Session& session) {
+    if (session.readings != began.readings || currentModel(session).id != currentModel(began).id ||
+        session.models.front() != began.models.front())
       return false;
-    step(situation);
+    step(session);
     return true;
   });
   if (!is_same)

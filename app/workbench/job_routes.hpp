@@ -17,7 +17,7 @@ namespace tubeplan::app {
 [[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
 
 /// A job whose document becomes the result of its own kind, of the model that it began with.
-using ResultWork = std::function<nlohmann::json(const Situation& began, JobContext&)>;
+using ResultWork = std::function<nlohmann::json(const Session& began, JobContext&)>;
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     ResultWork work);
 
@@ -28,11 +28,11 @@ using ResultWork = std::function<nlohmann::json(const Situation& began, JobConte
 [[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
 
 /// The current model with the readings, checked against its formulas. Throws InputError where there are no readings.
-[[nodiscard]] CellReadings inputOf(const Situation& situation);
+[[nodiscard]] CellReadings inputOf(const Session& session);
 
 /// Changes the situation at the end of a job, unless the readings or the current model are others than those that the
 /// job began with: InputError then.
-void finishJob(Workbench& workbench, const Situation& began, const std::function<void(Situation&)>& step);
+void finishJob(Workbench& workbench, const Session& began, const std::function<void(Session&)>& step);
 
 /// The cell as an export would leave it after a fit, or with other effects: written and read again, so that what
 /// follows is what the commands would give on the files.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/situation.hpp"
+#include "app/workbench/session.hpp"
 
 namespace tubeplan::app {
 

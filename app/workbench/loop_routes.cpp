@@ -28,7 +28,7 @@ Answer compare(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ComparisonRequest asked{integerOf(body, "folds", 5, 0, 100), seedOf(body)};
   return beginResultJob(workbench, "compare", "where the model fails",
-                        [asked](const Situation& began, JobContext& context) {
+                        [asked](const Session& began, JobContext& context) {
                           return compareModel(inputOf(began), asked, hooksOf(context)).figures;
                         });
 }
@@ -37,7 +37,7 @@ Answer diagnose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const DiagnosisRequest asked{integerOf(body, "effects", 3, 1, 4), integerOf(body, "next", 6, 1, 50), seedOf(body)};
   return beginResultJob(workbench, "diagnose", "what the model lacks",
-                        [asked](const Situation& began, JobContext& context) {
+                        [asked](const Session& began, JobContext& context) {
                           return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
                         });
 }
@@ -53,16 +53,16 @@ struct NamedCell {
 };
 
 /// From the first model to the current one, the first taken as rigid before it where it gives.
-std::vector<NamedCell> stackOf(const Situation& situation) {
+std::vector<NamedCell> stackOf(const Session& session) {
   std::vector<NamedCell> stack;
-  const auto& models = situation.models;
+  const auto& models = session.models;
   const Cell& first = models.front()->cell;
   if (givesWay(first.arm)) stack.push_back({models.front()->label + ", rigid", rigidOf(first)});
-  for (std::size_t k = 0; k <= situation.current; ++k) stack.push_back({models[k]->label, models[k]->cell});
+  for (std::size_t k = 0; k <= session.current; ++k) stack.push_back({models[k]->label, models[k]->cell});
   return stack;
 }
 
-nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Situation& began, std::uint64_t seed,
+nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& began, std::uint64_t seed,
                           const WorkHooks& hooks) {
   std::vector<LadderModel> models;
   for (const auto& [label, cell] : stack) {
@@ -79,22 +79,22 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Situation& 
 Answer ladder(Workbench& workbench, const Request& request) {
   const std::uint64_t seed = seedOf(objectOf(request));
   return beginResultJob(workbench, "ladder", "one model after another",
-                        [seed](const Situation& began, JobContext& context) {
+                        [seed](const Session& began, JobContext& context) {
                           (void)inputOf(began);
                           return ladderOver(stackOf(began), began, seed, hooksOf(context));
                         });
 }
 
 /// Puts a fitted model on the stack with its figures, and the ladder over the stack with it.
-void finishFit(Workbench& workbench, const Situation& began, const std::string& label, const std::string& origin,
+void finishFit(Workbench& workbench, const Session& began, const std::string& label, const std::string& origin,
                const Cell& fitted, const nlohmann::json& figures, std::uint64_t seed, JobContext& context) {
   auto stack = stackOf(began);
   stack.push_back({label, fitted});
   const auto climbed = ladderOver(stack, began, seed, hooksOf(context));
-  finishJob(workbench, began, [&](Situation& situation) {
-    const int id = pushModel(situation, label, origin, fitted);
-    putResult(situation, "identify", id, figures);
-    putResult(situation, "ladder", id, climbed);
+  finishJob(workbench, began, [&](Session& session) {
+    const int id = pushModel(session, label, origin, fitted);
+    putResult(session, "identify", id, figures);
+    putResult(session, "ladder", id, climbed);
   });
 }
 
@@ -109,7 +109,7 @@ Answer identify(Workbench& workbench, const Request& request) {
   asked.free = textsOf(body, "free");
   asked.seed = seedOf(body);
   return beginJob(workbench, "identify", "the numbers of the model", [&workbench, asked](JobContext& context) {
-    const Situation began = workbench.situation();
+    const Session began = workbench.session();
     const CellReadings input = inputOf(began);
     const auto outcome = identifyModel(input, asked, hooksOf(context));
     requireFitted(outcome, input);
@@ -133,11 +133,11 @@ Answer add(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const AdditionRequest asked = additionAsked(body);
   const std::uint64_t seed = seedOf(body);
-  const Addition first = addToCell(currentModel(workbench.situation()).cell, asked);  // refused at once, if at all
+  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refused at once, if at all
   const std::string label =
       fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
   return beginJob(workbench, "add", label, [=, &workbench](JobContext& context) {
-    const Situation began = workbench.situation();
+    const Session began = workbench.session();
     CellReadings input = inputOf(began);
     input.cell = rereadCell(input.cell, cellTextWith(input.cell, addToCell(input.cell, asked), input.cell.path));
     requireDefinedFormulas(input.readings, input.cell, input.file);
@@ -156,7 +156,7 @@ Answer improve(Workbench& workbench, const Request& request) {
   const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
   return beginJob(
       workbench, "improve", "diagnose and add until nothing more is shown", [&workbench, asked](JobContext& context) {
-        const Situation began = workbench.situation();
+        const Session began = workbench.session();
         const CellReadings input = inputOf(began);
         const auto outcome = improveModel(input, asked, hooksOf(context));
         if (!outcome.isUsable())
@@ -168,11 +168,11 @@ Answer improve(Workbench& workbench, const Request& request) {
           improved.push_back(
               {model.name == "as given" ? "fitted" : model.name,
                improvedCell(input.cell, model.cell, model.fit, input.readings, input.cell.path).reread()});
-        finishJob(workbench, began, [&](Situation& situation) {
+        finishJob(workbench, began, [&](Session& session) {
           int id = 0;
           for (std::size_t k = 0; k < improved.size(); ++k)
-            id = pushModel(situation, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
-          putResult(situation, "improve", id, improvementJson(outcome, input.cell.units));
+            id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
+          putResult(session, "improve", id, improvementJson(outcome, input.cell.units));
         });
         return "improve";
       });
@@ -205,10 +205,10 @@ std::shared_ptr<const ReadingSet> readingsOf(const calibration::SimulatedCampaig
 
 Answer simulate(Workbench& workbench, const Request& request) {
   const SimulationRequest asked = simulationAsked(objectOf(request));
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   (void)prepareSimulation(now.models.front()->cell, asked);  // refused at once, if at all
   return beginJob(workbench, "simulate", "readings to practise on", [&workbench, asked](JobContext& context) {
-    const Situation began = workbench.situation();
+    const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;
     const SimulationTask task = prepareSimulation(cell, asked);
     const auto campaign =
@@ -219,11 +219,11 @@ Answer simulate(Workbench& workbench, const Request& request) {
     if (campaign.status != calibration::CampaignStatus::kDone)
       throw InputError("design", campaign.reason, "readings that the arm can make");
     const auto set = readingsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
-    finishJob(workbench, began, [&](Situation& situation) {
-      situation.readings = set;
-      forgetResultsOfReadings(situation);
+    finishJob(workbench, began, [&](Session& session) {
+      session.readings = set;
+      forgetResultsOfReadings(session);
       putResult(
-          situation, "simulate", currentModel(situation).id,
+          session, "simulate", currentModel(session).id,
           {{"design", asked.design}, {"readings", set->readings.size()}, {"hidden", asked.hide}, {"seed", asked.seed}});
     });
     return "simulate";

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/workbench/situation.hpp"
+#include "app/workbench/session.hpp"
 
 namespace tubeplan::app {
 

@@ -30,18 +30,18 @@ using nlohmann::json;
 
 Answer reach(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
-  (void)workcellOf(currentModel(workbench.situation()).cell, "reach its holes");
+  (void)workcellOf(currentModel(workbench.session()).cell, "reach its holes");
   return beginResultJob(
       workbench, "reach", "which holes the arm reaches",
-      [](const Situation& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
+      [](const Session& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
 Answer field(Workbench& workbench, const Request& request) {
   const std::string of = textOf(objectOf(request), "of", "centring");
   requireField(of);
-  (void)workcellOf(currentModel(workbench.situation()).cell, "look at its holes");
+  (void)workcellOf(currentModel(workbench.session()).cell, "look at its holes");
   return beginResultJob(workbench, "field", of + " over the sheet",
-                        [of](const Situation& began, JobContext& context) { return fieldOf(began, of, context); });
+                        [of](const Session& began, JobContext& context) { return fieldOf(began, of, context); });
 }
 
 json branchJson(const planner::TubeBranch& branch, const Model& model, double load) {
@@ -58,7 +58,7 @@ json branchJson(const planner::TubeBranch& branch, const Model& model, double lo
 /// Most of the branches that are found and clear come first.
 Answer inverse(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   const Model& model = currentModel(now);
   const int hole = requiredHoleOf(body, model.cell);
   const int wanted = integerOf(body, "branch", -1, -1, 100);
@@ -103,7 +103,7 @@ void requireNoFile(const std::string& tubes) {
 
 Answer plan(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   PlanRequest asked;
   asked.tubes = tubesText(body, requireSheet(cell, "plan tube visits"), "spread:60");
@@ -123,16 +123,16 @@ Answer plan(Workbench& workbench, const Request& request) {
     }
   (void)conditionsOf(asked.conditions, cell, {});
   return beginJob(workbench, "plan", "a proved visit of the tubes", [&workbench, asked](JobContext& context) mutable {
-    const Situation began = workbench.situation();
+    const Session began = workbench.session();
     asked.truth = began.truth;
     asked.cell = currentModel(began).cell.path;
     auto outcome = std::make_shared<PlanOutcome>(planCell(currentModel(began).cell, asked, planHooksOf(context)));
     requirePlanned(*outcome);
     const json figures = planJson(asked, *outcome);
-    finishJob(workbench, began, [&](Situation& situation) {
-      situation.plan = outcome;
-      situation.plan_request = asked;
-      putResult(situation, "plan", currentModel(began).id, figures);
+    finishJob(workbench, began, [&](Session& session) {
+      session.plan = outcome;
+      session.plan_request = asked;
+      putResult(session, "plan", currentModel(began).id, figures);
     });
     return "plan";
   });
@@ -141,7 +141,7 @@ Answer plan(Workbench& workbench, const Request& request) {
 Answer noPlan() { return refusal(404, InputError("plan", "none yet", "one that was made")); }
 
 Answer path(Workbench& workbench, const Request&) {
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   return now.plan ? answerOf(pathAnswer(*now.plan)) : noPlan();
 }
 
@@ -156,7 +156,7 @@ std::size_t countOf(const Request& request, const std::string& key, std::size_t 
 }
 
 Answer clearance(Workbench& workbench, const Request& request) {
-  const Situation now = workbench.situation();
+  const Session now = workbench.session();
   if (!now.plan) return noPlan();
   return answerOf(clearanceAlong(*now.plan, countOf(request, "from", 0), countOf(request, "count", kMostClearances)));
 }

@@ -16,10 +16,10 @@ struct PostureQuestion {
   std::optional<int> hole;  ///< index in the sheet
 };
 
-/// Throws InputError for a posture at which a formula of the cell has no value, or whose shape does not settle.
+/// Throws InputError for a posture at which a formula of the cell has no value, or whose shape does not converge.
 [[nodiscard]] nlohmann::json answerPosture(const Model& model, const PostureQuestion& question);
 
-/// {distance, margin, pair, from, to}: null where the cell has no bodies, or the shape does not settle.
+/// {distance, margin, pair, from, to}: null where the cell has no bodies, or the shape does not converge.
 [[nodiscard]] nlohmann::json clearanceOf(const Model& model, const Eigen::VectorXd& q, double load);
 
 }  // namespace tubeplan::app

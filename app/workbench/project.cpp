@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/cell_writer.hpp"
-#include "app/files/checkpoint/kept_file.hpp"
+#include "app/files/checkpoint/checkpoint_file.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
@@ -22,14 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr KeptFormat kFormat = {"tubeplan project 1", "a project as tubeplan serve leaves it",
-                                "open the cell and its readings anew"};
+constexpr CheckpointFormat kFormat = {"tubeplan project 1", "a project as tubeplan serve leaves it",
+                                      "open the cell and its readings anew"};
 /// Made of what cannot be kept: the planner's own memory makes a plan again faster.
 constexpr const char* kNotKept = "plan";
 
-std::string readingsText(const Situation& situation) {
-  const Cell& cell = situation.models.front()->cell;
-  return situation.readings ? measurementsCsv(situation.readings->readings, cell.arm, cell.units) : "";
+std::string readingsText(const Session& session) {
+  const Cell& cell = session.models.front()->cell;
+  return session.readings ? measurementsCsv(session.readings->readings, cell.arm, cell.units) : "";
 }
 
 // ---- out
@@ -45,29 +45,29 @@ json modelJson(const Model& model) {
   return entry;
 }
 
-json touchesJson(const Situation& situation) {
-  if (situation.touches.empty()) return nullptr;
+json touchesJson(const Session& session) {
+  if (session.touches.empty()) return nullptr;
   std::vector<decltype(TouchMade::touch)> touches;
   json tubes = json::array(), simulated = json::array();
-  for (const auto& made : situation.touches) {
+  for (const auto& made : session.touches) {
     touches.push_back(made.touch);
     tubes.push_back(made.tube);
     simulated.push_back(made.is_simulated);
   }
-  return {{"csv", touchesCsv(touches, situation.models.front()->cell)}, {"tubes", tubes}, {"simulated", simulated}};
+  return {{"csv", touchesCsv(touches, session.models.front()->cell)}, {"tubes", tubes}, {"simulated", simulated}};
 }
 
-json readingsJson(const Situation& situation) {
-  if (!situation.readings) return nullptr;
-  return {{"name", situation.readings->name},
-          {"csv", readingsText(situation)},
-          {"set_aside", situation.readings->set_aside},
-          {"change", situation.readings->change}};
+json readingsJson(const Session& session) {
+  if (!session.readings) return nullptr;
+  return {{"name", session.readings->name},
+          {"csv", readingsText(session)},
+          {"set_aside", session.readings->set_aside},
+          {"change", session.readings->change}};
 }
 
-json resultsJson(const Situation& situation) {
+json resultsJson(const Session& session) {
   json results = json::object();
-  for (const auto& [name, by_model] : situation.results) {
+  for (const auto& [name, by_model] : session.results) {
     if (name == kNotKept) continue;
     for (const auto& [model, result] : by_model)
       results[name].push_back({{"model", model}, {"revision", result->revision}, {"document", result->document}});
@@ -75,20 +75,20 @@ json resultsJson(const Situation& situation) {
   return results;
 }
 
-json payloadOf(const Situation& situation) {
+json payloadOf(const Session& session) {
   json models = json::array();
-  for (const auto& model : situation.models) models.push_back(modelJson(*model));
+  for (const auto& model : session.models) models.push_back(modelJson(*model));
   return {{"models", models},
-          {"current", situation.current},
-          {"next_model", situation.next_model},
-          {"revision", situation.revision},
-          {"readings", readingsJson(situation)},
-          {"results", resultsJson(situation)},
-          {"truth", situation.truth.empty() ? "" : fs::absolute(situation.truth).string()},
-          {"touches", touchesJson(situation)},
-          {"next_touch", situation.next_touch},
-          {"project", situation.project},
-          {"saved_revision", situation.saved_revision}};
+          {"current", session.current},
+          {"next_model", session.next_model},
+          {"revision", session.revision},
+          {"readings", readingsJson(session)},
+          {"results", resultsJson(session)},
+          {"truth", session.truth.empty() ? "" : fs::absolute(session.truth).string()},
+          {"touches", touchesJson(session)},
+          {"next_touch", session.next_touch},
+          {"project", session.project},
+          {"saved_revision", session.saved_revision}};
 }
 
 // ---- in
@@ -134,43 +134,43 @@ std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry)
   return results;
 }
 
-Situation situationOf(const json& payload, const std::string& file) {
-  Situation situation;
-  for (const auto& entry : payload.at("models")) situation.models.push_back(modelOf(entry));
-  situation.current = payload.at("current");
-  if (situation.current >= situation.models.size()) refuseDamaged(kFormat, file, "a current model that is not in it");
-  const Cell& cell = situation.models.front()->cell;
-  situation.next_model = payload.at("next_model");
-  situation.revision = payload.at("revision");
-  situation.readings = readingsOf(payload.at("readings"), cell);
-  situation.results = resultsOf(payload.at("results"));
-  situation.truth = payload.at("truth");
-  situation.touches = touchesMade(payload.at("touches"), cell, file);
-  situation.next_touch = payload.at("next_touch");
-  situation.project = payload.at("project");
-  situation.saved_revision = payload.at("saved_revision");
-  return situation;
+Session sessionOf(const json& payload, const std::string& file) {
+  Session session;
+  for (const auto& entry : payload.at("models")) session.models.push_back(modelOf(entry));
+  session.current = payload.at("current");
+  if (session.current >= session.models.size()) refuseDamaged(kFormat, file, "a current model that is not in it");
+  const Cell& cell = session.models.front()->cell;
+  session.next_model = payload.at("next_model");
+  session.revision = payload.at("revision");
+  session.readings = readingsOf(payload.at("readings"), cell);
+  session.results = resultsOf(payload.at("results"));
+  session.truth = payload.at("truth");
+  session.touches = touchesMade(payload.at("touches"), cell, file);
+  session.next_touch = payload.at("next_touch");
+  session.project = payload.at("project");
+  session.saved_revision = payload.at("saved_revision");
+  return session;
 }
 
 }  // namespace
 
-std::string projectText(const Situation& situation) {
-  const PlanQuestion question = {
+std::string projectText(const Session& session) {
+  const PlanKey question = {
       {"program", kVersion},
-      {"cell", situation.models.front()->cell.name},
-      {"cell file", fs::absolute(situation.models.front()->cell.path).string()},
-      {"readings", situation.readings ? situation.readings->name : ""},
-      {"models", std::to_string(situation.models.size())},
+      {"cell", session.models.front()->cell.name},
+      {"cell file", fs::absolute(session.models.front()->cell.path).string()},
+      {"readings", session.readings ? session.readings->name : ""},
+      {"models", std::to_string(session.models.size())},
       {"saved", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
   };
-  return keptText(kFormat, question, payloadOf(situation).dump());
+  return checkpointText(kFormat, question, payloadOf(session).dump());
 }
 
-Situation readProject(const fs::path& file) {
-  const KeptFile kept = readKeptFile(kFormat, file);
-  Situation situation;
-  readPayload(kFormat, file, kept, [&](const json& payload) { situation = situationOf(payload, file.string()); });
-  return situation;
+Session readProject(const fs::path& file) {
+  const CheckpointFile kept = readCheckpoint(kFormat, file);
+  Session session;
+  readPayload(kFormat, file, kept, [&](const json& payload) { session = sessionOf(payload, file.string()); });
+  return session;
 }
 
 json projectSummary(const fs::path& file) {
@@ -185,19 +185,17 @@ json projectSummary(const fs::path& file) {
   return summary;
 }
 
-bool hasSameInputs(const Situation& one, const Situation& other) {
+bool hasSameInputs(const Session& one, const Session& other) {
   const Cell &a = one.models.front()->cell, &b = other.models.front()->cell;
   return cellTextAt(a, a.path) == cellTextAt(b, b.path) && a.arm_source.text == b.arm_source.text &&
          readingsText(one) == readingsText(other);
 }
 
-bool hasWork(const Situation& situation) {
-  return situation.models.size() > 1 || !situation.touches.empty() ||
-         (situation.readings && !situation.readings->set_aside.empty());
+bool hasWork(const Session& session) {
+  return session.models.size() > 1 || !session.touches.empty() ||
+         (session.readings && !session.readings->set_aside.empty());
 }
 
-bool isUnsaved(const Situation& situation) {
-  return hasWork(situation) && situation.saved_revision != situation.revision;
-}
+bool isUnsaved(const Session& session) { return hasWork(session) && session.saved_revision != session.revision; }
 
 }  // namespace tubeplan::app

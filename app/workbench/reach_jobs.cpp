@@ -65,11 +65,11 @@ double centringOf(const planner::Workcell& model, const std::optional<planner::W
   return off.head<2>().norm();
 }
 
-std::vector<double> residuals(const Situation& situation, const tubesheets::Sheet& sheet) {
+std::vector<double> residuals(const Session& session, const tubesheets::Sheet& sheet) {
   std::vector<double> values(sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
-  const Cell& cell = currentModel(situation).cell;
-  if (!situation.readings) throw InputError("measurements", "none loaded", "touches of holes");
-  for (const auto& reading : situation.readings->readings) {
+  const Cell& cell = currentModel(session).cell;
+  if (!session.readings) throw InputError("measurements", "none loaded", "touches of holes");
+  for (const auto& reading : session.readings->readings) {
     const auto name = tubesheets::parseTubeName(reading.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
     if (!hole || !calibration::touchesKnownPoint(reading)) continue;
@@ -109,15 +109,15 @@ json reachOfAll(const Cell& cell, JobContext& context) {
   return {{"reachable", reachable}, {"reason", reason}, {"branches", branches}};
 }
 
-json fieldOf(const Situation& situation, const std::string& of, JobContext& context) {
+json fieldOf(const Session& session, const std::string& of, JobContext& context) {
   requireField(of);
-  const Cell& cell = currentModel(situation).cell;
+  const Cell& cell = currentModel(session).cell;
   const auto work = workcellOf(cell, "look at its holes");
   std::optional<planner::Workcell> truth;
-  if (!situation.truth.empty()) truth = workcellOf(readCell(situation.truth), "set the model beside it");
+  if (!session.truth.empty()) truth = workcellOf(readCell(session.truth), "set the model beside it");
   std::vector<double> values(work.sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
   if (of == "residual")
-    values = residuals(situation, work.sheet);
+    values = residuals(session, work.sheet);
   else
     forAllHoles(values.size(), "field", context,
                 [&](std::size_t k) { values[k] = of == "sag" ? sagOf(work, k) : centringOf(work, truth, k); });

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/workbench/jobs.hpp"
-#include "app/workbench/situation.hpp"
+#include "app/workbench/session.hpp"
 
 namespace tubeplan::app {
 
@@ -16,7 +16,7 @@ namespace tubeplan::app {
 /// rigid arm would have it; `centring`, how far it comes from the centre, of the true arm where one is named, else of
 /// this one when it is sent there by rigid kinematics; `residual`, what the model leaves at the holes that the readings
 /// touched. Throws InputError for another word, JobStopped.
-[[nodiscard]] nlohmann::json fieldOf(const Situation& situation, const std::string& of, JobContext& context);
+[[nodiscard]] nlohmann::json fieldOf(const Session& session, const std::string& of, JobContext& context);
 
 void requireField(const std::string& of);
 

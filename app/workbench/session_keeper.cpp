@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/atomic_file.hpp"
-#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/input_error.hpp"
 #include "app/workbench/project.hpp"
 
@@ -82,7 +82,7 @@ void SessionKeeper::unlock() {
   lock_ = -1;
 }
 
-std::optional<Situation> SessionKeeper::begin(const std::string& cell) {
+std::optional<Session> SessionKeeper::begin(const std::string& cell) {
   if (folder_.empty()) return std::nullopt;
   const std::lock_guard guard(mutex_);
   unlock();
@@ -114,12 +114,12 @@ void SessionKeeper::putAside() {
   if (!file_.empty() && fs::exists(file_, error)) fs::rename(file_, freeName(file_, "earlier"), error);
 }
 
-void SessionKeeper::keep(const Situation& situation) {
+void SessionKeeper::keep(const Session& session) {
   const std::lock_guard guard(mutex_);
-  if (file_.empty() || situation.revision <= kept_) return;
+  if (file_.empty() || session.revision <= kept_) return;
   try {
-    writeFileAtomically(file_, projectText(situation), "--state");
-    kept_ = situation.revision;
+    writeFileAtomically(file_, projectText(session), "--state");
+    kept_ = session.revision;
     problem_.clear();
   } catch (const std::exception& error) {
     if (problem_.empty()) fmt::print(stderr, "tubeplan: the session is not kept: {}\n", error.what());

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "app/workbench/situation.hpp"
+#include "app/workbench/session.hpp"
 
 namespace tubeplan::app {
 
@@ -26,14 +26,14 @@ class SessionKeeper {
 
   /// The session kept of this cell's file, where there is one that no other program works on; from now on that file is
   /// kept. One that cannot be read is put aside with a word on standard error.
-  [[nodiscard]] std::optional<Situation> begin(const std::string& cell);
+  [[nodiscard]] std::optional<Session> begin(const std::string& cell);
 
   /// What begin() found is put aside under another name, to be opened by hand.
   void putAside();
 
   /// Writes the situation unless a later one is already written. Whoever returns knows it written; a failure is told
   /// once on standard error and in problem().
-  void keep(const Situation& situation);
+  void keep(const Session& session);
 
   /// Why nothing is kept; empty where it is.
   [[nodiscard]] std::string problem() const;

@@ -42,16 +42,15 @@ json jointRangesJson(const Cell& cell) {
   return joints;
 }
 
-json loadsJson(const Situation& situation, const Units& units) {
+json loadsJson(const Session& session, const Units& units) {
   std::set<double> loads;
-  if (situation.readings)
-    for (const auto& reading : situation.readings->readings)
-      loads.insert(units.toFile(reading.load, dimension::kForce));
+  if (session.readings)
+    for (const auto& reading : session.readings->readings) loads.insert(units.toFile(reading.load, dimension::kForce));
   return loads;
 }
 
-json cellJson(const Situation& situation) {
-  const Cell& cell = situation.models.front()->cell;
+json cellJson(const Session& session) {
+  const Cell& cell = session.models.front()->cell;
   return {{"name", cell.name},
           {"file", std::filesystem::path(cell.path).filename().string()},
           {"units", unitsJson(cell.units)},
@@ -59,12 +58,12 @@ json cellJson(const Situation& situation) {
           {"has_sheet", cell.sheet.has_value()},
           {"has_scene", !cell.scene.obstacles.empty() || !cell.scene.bodies.empty()},
           {"has_tool", cell.tool.has_value()},
-          {"has_truth", !situation.truth.empty()},
+          {"has_truth", !session.truth.empty()},
           {"has_park", cell.park.has_value()},
           {"has_arm_file", !cell.arm_source.text.empty()},
           {"joints", jointRangesJson(cell)},
           {"identify", cell.identify},
-          {"loads", loadsJson(situation, cell.units)}};
+          {"loads", loadsJson(session, cell.units)}};
 }
 
 json effectJson(const deflection::Arm& arm, const deflection::Effect& effect, const Units& units) {
@@ -81,9 +80,9 @@ json effectJson(const deflection::Arm& arm, const deflection::Effect& effect, co
   return entry;
 }
 
-json modelsJson(const Situation& situation) {
+json modelsJson(const Session& session) {
   json models = json::array();
-  for (const auto& model : situation.models) {
+  for (const auto& model : session.models) {
     json effects = json::array();
     for (const auto& effect : model->cell.arm.effects)
       effects.push_back(effectJson(model->cell.arm, effect, model->cell.units));
@@ -96,34 +95,34 @@ json modelsJson(const Situation& situation) {
   return models;
 }
 
-json measurementsJson(const Situation& situation) {
-  if (!situation.readings) return nullptr;
+json measurementsJson(const Session& session) {
+  if (!session.readings) return nullptr;
   std::map<std::string, int> kinds;
   std::set<std::string> setups;
   double sigma = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& reading : situation.readings->readings) {
+  for (const auto& reading : session.readings->readings) {
     ++kinds[calibration::kindOf(reading).name];
     setups.insert(reading.setup);
     if (!(sigma >= reading.sigma)) sigma = reading.sigma;
   }
-  json document = {{"name", situation.readings->name},
-                   {"readings", situation.readings->readings.size()},
+  json document = {{"name", session.readings->name},
+                   {"readings", session.readings->readings.size()},
                    {"kinds", kinds},
                    {"setups", setups.size()},
-                   {"set_aside", situation.readings->set_aside.size()},
-                   {"change", situation.readings->change},
-                   {"sigma", lengthOf(sigma, currentModel(situation).cell.units)}};
-  addChecks(situation.readings->checks, currentModel(situation).cell.units, document);
+                   {"set_aside", session.readings->set_aside.size()},
+                   {"change", session.readings->change},
+                   {"sigma", lengthOf(sigma, currentModel(session).cell.units)}};
+  addChecks(session.readings->checks, currentModel(session).cell.units, document);
   return document;
 }
 
-json resultsJson(const Situation& situation) {
+json resultsJson(const Session& session) {
   json results = json::object();
   for (const char* name : kResults) {
-    const auto result = findResult(situation, name);
+    const auto result = findResult(session, name);
     results[name] = result ? json{{"model", result->model}, {"revision", result->revision}} : json();
     if (result)
-      for (const auto& [model, own] : situation.results.at(name)) results[name]["models"].push_back(model);
+      for (const auto& [model, own] : session.results.at(name)) results[name]["models"].push_back(model);
   }
   return results;
 }
@@ -131,21 +130,21 @@ json resultsJson(const Situation& situation) {
 }  // namespace
 
 json stateJson(const Workbench& workbench) {
-  const Situation situation = workbench.situation();
-  return {{"revision", situation.revision},
+  const Session session = workbench.session();
+  return {{"revision", session.revision},
           {"version", kVersion},
           {"folder", workbench.folder().path().string()},
-          {"cell", cellJson(situation)},
-          {"models", modelsJson(situation)},
-          {"model", currentModel(situation).id},
-          {"can_undo", situation.current > 0},
-          {"can_redo", situation.current + 1 < situation.models.size()},
-          {"measurements", measurementsJson(situation)},
-          {"results", resultsJson(situation)},
-          {"touches", situation.touches.size()},
+          {"cell", cellJson(session)},
+          {"models", modelsJson(session)},
+          {"model", currentModel(session).id},
+          {"can_undo", session.current > 0},
+          {"can_redo", session.current + 1 < session.models.size()},
+          {"measurements", measurementsJson(session)},
+          {"results", resultsJson(session)},
+          {"touches", session.touches.size()},
           {"project",
-           {{"file", situation.project.empty() ? json() : json(situation.project)},
-            {"unsaved", isUnsaved(situation)},
+           {{"file", session.project.empty() ? json() : json(session.project)},
+            {"unsaved", isUnsaved(session)},
             {"kept", !workbench.keeper().file().empty() && workbench.keeper().problem().empty()},
             {"problem", workbench.keeper().problem()}}},
           {"jobs", workbench.jobs().list()}};

@@ -11,16 +11,16 @@ namespace {
 Answer state(Workbench& workbench, const Request&) { return answerOf(stateJson(workbench)); }
 
 /// Of the model that "?model=" names, else as findResult chooses.
-ResultPointer resultAsked(const Situation& situation, const Request& request) {
+ResultPointer resultAsked(const Session& session, const Request& request) {
   const auto asked = request.query.find("model");
-  if (asked == request.query.end()) return findResult(situation, request.words[1]);
+  if (asked == request.query.end()) return findResult(session, request.words[1]);
   const auto model = tubesheets::parseNumber(asked->second);
   const bool is_id = model && *model >= 0 && *model < 1e9;
-  return is_id ? findResult(situation, request.words[1], static_cast<int>(*model)) : nullptr;
+  return is_id ? findResult(session, request.words[1], static_cast<int>(*model)) : nullptr;
 }
 
 Answer result(Workbench& workbench, const Request& request) {
-  const auto found = resultAsked(workbench.situation(), request);
+  const auto found = resultAsked(workbench.session(), request);
   if (!found)
     return refusal(404, InputError(inQuotes(request.words[1]), "no such result yet", "one that was asked for"));
   nlohmann::json document = found->document;
@@ -30,9 +30,9 @@ Answer result(Workbench& workbench, const Request& request) {
 }
 
 Answer step(Workbench& workbench, bool back) {
-  const bool done = workbench.change([&](Situation& situation) {
-    if (back ? situation.current == 0 : situation.current + 1 >= situation.models.size()) return false;
-    situation.current += back ? std::size_t(-1) : 1;
+  const bool done = workbench.change([&](Session& session) {
+    if (back ? session.current == 0 : session.current + 1 >= session.models.size()) return false;
+    session.current += back ? std::size_t(-1) : 1;
     return true;
   });
   if (!done) return refusal(409, InputError("models", back ? "nothing to undo" : "nothing to redo", "a step"));

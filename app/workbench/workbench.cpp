@@ -24,24 +24,24 @@ fs::path folderOf(const WorkbenchOptions& options) {
   return parent.empty() ? fs::path(".") : parent;
 }
 
-Situation openAsAsked(const WorkbenchOptions& options) {
-  Situation situation = openCell(options.cell, options.truth);
+Session openAsAsked(const WorkbenchOptions& options) {
+  Session session = openCell(options.cell, options.truth);
   if (!options.measurements.empty()) {
-    situation.readings = openReadings(options.measurements, currentModel(situation).cell);
-    situation.results.clear();
+    session.readings = openReadings(options.measurements, currentModel(session).cell);
+    session.results.clear();
   }
-  return situation;
+  return session;
 }
 
 /// Of the cell as its file is now, with the readings that were asked for; without any, those that were kept serve.
-bool goesOn(const Situation& kept, const Situation& asked) {
-  Situation inputs = asked;
+bool goesOn(const Session& kept, const Session& asked) {
+  Session inputs = asked;
   if (!inputs.readings) inputs.readings = kept.readings;
   return hasSameInputs(kept, inputs) && (asked.truth.empty() || kept.truth == fs::absolute(asked.truth));
 }
 
 /// The kept session where it goes on with what was asked for; else that, the kept one put aside.
-Situation takeUp(SessionKeeper& keeper, Situation asked, const WorkbenchOptions& options) {
+Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& options) {
   const bool is_project = isProject(options.cell);
   auto kept = keeper.begin(asked.models.front()->cell.path);
   if (!kept) return asked;
@@ -58,50 +58,50 @@ Situation takeUp(SessionKeeper& keeper, Situation asked, const WorkbenchOptions&
 
 Workbench::Workbench(const WorkbenchOptions& options)
     : folder_(folderOf(options)), keeper_(options.state), events_(options.most_listeners), jobs_(events_) {
-  situation_ = takeUp(keeper_, openAsAsked(options), options);
-  keeper_.keep(situation_);
+  session_ = takeUp(keeper_, openAsAsked(options), options);
+  keeper_.keep(session_);
 }
 
-Situation Workbench::situation() const {
+Session Workbench::session() const {
   const std::lock_guard lock(mutex_);
-  return situation_;
+  return session_;
 }
 
-bool Workbench::change(const std::function<bool(Situation&)>& step) {
-  Situation changed;
+bool Workbench::change(const std::function<bool(Session&)>& step) {
+  Session changed;
   {
     const std::lock_guard lock(mutex_);
-    changed = situation_;
+    changed = session_;
     if (!step(changed)) return false;
     ++changed.revision;
-    situation_ = changed;
+    session_ = changed;
   }
   keeper_.keep(changed);  // before anybody is told
   events_.stateChanged();
   return true;
 }
 
-bool Workbench::replace(Situation situation) {
+bool Workbench::replace(Session session) {
   if (jobs_.isBusy()) return false;
-  const auto kept = keeper_.begin(situation.models.front()->cell.path);
+  const auto kept = keeper_.begin(session.models.front()->cell.path);
   if (kept && hasWork(*kept)) keeper_.putAside();
-  return change([&](Situation& now) {
-    const bool is_saved = situation.saved_revision == situation.revision;
-    const std::uint64_t revision = std::max(now.revision, situation.revision);
-    now = std::move(situation);
+  return change([&](Session& now) {
+    const bool is_saved = session.saved_revision == session.revision;
+    const std::uint64_t revision = std::max(now.revision, session.revision);
+    now = std::move(session);
     now.revision = revision;
     now.saved_revision = is_saved ? revision + 1 : 0;  // as what this step leaves
     return true;
   });
 }
 
-Situation openCell(const std::string& file, const std::string& truth) {
+Session openCell(const std::string& file, const std::string& truth) {
   if (isProject(file)) return readProject(file);
-  Situation situation;
+  Session session;
   if (!truth.empty()) (void)readCell(truth);
-  situation.truth = truth;
-  situation.models.push_back(makeModel(0, "as given", "given", readCell(file)));
-  return situation;
+  session.truth = truth;
+  session.models.push_back(makeModel(0, "as given", "given", readCell(file)));
+  return session;
 }
 
 std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell) {

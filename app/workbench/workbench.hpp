@@ -9,8 +9,8 @@
 #include "app/workbench/events.hpp"
 #include "app/workbench/jobs.hpp"
 #include "app/workbench/opened_folder.hpp"
+#include "app/workbench/session.hpp"
 #include "app/workbench/session_keeper.hpp"
-#include "app/workbench/situation.hpp"
 
 namespace tubeplan::app {
 
@@ -29,15 +29,15 @@ class Workbench {
   /// Reads what is named. Throws InputError.
   explicit Workbench(const WorkbenchOptions& options);
 
-  [[nodiscard]] Situation situation() const;
+  [[nodiscard]] Session session() const;
 
   /// Changes the situation, as one step for all who look at it, and tells everybody. A step that returns false changes
   /// nothing; whether it did is returned.
-  bool change(const std::function<bool(Situation&)>& step);
+  bool change(const std::function<bool(Session&)>& step);
 
   /// Instead of all there is, unless a job works on it: with that cell's session kept from now on, an earlier one of it
   /// put aside. False where one does.
-  bool replace(Situation situation);
+  bool replace(Session session);
 
   [[nodiscard]] const SessionKeeper& keeper() const { return keeper_; }
   [[nodiscard]] const OpenedFolder& folder() const { return folder_; }
@@ -47,7 +47,7 @@ class Workbench {
 
  private:
   mutable std::mutex mutex_;
-  Situation situation_;
+  Session session_;
   OpenedFolder folder_;
   SessionKeeper keeper_;
   Events events_;
@@ -55,7 +55,7 @@ class Workbench {
 };
 
 /// The situation of a cell, or of a project, just opened. Throws InputError.
-[[nodiscard]] Situation openCell(const std::string& file, const std::string& truth);
+[[nodiscard]] Session openCell(const std::string& file, const std::string& truth);
 
 /// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.
 [[nodiscard]] std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell);

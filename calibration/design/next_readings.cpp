@@ -14,15 +14,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kTold = 0.5;  // of its typical size: a number whose sigma is less is told by readings
+constexpr double kIdentifiable = 0.5;  // of its typical size: a number whose sigma is less is told by readings
 
 /// Which candidates' shapes settle, as known.
-std::vector<int> settled(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates) {
-  const PlacedArm placed = placedAsKnown(knowledge);
+std::vector<int> settled(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates) {
+  const PlacedArm placed = placedAsEstimated(estimate);
   std::vector<char> is_settled(candidates.size(), 1);
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t k) {
     for (const auto& reading : candidates[k].readings)
-      if (!predictReading(placed.arm, placed.placings.back().X_WB, reading).ok) is_settled[k] = 0;
+      if (!predictReading(placed.arm, placed.base_poses.back().X_WB, reading).ok) is_settled[k] = 0;
   });
   std::vector<int> which;
   for (std::size_t k = 0; k < candidates.size(); ++k)
@@ -31,12 +31,12 @@ std::vector<int> settled(const Knowledge& knowledge, const std::vector<ReadingCa
 }
 
 /// All readings of the candidates in one list; touches of unknown places kept apart by the names of their places.
-std::vector<Measurement> listReadings(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+std::vector<Measurement> listReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                       const std::vector<int>& which) {
   std::vector<Measurement> all;
   for (const int k : which)
     for (Measurement reading : candidates[static_cast<std::size_t>(k)].readings) {
-      reading.setup = knowledge.start.placings.back().setup;
+      reading.setup = estimate.start.base_poses.back().setup;
       if (!reading.p_W) reading.point = "candidate " + std::to_string(k);
       all.push_back(reading);
     }
@@ -63,37 +63,37 @@ double bitsOf(const Design& design) {
   return bits;
 }
 
-NumberForecast forecast(const Knowledge& knowledge, std::size_t index, const MatrixXd& now, const Design& design,
+NumberForecast forecast(const Estimate& estimate, std::size_t index, const MatrixXd& now, const Design& design,
                         const std::vector<Design>& random) {
   const auto k = static_cast<Index>(index);
   NumberForecast number;
-  number.unknown = knowledge.unknowns[index];
-  number.value = valueAt(number.unknown, knowledge.x[k]);
-  const double size = number.unknown.typical * std::abs(slopeAt(number.unknown, knowledge.x[k]));
+  number.unknown = estimate.unknowns[index];
+  number.value = valueAt(number.unknown, estimate.x[k]);
+  const double size = number.unknown.typical * std::abs(slopeAt(number.unknown, estimate.x[k]));
   const double share_now = std::sqrt(now(k, k)), share_after = std::sqrt(design.covariance(k, k));
   number.now = size * share_now;
   number.after = size * share_after;
   const double share_random = medianOf(random, [&](const Design& d) { return std::sqrt(d.covariance(k, k)); });
   number.random = size * share_random;
-  number.is_told_now = share_now < kTold;
-  number.is_told_after = share_after < kTold;
-  number.is_told_random = share_random < kTold;
+  number.is_identifiable_now = share_now < kIdentifiable;
+  number.is_identifiable_after = share_after < kIdentifiable;
+  number.is_identifiable_random = share_random < kIdentifiable;
   return number;
 }
 
 }  // namespace
 
-PosedDesign poseDesign(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates, const Work& work) {
+PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates, const Work& work) {
   PosedDesign posed;
-  posed.problem.information = knowledge.information;
-  posed.problem.work = tipSensitivities(knowledge, work.postures, work.load);
-  posed.candidates = settled(knowledge, candidates);
-  const auto readings = listReadings(knowledge, candidates, posed.candidates);
-  const auto weights = weighReadings(placedAsKnown(knowledge), readings, {}, knowledge.model_error);
+  posed.problem.information = estimate.information;
+  posed.problem.work = tipSensitivities(estimate, work.postures, work.load);
+  posed.candidates = settled(estimate, candidates);
+  const auto readings = listReadings(estimate, candidates, posed.candidates);
+  const auto weights = weighReadings(placedAsEstimated(estimate), readings, {}, estimate.model_error);
   if (!weights) return posed;
-  auto residual = whitenedResidual(knowledge.start, knowledge.unknowns, readings, *weights, knowledge.x, true);
+  auto residual = whitenedResidual(estimate.start, estimate.unknowns, readings, *weights, estimate.x, true);
   for (Index k = 0; k < residual.jacobian.cols(); ++k)
-    residual.jacobian.col(k) *= knowledge.unknowns[static_cast<std::size_t>(k)].typical;
+    residual.jacobian.col(k) *= estimate.unknowns[static_cast<std::size_t>(k)].typical;
   std::size_t first = 0;
   for (const int k : posed.candidates) {
     const std::size_t count = candidates[static_cast<std::size_t>(k)].readings.size();
@@ -105,7 +105,7 @@ PosedDesign poseDesign(const Knowledge& knowledge, const std::vector<ReadingCand
   return posed;
 }
 
-NextReadings forecastReadings(const Knowledge& knowledge, const PosedDesign& posed, Design design,
+NextReadings forecastReadings(const Estimate& estimate, const PosedDesign& posed, Design design,
                               const NextReadingsOptions& options) {
   NextReadings result;
   result.candidates = posed.candidates;
@@ -121,10 +121,10 @@ NextReadings forecastReadings(const Knowledge& knowledge, const PosedDesign& pos
        drawChoices(static_cast<int>(posed.candidates.size()), static_cast<int>(result.design.steps.size()),
                    options.random_draws, options.seed))
     random.push_back(judgeReadings(posed.problem, choice));
-  const auto n = knowledge.information.rows();
-  const MatrixXd now = knowledge.information.ldlt().solve(MatrixXd::Identity(n, n));
-  for (std::size_t k = 0; k < knowledge.unknowns.size(); ++k)
-    result.numbers.push_back(forecast(knowledge, k, now, result.design, random));
+  const auto n = estimate.information.rows();
+  const MatrixXd now = estimate.information.ldlt().solve(MatrixXd::Identity(n, n));
+  for (std::size_t k = 0; k < estimate.unknowns.size(); ++k)
+    result.numbers.push_back(forecast(estimate, k, now, result.design, random));
   result.tip_now = tipSigma(work, now);
   result.tip_after = tipSigma(work, result.design.covariance);
   result.tip_random = {medianOf(random, [&](const Design& d) { return tipSigma(work, d.covariance).rms; }),
@@ -135,10 +135,10 @@ NextReadings forecastReadings(const Knowledge& knowledge, const PosedDesign& pos
   return result;
 }
 
-NextReadings proposeReadings(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+NextReadings proposeReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                              const Work& work, const NextReadingsOptions& options) {
-  const PosedDesign posed = poseDesign(knowledge, candidates, work);
-  return forecastReadings(knowledge, posed, chooseReadings(posed.problem, options.design), options);
+  const PosedDesign posed = poseDesign(estimate, candidates, work);
+  return forecastReadings(estimate, posed, chooseReadings(posed.problem, options.design), options);
 }
 
 }  // namespace tubeplan::calibration

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calibration/design/optimal_design.hpp"
-#include "calibration/estimation/knowledge.hpp"
+#include "calibration/estimation/estimate.hpp"
 
 namespace tubeplan::calibration {
 
@@ -36,7 +36,8 @@ struct NumberForecast {
   double now = std::numeric_limits<double>::quiet_NaN();
   double after = std::numeric_limits<double>::quiet_NaN();
   double random = std::numeric_limits<double>::quiet_NaN();
-  bool is_told_now = false, is_told_after = false, is_told_random = false;  ///< beyond what its typical size says
+  bool is_identifiable_now = false, is_identifiable_after = false,
+       is_identifiable_random = false;  ///< beyond what its typical size says
 };
 
 enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
@@ -44,7 +45,7 @@ enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
 struct NextReadings {
   NextReadingsStatus status = NextReadingsStatus::kNotRun;
   std::string reason;
-  std::vector<int> candidates;  ///< those whose shape settles: what the design's indices mean
+  std::vector<int> candidates;  ///< those whose shape converges: what the design's indices mean
   Design design;
   std::vector<NumberForecast> numbers;
   TipSigma tip_now, tip_after, tip_random;                 ///< of the model alone, without the encoders' noise
@@ -52,20 +53,20 @@ struct NextReadings {
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The problem that the candidates pose; candidates whose shape does not settle are left out.
+/// The problem that the candidates pose; candidates whose shape does not converge are left out.
 struct PosedDesign {
   DesignProblem problem;
   std::vector<int> candidates;  ///< index of each of the problem's
 };
-[[nodiscard]] PosedDesign poseDesign(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+[[nodiscard]] PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                      const Work& work);
 
 /// What a choice of the posed design's readings does, beside as many random ones.
-[[nodiscard]] NextReadings forecastReadings(const Knowledge& knowledge, const PosedDesign& posed, Design design,
+[[nodiscard]] NextReadings forecastReadings(const Estimate& estimate, const PosedDesign& posed, Design design,
                                             const NextReadingsOptions& options = {});
 
 /// The best readings by the options' optimality, and what they do.
-[[nodiscard]] NextReadings proposeReadings(const Knowledge& knowledge, const std::vector<ReadingCandidate>& candidates,
+[[nodiscard]] NextReadings proposeReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                            const Work& work, const NextReadingsOptions& options = {});
 
 }  // namespace tubeplan::calibration

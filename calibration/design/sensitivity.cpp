@@ -208,7 +208,7 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
   const Tips work = tipsAt(arm, X_WB, task.work, task.load, request);
   const Tips touches = tipsAt(arm, X_WB, task.touches, 0, request);
   if (task.work.empty() || !work.ok || !touches.ok) {
-    result.status = SensitivityStatus::kNotSettled;
+    result.status = SensitivityStatus::kNotConverged;
     result.reason = task.work.empty() ? "no posture to work at" : "the deflected shape does not settle";
     return result;
   }

@@ -35,7 +35,7 @@ struct NumberSensitivity {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-enum class SensitivityStatus { kNotRun, kDone, kNotSettled, kTouchesTellNoBase };
+enum class SensitivityStatus { kNotRun, kDone, kNotConverged, kTouchesTellNoBase };
 
 struct Sensitivity {
   SensitivityStatus status = SensitivityStatus::kNotRun;
@@ -51,7 +51,7 @@ struct Sensitivity {
 [[nodiscard]] Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 
-/// Mean distance from the rigid to the deflected tip over the work [m]; NaN where a shape does not settle.
+/// Mean distance from the rigid to the deflected tip over the work [m]; NaN where a shape does not converge.
 [[nodiscard]] double meanDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                     const SensitivityTask& task);
 

@@ -30,8 +30,8 @@ bool hasWeights(const deflection::Arm& arm) {
 std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std::vector<Measurement>& readings) {
   const auto any = [&](auto&& holds) { return std::any_of(readings.begin(), readings.end(), holds); };
   const bool has_load = any([](const Measurement& m) { return m.load > 0; });
-  if (kind.needs.senses && !any([](const Measurement& m) {
-        return std::any_of(m.senses.begin(), m.senses.end(), [](int s) { return s != 0; });
+  if (kind.needs.approach_directions && !any([](const Measurement& m) {
+        return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
       }))
     return "the readings do not say the direction of the joints' last motion (<joint>_dir)";
   if (kind.needs.temperature && !any([](const Measurement& m) { return std::isfinite(m.temperature); }))
@@ -64,7 +64,7 @@ std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measure
   const std::size_t step = std::max<std::size_t>(1, readings.size() / kMost);
   std::vector<double> moments;
   for (std::size_t k = 0; k < readings.size(); k += step) {
-    const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
     const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
     if (shape.status == deflection::KinematicsStatus::kConverged)
       moments.push_back(std::abs(shape.rows[static_cast<std::size_t>(place.row)].moment_L[place.axis]));
@@ -102,7 +102,7 @@ bool isThereAlready(const deflection::Arm& arm, const deflection::Effect& effect
 std::vector<std::string> placesOf(const EffectKind& kind, const PlacedArm& placed) {
   if (kind.at != PlaceRule::kSetup) return deflection::placeTexts(placed.arm, kind);
   std::vector<std::string> setups;
-  for (std::size_t p = 1; p < placed.placings.size(); ++p) setups.push_back(placed.placings[p].setup);
+  for (std::size_t p = 1; p < placed.base_poses.size(); ++p) setups.push_back(placed.base_poses[p].setup);
   return setups;
 }
 
@@ -114,7 +114,8 @@ int shapeOf(const EffectKind& kind) {
 
 bool mayActAlike(const EffectKind& kind) {
   if (shapeOf(kind) >= 0) return false;
-  if (kind.at == PlaceRule::kJoint) return kind.stage == deflection::EffectStage::kFlexibility || kind.needs.senses;
+  if (kind.at == PlaceRule::kJoint)
+    return kind.stage == deflection::EffectStage::kFlexibility || kind.needs.approach_directions;
   return kind.at == PlaceRule::kRowAxis && kind.stage == deflection::EffectStage::kFlexibility &&
          kind.parameters.size() == 1;
 }

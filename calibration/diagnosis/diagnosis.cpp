@@ -28,8 +28,8 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
   baseline.folds = 0;
   baseline.intervals_by_profile = false;
-  baseline.hooks = untold(options.hooks);
-  if (baseline.solver.method == LeastSquaresMethod::kInTurn && !baseline.solver.tolerance)
+  baseline.hooks = withoutProgress(options.hooks);
+  if (baseline.solver.method == LeastSquaresMethod::kHybrid && !baseline.solver.tolerance)
     baseline.solver.tolerance = kBaselineTolerance;
   return baseline;
 }

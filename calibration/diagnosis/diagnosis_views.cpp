@@ -31,8 +31,8 @@ WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed
 }
 
 std::optional<ToolPose> toolOf(const DiagnosisBasis& basis, const Measurement& reading) {
-  const auto placing = static_cast<std::size_t>(placingOf(basis.fitted, reading));
-  return toolAt(basis.fitted.arm, basis.fitted.placings[placing].X_WB, reading);
+  const auto base_pose = static_cast<std::size_t>(basePoseOf(basis.fitted, reading));
+  return toolAt(basis.fitted.arm, basis.fitted.base_poses[base_pose].X_WB, reading);
 }
 
 /// Measured less predicted as a vector.

@@ -97,13 +97,17 @@ class JointFeatures {
   }
 
   [[nodiscard]] std::vector<Feature> direction() const {
-    const auto sense = [i = index_](const Measurement& m) {
-      return m.senses.empty() ? 0. : static_cast<double>(m.senses[static_cast<std::size_t>(i)]);
+    const auto approach_direction = [i = index_](const Measurement& m) {
+      return m.approach_directions.empty() ? 0.
+                                           : static_cast<double>(m.approach_directions[static_cast<std::size_t>(i)]);
     };
     const std::string follows = "direction of " + name_;
-    return {{follows, sense, 1},
-            {follows, [sense, f = sine(1)](const Measurement& m) { return sense(m) * f(m); }, kMinor},
-            {follows, [sense, f = cosine(1)](const Measurement& m) { return sense(m) * f(m); }, kMinor}};
+    return {
+        {follows, approach_direction, 1},
+        {follows, [approach_direction, f = sine(1)](const Measurement& m) { return approach_direction(m) * f(m); },
+         kMinor},
+        {follows, [approach_direction, f = cosine(1)](const Measurement& m) { return approach_direction(m) * f(m); },
+         kMinor}};
   }
 
  private:
@@ -162,8 +166,8 @@ class TermMaker {
     Index index = 0;
     for (const int row : deflection::activeRows(arm))
       joints_.emplace_back(arm.rows[static_cast<std::size_t>(row)].joint, index++, readings);
-    has_directions_ =
-        std::any_of(readings.begin(), readings.end(), [](const Measurement& m) { return !m.senses.empty(); });
+    has_directions_ = std::any_of(readings.begin(), readings.end(),
+                                  [](const Measurement& m) { return !m.approach_directions.empty(); });
   }
 
   [[nodiscard]] std::vector<DiscrepancyTerm> make() {
@@ -243,9 +247,9 @@ class TermMaker {
 };
 
 /// How a reading's rows move [m] with each channel: a joint's reading [rad, m], a shift along the tool's axes, of the
-/// base, a turn of the base [rad]. Empty where the shape does not settle.
+/// base, a turn of the base [rad]. Empty where the shape does not converge.
 MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
-  const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB;
+  const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
   PredictionRequest request;
   request.by_joints = true;
   const Prediction prediction = predictor.predict(X_WB, reading, request);

@@ -83,8 +83,8 @@ Without fitWithout(const Case& c, int effect) {
   options.free.names = otherNames(c.start.arm, c.options.free.names, effect);
   options.intervals_by_profile = false;
   options.drop_level = 0;
-  const bool places = options.free.base && std::any_of(bare.placings.begin(), bare.placings.end(),
-                                                       [](const Placing& p) { return !p.is_known; });
+  const bool places = options.free.base && std::any_of(bare.base_poses.begin(), bare.base_poses.end(),
+                                                       [](const BasePose& p) { return !p.is_known; });
   if (options.free.names.empty() && !places) return asItStands(bare, c.readings);
   const Identification fit = identify(bare, c.readings, options);
   goOn(options.hooks.stop);
@@ -180,7 +180,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   if (gain < c.limits.gap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
     // What takes much of the error, and yet no evidence speaks for it, stands in for another.
-    if (!is_beaten || not_needed.p_value > c.limits.misfit) {
+    if (!is_beaten || not_needed.p_value > c.limits.lack_of_fit) {
       warnings.push_back(not_needed);
       return;
     }
@@ -226,7 +226,7 @@ bool isLarge(const Case& c, std::size_t effects) {
 }
 
 EffectWarning remaining(const Case& c, int effect, double p_value) {
-  EffectWarning warning = named(c, effect, EffectWarningKind::kMisfitRemains);
+  EffectWarning warning = named(c, effect, EffectWarningKind::kLackOfFitRemains);
   warning.p_value = p_value;
   return warning;
 }
@@ -242,7 +242,7 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
     else
       judgeEffect(c, e, options, warnings);
     findBeyondPlausible(c, e, warnings);
-    if (c.with.p_value < c.limits.misfit) warnings.push_back(remaining(c, e, c.with.p_value));
+    if (c.with.p_value < c.limits.lack_of_fit) warnings.push_back(remaining(c, e, c.with.p_value));
   }
   return warnings;
 }
@@ -269,7 +269,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
     if (is_usable && isFreed(fitted, e)) freed.push_back(e);
   if (freed.empty()) return {};
   IdentificationOptions quiet = options;
-  quiet.hooks = untold(options.hooks);
+  quiet.hooks = withoutProgress(options.hooks);
   DiagnosisOptions look;
   look.baseline = quiet;
   look.hooks = quiet.hooks;
@@ -292,7 +292,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   IdentificationOptions fit = options.baseline;
   fit.folds = options.folds;
   fit.seed = options.seed;
-  fit.hooks = untold(options.hooks);
+  fit.hooks = withoutProgress(options.hooks);
   DiagnosisOptions look = options;
   look.hooks = fit.hooks;
   std::vector<int> all(start.arm.effects.size());

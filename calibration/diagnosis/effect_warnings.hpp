@@ -13,15 +13,16 @@
 
 namespace tubeplan::calibration {
 
-enum class EffectWarningKind { kNotNeeded, kBetterExplainedBy, kBeyondPlausible, kMisfitRemains };
+enum class EffectWarningKind { kNotNeeded, kBetterExplainedBy, kBeyondPlausible, kLackOfFitRemains };
 
 struct EffectWarning {
   EffectWarningKind kind = EffectWarningKind::kNotNeeded;
   std::string effect, at;
-  double fall = std::numeric_limits<double>::quiet_NaN();     ///< of chi-square by its numbers
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of that fall by noise; of the misfit that remains
-  bool is_within_noise = false;                               ///< the criterion is no better with it than without
-  bool is_at_neutral = false;                                 ///< all its sizes are within two sigma of doing nothing
+  double fall = std::numeric_limits<double>::quiet_NaN();  ///< of chi-square by its numbers
+  double p_value =
+      std::numeric_limits<double>::quiet_NaN();  ///< of that fall by noise; of the lack of fit that remains
+  bool is_within_noise = false;                  ///< the criterion is no better with it than without
+  bool is_at_neutral = false;                    ///< all its sizes are within two sigma of doing nothing
   ErrorSize heldout_with, heldout_without;
   FoundNumber number;  ///< the one beyond what any machine has
   double plausible = std::numeric_limits<double>::quiet_NaN();
@@ -30,8 +31,8 @@ struct EffectWarning {
 };
 
 struct EffectWarningOptions {
-  double gap = 8;         ///< of -2 log of the posterior
-  double misfit = 0.003;  ///< p of the lack of fit below which more is missing
+  double gap = 8;              ///< of -2 log of the posterior
+  double lack_of_fit = 0.003;  ///< p of the lack of fit below which more is missing
 };
 
 /// Of the effects that an identification fitted. `options` and `start` are those it was made with. Empty unless it was

@@ -46,7 +46,7 @@ std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uin
       const double low = std::isfinite(joint.lower) ? joint.lower : -std::numbers::pi;
       const double high = std::isfinite(joint.upper) ? joint.upper : std::numbers::pi;
       m.q[static_cast<Index>(j)] = low + (high - low) * unit(random);
-      if (!m.senses.empty()) m.senses[j] = unit(random) < 0.5 ? -1 : 1;
+      if (!m.approach_directions.empty()) m.approach_directions[j] = unit(random) < 0.5 ? -1 : 1;
     }
     m.load = 0;
     all.push_back(m);
@@ -54,7 +54,7 @@ std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uin
     if (heaviest > 0) all.push_back(m);
   }
   std::erase_if(all, [&](const Measurement& m) {
-    const auto& X_WB = basis.fitted.placings[static_cast<std::size_t>(placingOf(basis.fitted, m))].X_WB;
+    const auto& X_WB = basis.fitted.base_poses[static_cast<std::size_t>(basePoseOf(basis.fitted, m))].X_WB;
     return !predictReading(arm, X_WB, m).ok;
   });
   return all;
@@ -89,7 +89,7 @@ VectorXd RangeViews::tipsBy(const Explanation& explanation) const {
   VectorXd tips(3 * static_cast<Index>(readings_.size()));
   for (std::size_t k = 0; k < readings_.size(); ++k) {
     const auto& X_WB =
-        explanation.fitted.placings[static_cast<std::size_t>(placingOf(explanation.fitted, readings_[k]))].X_WB;
+        explanation.fitted.base_poses[static_cast<std::size_t>(basePoseOf(explanation.fitted, readings_[k]))].X_WB;
     const auto tip = predictReading(explanation.fitted.arm, X_WB, readings_[k]);
     if (!tip.ok) return {};
     tips.segment<3>(3 * static_cast<Index>(k)) = tip.value;

@@ -21,7 +21,7 @@ namespace {
 constexpr double kDiscrepancy = 0.05;   // of all terms together ...
 constexpr double kSingleSource = 0.05;  // ... or of a single source
 constexpr double kMoreNoise = 0.1;
-constexpr double kMisfit = 0.01;      // p of what the richest or best model leaves, below which the noise is doubted
+constexpr double kLackOfFit = 0.01;   // p of what the richest or best model leaves, below which the noise is doubted
 constexpr std::size_t kBlock = 1024;  // readings whose columns are in memory at once
 constexpr Eigen::Index kPrincipalTerms = 80;  // of the discrepancy, in the evidence of a fit
 constexpr double kMostKept = 5e7;             // numbers of the causes' columns that stay in memory
@@ -190,7 +190,7 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
 
 /// The coordinate's error that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
 double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
-  if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kMisfit)) return 0;
+  if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
   const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
   return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }

@@ -38,14 +38,14 @@ SourceEvidence SingleSources::beside(const SourceView& view, const VectorXd& sca
   const Eigen::LDLT<MatrixXd> factor(M);
   const MatrixXd inverse_W_Z = factor.solve(Z_W.transpose());
   const VectorXd inverse_W_y = factor.solve(VectorXd(scale.asDiagonal() * view.gram.topRightCorner(n, 1)));
-  const VectorXd misfit = view.products.col(n) - Z_W * inverse_W_y;
+  const VectorXd lack_of_fit = view.products.col(n) - Z_W * inverse_W_y;
   SourceEvidence best;
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < sources_.size(); ++g) {
     const auto& terms = sources_[g];
     const MatrixXd A = grams_[g] - Z_W(terms, Eigen::all) * inverse_W_Z(Eigen::all, terms);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(A);
-    const VectorXd along = eigen.eigenvectors().transpose() * VectorXd(misfit(terms));
+    const VectorXd along = eigen.eigenvectors().transpose() * VectorXd(lack_of_fit(terms));
     const VectorXd lengths = eigen.eigenvalues().cwiseMax(0);
     for (const double size : sizes) {
       const VectorXd variance = (1 + size * size * lengths.array()).matrix();

@@ -32,7 +32,7 @@ class SingleSources {
   /// process's variance.
   SingleSources(Eigen::MatrixXd columns, std::vector<std::vector<int>> sources, const std::vector<double>& shares);
 
-  /// Of [W y]: the columns of all that is fitted, and the misfit with none of it.
+  /// Of [W y]: the columns of all that is fitted, and the residual with none of it.
   [[nodiscard]] SourceView viewOf(const Eigen::MatrixXd& W_y) const;
 
   /// `scale`: of W's columns; `information`: of their numbers in that scale. `sizes` [m] are tried.

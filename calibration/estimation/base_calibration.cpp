@@ -24,13 +24,13 @@ struct BaseFit {
 BaseFit fitBase(const deflection::Arm& arm, const std::vector<Measurement>& touches, const Isometry3d& X_WB_start,
                 std::optional<double> model_error, LeastSquaresMethod method) {
   PlacedArm start = placeForReadings(arm, X_WB_start, false, touches);
-  alignPlacings(start, touches);
+  alignBases(start, touches);
   const auto unknowns = chooseUnknowns(start, {}).list;
   FitOptions options;
   options.solver.method = method;
   options.model_error = model_error;
   BaseFit base{fitUnknowns(start, unknowns, touches, VectorXd::Zero(6), options), {}};
-  base.X_WB = applied(start, unknowns, base.fit.solution.x).placings.front().X_WB;
+  base.X_WB = applied(start, unknowns, base.fit.solution.x).base_poses.front().X_WB;
   return base;
 }
 
@@ -104,7 +104,7 @@ BaseCalibration refused(std::string reason) {
   return result;
 }
 
-/// Looks at a misfit that noise and the model's usual error cannot explain.
+/// Looks at a lack of fit that noise and the model's usual error cannot explain.
 bool isMistaken(const deflection::Arm& arm, const std::vector<Measurement>& touches,
                 const BaseCalibrationOptions& options, BaseCalibration& result) {
   if (!(result.p_value < options.mistaken_hole_p_value)) return false;

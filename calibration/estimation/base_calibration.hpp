@@ -27,7 +27,7 @@ struct BaseCalibrationOptions {
   double mistaken_hole_p_value = 1e-4;  ///< below it, touches are searched for a mistaken hole; 0: never
   NeighbourQuestion neighbours;         ///< of the hole that a touch names, for telling a mistaken one
   std::optional<double> model_error;    ///< m, as in FitOptions
-  LeastSquaresMethod method = LeastSquaresMethod::kInTurn;
+  LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
 enum class CalibrationStatus { kNotRun, kDone, kRefused, kNotConverged };

@@ -47,10 +47,10 @@ void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
 
 }  // namespace
 
-std::vector<int> placingsOf(const PlacedArm& placed, const std::vector<Measurement>& readings) {
-  std::vector<int> placings;
-  for (const auto& reading : readings) placings.push_back(placingOf(placed, reading));
-  return placings;
+std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  std::vector<int> base_poses;
+  for (const auto& reading : readings) base_poses.push_back(basePoseOf(placed, reading));
+  return base_poses;
 }
 
 void takePointsOff(const ReadingWeights& weights, MatrixXd& columns) { takeWhatPointsAbsorb(weights, columns); }
@@ -65,8 +65,8 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
       stop_(std::move(stop)),
       placed_(start) {
   if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
-  placing_of_ = placingsOf(start, readings);
-  bases_.resize(start.placings.size());
+  base_pose_of_ = basePosesOf(start, readings);
+  bases_.resize(start.base_poses.size());
   bool has_base = false;
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const Unknown& unknown = unknowns[k];
@@ -76,7 +76,7 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
       continue;
     }
     has_base = true;
-    auto& base = bases_[static_cast<std::size_t>(unknown.placing)];
+    auto& base = bases_[static_cast<std::size_t>(unknown.base_pose)];
     base.resize(6, -1);
     base[static_cast<std::size_t>(unknown.component)] = static_cast<Index>(k);
   }
@@ -118,7 +118,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
-/// False where a shape does not settle; nothing is done where the arm is none for a kernel.
+/// False where a shape does not converge; nothing is done where the arm is none for a kernel.
 bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
   if (dependsOnPosture(placed_.arm) || readings_.empty()) return true;
   static const std::vector<deflection::Variable> kNone;
@@ -136,7 +136,7 @@ bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
 
 bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, const Rows& to) const {
   static const std::vector<deflection::Variable> kNone;
-  if (!batch.solve(placed_.placings, readings_, placing_of_, first, count, to.jacobian ? variables_ : kNone))
+  if (!batch.solve(placed_.base_poses, readings_, base_pose_of_, first, count, to.jacobian ? variables_ : kNone))
     return false;
   for (std::size_t k = 0; k < count; ++k) fillTip(batch, k, first + k, to);
   return true;
@@ -144,7 +144,7 @@ bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::si
 
 void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, const Rows& to) const {
   const Measurement& measured = readings_[reading];
-  const Eigen::Isometry3d& X_WB = placed_.placings[static_cast<std::size_t>(placing_of_[reading])].X_WB;
+  const Eigen::Isometry3d& X_WB = placed_.base_poses[static_cast<std::size_t>(base_pose_of_[reading])].X_WB;
   const MatrixXd& whitener = weights_.whitener[reading];
   const Index row = weights_.first_row[reading];
   const ToolPose tool = toolOf(batch, k, X_WB, measured);
@@ -156,7 +156,7 @@ void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::si
   WhitenedSlope by{whitener.lazyProduct(slope.by_place), {}};
   if (slope.by_turn.size()) by.turn = whitener.lazyProduct(slope.by_turn);
   fillNumbers(batch, k, X_WB.linear(), by, row, *to.jacobian);
-  if (!bases_[static_cast<std::size_t>(placing_of_[reading])].empty()) fillBase(batch, k, reading, by, *to.jacobian);
+  if (!bases_[static_cast<std::size_t>(base_pose_of_[reading])].empty()) fillBase(batch, k, reading, by, *to.jacobian);
 }
 
 void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, const Matrix3d& R_WB,
@@ -174,8 +174,8 @@ void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, con
 
 void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
                                 MatrixXd& jacobian) const {
-  const auto placing = static_cast<std::size_t>(placing_of_[reading]);
-  const Matrix3d R = placed_.placings[placing].X_WB.linear();
+  const auto base_pose = static_cast<std::size_t>(base_pose_of_[reading]);
+  const Matrix3d R = placed_.base_poses[base_pose].X_WB.linear();
   Matrix3d by_gravity;
   for (Index axis = 0; axis < 3; ++axis)
     by_gravity.col(axis) = batch.column(k, numbers_.size() + static_cast<std::size_t>(axis));
@@ -184,15 +184,15 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
   Eigen::Matrix<double, 3, 6> place;
   place.leftCols<3>().setIdentity();
   if (kindOf(readings_[reading]).is_displacement) place.leftCols<3>().setZero();
-  place.rightCols<3>() = by_turn * turns_[placing];
+  place.rightCols<3>() = by_turn * turns_[base_pose];
   Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
   if (by.turn.size()) {
     for (Index axis = 0; axis < 3; ++axis)
       by_gravity.col(axis) = batch.turnColumn(k, numbers_.size() + static_cast<std::size_t>(axis));
-    turn.rightCols<3>() = (Matrix3d::Identity() - R * by_gravity * R.transpose()) * turns_[placing];
+    turn.rightCols<3>() = (Matrix3d::Identity() - R * by_gravity * R.transpose()) * turns_[base_pose];
   }
   for (Index c = 0; c < 6; ++c) {
-    const Index column = bases_[placing][static_cast<std::size_t>(c)];
+    const Index column = bases_[base_pose][static_cast<std::size_t>(c)];
     if (column < 0) continue;
     for (Index i = 0; i < by.place.rows(); ++i) {
       double& entry = jacobian(weights_.first_row[reading] + i, column);
@@ -204,33 +204,33 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
 
 bool CampaignResidual::fillOneByOne(const Rows& to) const {
   return predictAll(placed_, readings_.size(), stop_, [&](ReadingPredictor& predictor, std::size_t k) {
-    const auto placing = static_cast<std::size_t>(placing_of_[k]);
+    const auto base_pose = static_cast<std::size_t>(base_pose_of_[k]);
     PredictionRequest request;
     if (to.jacobian) {
       request.numbers.assign(variables_.begin(), variables_.begin() + static_cast<Index>(numbers_.size()));
-      request.by_base = !bases_[placing].empty();
+      request.by_base = !bases_[base_pose].empty();
     }
-    const Prediction prediction = predictor.predict(placed_.placings[placing].X_WB, readings_[k], request);
+    const Prediction prediction = predictor.predict(placed_.base_poses[base_pose].X_WB, readings_[k], request);
     if (!prediction.ok) return false;
     const Index row = weights_.first_row[k];
     const VectorXd error = prediction.value - kindOf(readings_[k]).measured(readings_[k]);
     to.r->segment(row, error.size()) = weights_.whitener[k] * error;
     if (to.error) to.error->segment(row, error.size()) = error;
-    if (to.jacobian) scatter(placing_of_[k], prediction, weights_.whitener[k], row, *to.jacobian);
+    if (to.jacobian) scatter(base_pose_of_[k], prediction, weights_.whitener[k], row, *to.jacobian);
     return true;
   });
 }
 
-void CampaignResidual::scatter(int placing, const Prediction& prediction, const MatrixXd& whitener, Index row,
+void CampaignResidual::scatter(int base_pose, const Prediction& prediction, const MatrixXd& whitener, Index row,
                                MatrixXd& jacobian) const {
   const Index rows = prediction.value.size();
   for (std::size_t n = 0; n < numbers_.size(); ++n)
     jacobian.block(row, numbers_[n], rows, 1) =
         whitener * prediction.by_numbers.col(static_cast<Index>(n)) * slopes_[n];
-  const auto& base = bases_[static_cast<std::size_t>(placing)];
+  const auto& base = bases_[static_cast<std::size_t>(base_pose)];
   if (base.empty()) return;
   MatrixXd by_base = whitener * prediction.by_base;
-  by_base.rightCols<3>() = (by_base.rightCols<3>() * turns_[static_cast<std::size_t>(placing)]).eval();
+  by_base.rightCols<3>() = (by_base.rightCols<3>() * turns_[static_cast<std::size_t>(base_pose)]).eval();
   for (Index k = 0; k < 6; ++k)
     if (base[static_cast<std::size_t>(k)] >= 0)
       jacobian.block(row, base[static_cast<std::size_t>(k)], rows, 1) = by_base.col(k);

@@ -1,5 +1,5 @@
-// The whitened misfit of readings at one state after another, as a fit asks for it: what no variable changes is worked
-// out once.
+// The whitened residual of readings at one state after another, as a fit asks for it: what no variable changes is
+// worked out once.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace tubeplan::calibration {
 
 class ReadingBatch;
 
-/// Index of the placing that each reading was made at.
-[[nodiscard]] std::vector<int> placingsOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
+/// Index of the base pose that each reading was made at.
+[[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
 class CampaignResidual {
  public:
@@ -54,7 +54,7 @@ class CampaignResidual {
   void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
                 Eigen::MatrixXd& jacobian) const;
   bool fillOneByOne(const Rows& to) const;
-  void scatter(int placing, const struct Prediction& prediction, const Eigen::MatrixXd& whitener, Eigen::Index row,
+  void scatter(int base_pose, const struct Prediction& prediction, const Eigen::MatrixXd& whitener, Eigen::Index row,
                Eigen::MatrixXd& jacobian) const;
 
   const PlacedArm& start_;
@@ -63,7 +63,7 @@ class CampaignResidual {
   const ReadingWeights& weights_;
   Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
   StopQuestion stop_;
-  std::vector<int> placing_of_;                   ///< of each reading
+  std::vector<int> base_pose_of_;                 ///< of each reading
   std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
   std::vector<Eigen::Index> numbers_;             ///< column of each number
   std::vector<std::vector<Eigen::Index>> bases_;  ///< of each placing: six columns, or none

@@ -286,16 +286,17 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
   return std::sqrt(errors.solve([&](double v) { return chi2At(v) - freedom; }));
 }
 
-void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) {
-  for (std::size_t p = 0; p < placed.placings.size(); ++p) {
-    Placing& placing = placed.placings[p];
-    if (placing.is_known) continue;
+void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings) {
+  for (std::size_t p = 0; p < placed.base_poses.size(); ++p) {
+    BasePose& base_pose = placed.base_poses[p];
+    if (base_pose.is_known) continue;
     deflection::PreparedArm arm(placed.arm);
     for (int repeat = 0; repeat < kMostAlignments; ++repeat) {
       std::vector<Vector3d> tips, places;
       for (const auto& reading : readings) {
-        if (reading.is_held_out || !statesPlace(reading) || placingOf(placed, reading) != static_cast<int>(p)) continue;
-        if (arm.solve(postureOf(reading, placed.arm, placing.X_WB)) != deflection::KinematicsStatus::kConverged)
+        if (reading.is_held_out || !statesPlace(reading) || basePoseOf(placed, reading) != static_cast<int>(p))
+          continue;
+        if (arm.solve(postureOf(reading, placed.arm, base_pose.X_WB)) != deflection::KinematicsStatus::kConverged)
           continue;
         tips.push_back(arm.X_BD().p);
         places.push_back(*reading.p_W);
@@ -306,9 +307,9 @@ void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings) 
       const Eigen::Matrix3Xd centred = from.colwise() - from.rowwise().mean();
       const auto spread = centred.jacobiSvd().singularValues();
       if (spread[1] < 1e-6 * spread[0]) break;  // all in one line: the turn about it cannot be told
-      const Eigen::Isometry3d before = placing.X_WB;
-      placing.X_WB = Eigen::Isometry3d(Eigen::umeyama(from, to, false));
-      if ((placing.X_WB.matrix() - before.matrix()).norm() < kAligned) break;
+      const Eigen::Isometry3d before = base_pose.X_WB;
+      base_pose.X_WB = Eigen::Isometry3d(Eigen::umeyama(from, to, false));
+      if ((base_pose.X_WB.matrix() - before.matrix()).norm() < kAligned) break;
     }
   }
 }

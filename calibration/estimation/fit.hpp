@@ -50,7 +50,7 @@ struct FitOptions {
 
 /// Places every base that is not known by a closed-form alignment of tips on measured places, repeated since gravity's
 /// direction follows; set-ups with fewer than three separate places stay where they are.
-void alignPlacings(PlacedArm& placed, const std::vector<Measurement>& readings);
+void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings);
 
 [[nodiscard]] ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error);

@@ -116,7 +116,7 @@ void countWork(const LeastSquaresResult& solution, Identification& result) {
 void fitBases(FittedModel& model, Identification& result) {
   const auto bases = basesOf(model.unknowns);
   if (bases.empty()) return;
-  alignPlacings(model.start, model.fitted);
+  alignBases(model.start, model.fitted);
   const Fit fit = fitUnknowns(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())),
                               fitOptions(model.options));
   countWork(fit.solution, result);

@@ -94,7 +94,7 @@ struct Identification {
 /// The numbers in the order of the covariance, as variables that are 0 where the fit left them.
 [[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
 
-/// Finds the free numbers and the placings that are not known. Readings marked held-out are not fitted but judged.
+/// Finds the free numbers and the base poses that are not known. Readings marked held-out are not fitted but judged.
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                       const std::vector<Measurement>& readings, const IdentificationOptions& options);
 
@@ -112,7 +112,7 @@ struct IdentificationStage {
                                                            const std::vector<IdentificationStage>& stages,
                                                            const IdentificationOptions& options);
 
-/// The same from a state with a placing for every set-up.
+/// The same from a state with a base pose for every set-up.
 [[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
                                       const IdentificationOptions& options);
 

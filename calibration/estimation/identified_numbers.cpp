@@ -34,14 +34,14 @@ constexpr double kFarFromDrawing = 3;  // of the prior's standard deviations
 
 bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Scale::kCompliance; }
 
-std::string noteOf(const IdentifiedNumber& number, bool hardly_gives) {
+std::string noteOf(const IdentifiedNumber& number, bool is_nearly_rigid) {
   if (number.identifiable == Identifiability::kInCombination)
     return "determined only in combination with " + namesOf(number.with) + "; what is left open is its prior's";
-  if (number.is_at_bound && hardly_gives)
+  if (number.is_at_bound && is_nearly_rigid)
     return "the readings ask for no compliance at all, or less than none, which no part has: take it as rigid, or look "
            "for a missing effect";
   if (number.is_at_bound) return "at its bound: the readings ask for more than is physical";
-  if (hardly_gives) return "its compliance is within two sigmas of none: the readings hardly need it";
+  if (is_nearly_rigid) return "its compliance is within two sigmas of none: the readings hardly need it";
   if (number.identifiable == Identifiability::kNo)
     return "the readings do not depend on it enough to determine it: it stays near its start";
   if (number.prior_deviation > kFarFromDrawing) {

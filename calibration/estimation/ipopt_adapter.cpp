@@ -74,8 +74,9 @@ class NonlinearProgram : public Ipopt::TNLP {
     return true;
   }
 
-  /// Ipopt's own test is absolute in the gradient; with a large misfit rounding keeps it from ever being met. Where the
-  /// best step foretells no fall beyond rounding, or twice there has been none, this is as far down as it goes.
+  /// Ipopt's own test is absolute in the gradient; with a large lack of fit rounding keeps it from ever being met.
+  /// Where the best step predicts no fall beyond rounding, or twice there has been none, this is as far down as it
+  /// goes.
   bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number value, Number, Number, Number, Number, Number, Number,
                              Number, Index, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     resting_ = std::abs(value - last_value_) <= kRounding * std::abs(value) ? resting_ + 1 : 0;
@@ -91,7 +92,7 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
  private:
-  /// Away from all bounds, whose barriers have a part in every step, a Gauss-Newton step foretells the fall.
+  /// Away from all bounds, whose barriers have a part in every step, a Gauss-Newton step predicts the fall.
   [[nodiscard]] bool isAtBottom(Number value) const {
     const double now = 2 * value;
     if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRounding * now)) return false;

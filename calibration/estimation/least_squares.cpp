@@ -48,11 +48,11 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
 std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
   using Method = LeastSquaresMethod;
   static constexpr std::array kMethods{
-      LeastSquaresMethodKind{Method::kInTurn,
+      LeastSquaresMethodKind{Method::kHybrid,
                              "in-turn",
                              "Levenberg-Marquardt; where that does not rest soon, the interior point too",
                              {1e-9, 400},
-                             minimizeInTurn},
+                             minimizeHybrid},
       LeastSquaresMethodKind{
           Method::kInteriorPoint,
           "ipopt",

@@ -23,7 +23,7 @@ struct LeastSquaresProblem {
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian)> evaluate;
 };
 
-enum class LeastSquaresMethod { kInTurn, kInteriorPoint, kLevenbergMarquardt, kHookeJeeves, kSteepestDescent };
+enum class LeastSquaresMethod { kHybrid, kInteriorPoint, kLevenbergMarquardt, kHookeJeeves, kSteepestDescent };
 
 /// When a method rests. What the tolerance is measured on is the method's own affair: see leastSquaresMethods().
 struct LeastSquaresStop {
@@ -35,7 +35,7 @@ struct LeastSquaresStop {
 struct LeastSquaresOptions {
   std::optional<double> tolerance = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
-  LeastSquaresMethod method = LeastSquaresMethod::kInTurn;
+  LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
   StopQuestion stop = {};  ///< asked before every evaluation
 };
 
@@ -70,7 +70,7 @@ struct LeastSquaresMethodKind {
                                                       const LeastSquaresOptions& options = {});
 
 // Declared here, each defined in the file of its name; the interior point in ipopt_adapter.cpp.
-LeastSquaresResult minimizeInTurn(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
 LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
 LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);

@@ -19,11 +19,11 @@ constexpr double kUnseen = 1e-30;             // of the largest curvature: what 
 constexpr double kLengthRest = 0.1;           // of the radius, by which a damped step may be longer
 constexpr int kDampings = 20;                 // tries to bring a step to the radius
 constexpr int kFactorisations = 100;          // tries to make the damped matrix positive definite, doubling each time
-constexpr double kNoMisfit = 1e-6;            // chi2 below which the tolerance is no longer a share of it
-constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the foretold fall for a longer, and for a shorter radius
+constexpr double kNoLackOfFit = 1e-6;         // chi2 below which the tolerance is no longer a share of it
+constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the predicted fall for a longer, and for a shorter radius
 
 /// Half of chi2's change by a step, to second order: gradient . step + step . normal step / 2.
-struct Valley {
+struct QuadraticModel {
   VectorXd gradient;
   MatrixXd normal;
 
@@ -31,7 +31,9 @@ struct Valley {
     gradient = jacobian.transpose() * r;
     normal = jacobian.transpose() * jacobian;
   }
-  [[nodiscard]] double fallBy(const VectorXd& step) const { return -2 * gradient.dot(step) - step.dot(normal * step); }
+  [[nodiscard]] double predictedReduction(const VectorXd& step) const {
+    return -2 * gradient.dot(step) - step.dot(normal * step);
+  }
 };
 
 /// Variables at a bound that the gradient presses against take no part in a step.
@@ -74,13 +76,13 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
 
 /// The step of the free variables, of `radius` at most; what would leave its bounds goes to the bound, and the others
 /// are solved for again with it there, under the same damping.
-VectorXd boundedStep(const ScaledProblem& problem, const Valley& valley, const VectorXd& x, std::vector<Index> free,
-                     double radius, double& damping) {
+VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, const VectorXd& x,
+                     std::vector<Index> free, double radius, double& damping) {
   VectorXd step = VectorXd::Zero(x.size());
   damping = 0;
   while (!free.empty()) {
-    const VectorXd pull = valley.gradient + valley.normal * step;
-    const VectorXd part = dampedSolution(valley.normal(free, free), pull(free), radius, damping);
+    const VectorXd pull = model.gradient + model.normal * step;
+    const VectorXd part = dampedSolution(model.normal(free, free), pull(free), radius, damping);
     radius = std::numeric_limits<double>::infinity();
     std::vector<Index> inside;
     for (std::size_t k = 0; k < free.size(); ++k) {
@@ -101,9 +103,9 @@ VectorXd boundedStep(const ScaledProblem& problem, const Valley& valley, const V
 }
 
 /// One descent, point after point.
-class Descent {
+class TrustRegionMinimizer {
  public:
-  explicit Descent(const LeastSquaresProblem& problem)
+  explicit TrustRegionMinimizer(const LeastSquaresProblem& problem)
       : scaled_(problem), x_(scaled_.start()), size_(std::sqrt(static_cast<double>(x_.size()))) {}
 
   LeastSquaresResult run(const LeastSquaresStop& stop);
@@ -112,8 +114,8 @@ class Descent {
   enum class Step { kTaken, kAtRest, kOnlyRounding };
 
   Step step(double tolerance);
-  bool moveTo(const VectorXd& next, double foretold, bool is_first);
-  void settleRadius(double length, double fall, double foretold);
+  bool moveTo(const VectorXd& next, double predicted, bool is_first);
+  void adaptRadius(double length, double fall, double predicted);
   [[nodiscard]] LeastSquaresResult end(LeastSquaresStatus status, const char* reason) const {
     return scaled_.resultAt(x_, chi2_, status, reason, iterations_);
   }
@@ -124,16 +126,16 @@ class Descent {
   double size_;
   double radius_ = kFirstRadius * size_;
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
-  Valley valley_;
+  QuadraticModel model_;
   std::vector<Index> free_;
   double last_fall_ = std::numeric_limits<double>::infinity();
   bool is_linear_ = true;  ///< r_ and jacobian_ are those of x_
   int iterations_ = 0;
 };
 
-/// How far steps may go, by how well the last one was foretold.
-void Descent::settleRadius(double length, double fall, double foretold) {
-  const double share = fall > 0 ? fall / foretold : 0;  // a step that ran against bounds may foretell a rise
+/// How far steps may go, by how well the last one was predicted.
+void TrustRegionMinimizer::adaptRadius(double length, double fall, double predicted) {
+  const double share = fall > 0 ? fall / predicted : 0;  // a step that ran against bounds may predict a rise
   if (share > kGood)
     radius_ = std::max(radius_, 2 * length);
   else if (!(share > kPoor))
@@ -142,11 +144,11 @@ void Descent::settleRadius(double length, double fall, double foretold) {
 
 /// Whether chi2 falls there; then x_ is moved. Most steps are taken, so the Jacobian comes with the value; after one
 /// that was not, the value alone.
-bool Descent::moveTo(const VectorXd& next, double foretold, bool is_first) {
-  const bool is_linear = foretold > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
-  const double tried = is_linear ? next_r_.squaredNorm() : foretold > 0 ? scaled_.chi2At(next) : chi2_;
+bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool is_first) {
+  const bool is_linear = predicted > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
+  const double tried = is_linear ? next_r_.squaredNorm() : predicted > 0 ? scaled_.chi2At(next) : chi2_;
   const double fall = chi2_ - tried;
-  settleRadius((next - x_).norm(), fall, foretold);
+  adaptRadius((next - x_).norm(), fall, predicted);
   if (!(fall > 0)) return false;
   last_fall_ = fall;
   x_ = next;
@@ -157,30 +159,30 @@ bool Descent::moveTo(const VectorXd& next, double foretold, bool is_first) {
 }
 
 /// Shortens the step until chi2 falls by it.
-Descent::Step Descent::step(double tolerance) {
+TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
   for (bool is_first = true;; is_first = false) {
     double damping = 0;
-    const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, valley_, x_, free_, radius_, damping));
-    const double foretold = valley_.fallBy(next - x_);
-    const double little = tolerance * std::max(chi2_, kNoMisfit);
+    const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, model_, x_, free_, radius_, damping));
+    const double predicted = model_.predictedReduction(next - x_);
+    const double little = tolerance * std::max(chi2_, kNoLackOfFit);
     // Where steps had to be kept short, the last one must have brought as little as this one would.
-    if (std::abs(foretold) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
-    if (moveTo(next, foretold, is_first)) return Step::kTaken;
+    if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
+    if (moveTo(next, predicted, is_first)) return Step::kTaken;
     if (radius_ <= kLeastRadius * size_) return Step::kOnlyRounding;
   }
 }
 
-LeastSquaresResult Descent::run(const LeastSquaresStop& stop) {
+LeastSquaresResult TrustRegionMinimizer::run(const LeastSquaresStop& stop) {
   using Status = LeastSquaresStatus;
   if (!scaled_.linearizeAt(x_, r_, jacobian_)) return scaled_.failureAtStart();
   for (;; ++iterations_) {
     chi2_ = r_.squaredNorm();
-    valley_.open(jacobian_, r_);
-    free_ = movable(scaled_, x_, valley_.gradient);
-    if (!valley_.gradient.allFinite() || !valley_.normal.allFinite())
+    model_.open(jacobian_, r_);
+    free_ = movable(scaled_, x_, model_.gradient);
+    if (!model_.gradient.allFinite() || !model_.normal.allFinite())
       return end(Status::kFailed, "the derivatives are too large to be squared");
     if (free_.empty()) return end(Status::kConverged, "every variable rests on a bound");
-    if (valley_.gradient(free_).isZero(0)) return end(Status::kConverged, "chi2 does not depend on the variables here");
+    if (model_.gradient(free_).isZero(0)) return end(Status::kConverged, "chi2 does not depend on the variables here");
     if (iterations_ == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
     const Step taken = step(stop.tolerance);
     if (taken == Step::kAtRest) return end(Status::kConverged, "no step would lower chi2 by more than the tolerance");
@@ -193,7 +195,7 @@ LeastSquaresResult Descent::run(const LeastSquaresStop& stop) {
 }  // namespace
 
 LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
-  return Descent(problem).run(stop);
+  return TrustRegionMinimizer(problem).run(stop);
 }
 
 }  // namespace tubeplan::calibration

@@ -29,7 +29,7 @@ struct Profile {
   double least;  ///< chi-square of readings and priors at the best
   LeastSquaresOptions solver;
 
-  /// Root of the misfit's rise over what it may rise, at an offset: -1 at the best, 0 at the interval's end.
+  /// Root of the chi-square's rise over what it may rise, at an offset: -1 at the best, 0 at the interval's end.
   [[nodiscard]] double riseAt(double offset, VectorXd& x) const {
     std::vector<Unknown> fixed = unknowns;
     const double value = best.solution.x[variable] + offset;

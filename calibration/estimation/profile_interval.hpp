@@ -1,5 +1,5 @@
 // The 95 % interval of one variable by its profile: how far it can be moved, everything else fitted again, before the
-// misfit rises by 3.84.
+// chi-square rises by 3.84.
 #pragma once
 
 #include "calibration/estimation/fit.hpp"
@@ -11,7 +11,7 @@ struct ProfileInterval {
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// `best` is a fit of all unknowns; `sigma` the variable's own at it. The misfit is that of readings and priors.
+/// `best` is a fit of all unknowns; `sigma` the variable's own at it. The chi-square is that of readings and priors.
 [[nodiscard]] ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                               const std::vector<Measurement>& readings, const Fit& best, int variable,
                                               double sigma, const StopQuestion& stop = {});

@@ -42,7 +42,7 @@ void countAmongAll(const StageReadings& some, Identification& stage) {
 }
 
 /// Sigmas and intervals again, from a larger covariance.
-void widen(Identification& stage) {
+void inflateCovariance(Identification& stage) {
   for (std::size_t i = 0; i < stage.numbers.size(); ++i) {
     auto& number = stage.numbers[i];
     const double sigma = std::sqrt(stage.covariance(static_cast<Index>(i), static_cast<Index>(i)));
@@ -69,7 +69,7 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   const MatrixXd A = -stage.covariance * (J.transpose() * J_held);
   const MatrixXd cross = found.covariance * A.transpose();
   stage.covariance += A * cross;
-  widen(stage);
+  inflateCovariance(stage);
   MatrixXd whole(n + held, n + held);
   whole << stage.covariance, cross.transpose(), cross, found.covariance;
   found.covariance = whole;
@@ -90,15 +90,15 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     now.free.names = stage.names;
     const auto some = readingsOf(readings, stage.setup);
     PlacedArm from{state.arm, {}};
-    for (const auto& placing : state.placings)
-      if (stage.setup.empty() || placing.setup == stage.setup) from.placings.push_back(placing);
+    for (const auto& base_pose : state.base_poses)
+      if (stage.setup.empty() || base_pose.setup == stage.setup) from.base_poses.push_back(base_pose);
     results.push_back(identify(from, some.list, now));
     Identification& result = results.back();
     countAmongAll(some, result);
     if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
     std::vector<Measurement> fitted;
     for (const int k : result.used) fitted.push_back(readings[static_cast<std::size_t>(k)]);
-    // Only numbers of the arm are carried: a stage finds its own placings.
+    // Only numbers of the arm are carried: a stage finds its own base poses.
     Found carried;
     std::vector<Index> arm_numbers;
     for (std::size_t k = 0; k < found.unknowns.size(); ++k)
@@ -115,9 +115,9 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     }
     found = carried;
     state.arm = result.fitted.arm;
-    for (const auto& placing : result.fitted.placings)
-      for (auto& known : state.placings)
-        if (known.setup == placing.setup) known.X_WB = placing.X_WB;
+    for (const auto& base_pose : result.fitted.base_poses)
+      for (auto& known : state.base_poses)
+        if (known.setup == base_pose.setup) known.X_WB = base_pose.X_WB;
   }
   return results;
 }

@@ -72,14 +72,14 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
 bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
                  const StopQuestion& stop) {
   by_joints.resize(readings.size());
-  const auto placing_of = placingsOf(placed, readings);
+  const auto base_pose_of = basePosesOf(placed, readings);
   const auto joints = deflection::jointVariables(placed.arm);
   if (!dependsOnPosture(placed.arm) && !readings.empty()) {
     ReadingBatch batch(placed.arm);
     if (batch.isFastFor(joints)) {
-      if (!batch.solve(placed.placings, readings, placing_of, 0, readings.size(), joints)) return false;
+      if (!batch.solve(placed.base_poses, readings, base_pose_of, 0, readings.size(), joints)) return false;
       for (std::size_t k = 0; k < readings.size(); ++k)
-        by_joints[k] = jointSlopesOf(batch, k, placed.placings[static_cast<std::size_t>(placing_of[k])].X_WB,
+        by_joints[k] = jointSlopesOf(batch, k, placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB,
                                      readings[k], joints.size());
       return true;
     }
@@ -88,7 +88,7 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
   request.by_joints = true;
   return predictAll(placed, readings.size(), stop, [&](ReadingPredictor& predictor, std::size_t k) {
     Prediction prediction =
-        predictor.predict(placed.placings[static_cast<std::size_t>(placing_of[k])].X_WB, readings[k], request);
+        predictor.predict(placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB, readings[k], request);
     by_joints[k] = std::move(prediction.by_joints);
     return prediction.ok;
   });

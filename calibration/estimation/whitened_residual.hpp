@@ -1,4 +1,4 @@
-// The misfit of a whole campaign in units of its noise: every kind of reading, any number of set-ups, the touched
+// The residual of a whole campaign in units of its noise: every kind of reading, any number of set-ups, the touched
 // points that nobody measured eliminated exactly.
 #pragma once
 

@@ -6,7 +6,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
 
-#include "calibration/estimation/knowledge.hpp"
+#include "calibration/estimation/estimate.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -17,7 +17,7 @@ namespace {
 
 /// The uncertain numbers, 0 where they were found, and their covariance over typical sizes.
 struct Uncertain {
-  Knowledge about;
+  Estimate about;
   MatrixXd covariance;
 };
 
@@ -35,11 +35,11 @@ void append(const std::vector<Unknown>& unknowns, MatrixXd covariance, Uncertain
   uncertain.about.unknowns.insert(uncertain.about.unknowns.end(), unknowns.begin(), unknowns.end());
 }
 
-/// The six of the placing that stands last.
+/// The six of the base pose that stands last.
 std::vector<Unknown> baseUnknowns(const PlacedArm& placed) {
   PlacedArm last = placed;
-  for (auto& placing : last.placings) placing.is_known = true;
-  last.placings.back().is_known = false;
+  for (auto& base_pose : last.base_poses) base_pose.is_known = true;
+  last.base_poses.back().is_known = false;
   return chooseUnknowns(last, {{}, true}).list;
 }
 
@@ -48,7 +48,7 @@ Uncertain uncertainOf(const Identification& fit, const CentringForecastOptions& 
   uncertain.about.start = fit.fitted;
   const auto fitted = fittedUnknowns(fit);
   if (!fitted.empty()) append(fitted, fit.covariance, uncertain);
-  if (options.base_covariance && fit.fitted.placings.back().is_known)
+  if (options.base_covariance && fit.fitted.base_poses.back().is_known)
     append(baseUnknowns(fit.fitted), *options.base_covariance, uncertain);
   uncertain.about.x = VectorXd::Zero(static_cast<Index>(uncertain.about.unknowns.size()));
   return uncertain;
@@ -111,7 +111,7 @@ EncoderShare encoderShare(const PlacedArm& placed, const std::vector<VectorXd>& 
   std::vector<double> sizes;
   const Eigen::Matrix<double, 6, 6> exact_base = Eigen::Matrix<double, 6, 6>::Zero();
   for (const auto& q : postures) {
-    const auto tip = predictTip(placed.arm, placed.placings.back().X_WB, q, load);
+    const auto tip = predictTip(placed.arm, placed.base_poses.back().X_WB, q, load);
     sizes.push_back(std::sqrt(tipCovariance(placed.arm, tip, exact_base).topLeftCorner<2, 2>().trace()));
   }
   return {quantile(sizes, 0.5), quantile(sizes, 0.95), *std::max_element(sizes.begin(), sizes.end())};

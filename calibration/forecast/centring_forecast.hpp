@@ -47,7 +47,7 @@ struct CentringForecast {
 };
 
 /// Sideways is across the world's z, the axis of the holes. The arm stands where it was placed last. Linear in the
-/// fitted numbers; one draw of them makes the errors of all postures together. Every posture's shape must settle.
+/// fitted numbers; one draw of them makes the errors of all postures together. Every posture's shape must converge.
 [[nodiscard]] CentringForecast forecastCentring(const Identification& fit, const std::vector<Eigen::VectorXd>& postures,
                                                 const CentringForecastOptions& options = {});
 

@@ -16,7 +16,7 @@ constexpr double kStiffnessShare = 0.1;  // that a stiffness may well be off by
 bool canHide(const deflection::EffectKind& kind) {
   using deflection::EffectStage;
   if (kind.at == deflection::PlaceRule::kSetup) return false;
-  const bool is_recorded = !kind.needs.time && !kind.needs.temperature && !kind.needs.senses;
+  const bool is_recorded = !kind.needs.time && !kind.needs.temperature && !kind.needs.approach_directions;
   return is_recorded && kind.places && kind.stage != EffectStage::kBase && kind.stage != EffectStage::kMeasurement;
 }
 
@@ -70,13 +70,13 @@ HiddenEffects::HiddenEffects(const deflection::Arm& arm, double share) {
 }
 
 Eigen::Matrix3Xd HiddenEffects::at(const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q, double load) {
-  constexpr deflection::FlexibleKinematicsOptions kSettled{1e-12, 100};
+  constexpr deflection::FlexibleKinematicsOptions kConvergedTightly{1e-12, 100};
   Eigen::Matrix3Xd columns = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(kinds_.size()));
   Vector3d tip = Vector3d::Zero();
   for (std::size_t k = 0; k < arms_.size(); ++k) {
     Changed& changed = *arms_[k];
     const deflection::Posture posture{q, load, deflection::gravityInBase(changed.arm, X_WB)};
-    if (changed.shapes.solve(posture, kSettled) != deflection::KinematicsStatus::kConverged) {
+    if (changed.shapes.solve(posture, kConvergedTightly) != deflection::KinematicsStatus::kConverged) {
       if (k == 0) return columns;
       continue;
     }

@@ -24,7 +24,7 @@ class HiddenEffects {
   /// Of each column its kind, counted from 0.
   [[nodiscard]] const std::vector<int>& kinds() const { return kinds_; }
 
-  /// m, world axes: what the plausible size of each does to the tip; zero where a shape does not settle.
+  /// m, world axes: what the plausible size of each does to the tip; zero where a shape does not converge.
   [[nodiscard]] Eigen::Matrix3Xd at(const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q, double load);
 
  private:

@@ -116,22 +116,24 @@ class TouchEvidence {
     fit_ = (A.transpose() * weighted).ldlt().solve(weighted.transpose());
     const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(A).householderQ();
     left_ = Q.rightCols(rows - 6);
-    told_ = left_.transpose() * y;
+    observed_ = left_.transpose() * y;
     model_ = (1 - own_share_) * effects_ * effects_.transpose() + own_share_ * MatrixXd::Identity(rows, rows);
   }
 
-  /// Of the touches' misfit, for a model error of that size; up to a constant.
+  /// Of the touches' lack of fit, for a model error of that size; up to a constant.
   [[nodiscard]] double logLikelihood(double sigma) const {
     const MatrixXd S = left_.transpose() * covariance(sigma) * left_;
     const Eigen::LLT<MatrixXd> factor(S);
-    const VectorXd whitened = factor.matrixL().solve(told_);
+    const VectorXd whitened = factor.matrixL().solve(observed_);
     return -factor.matrixLLT().diagonal().array().log().sum() - whitened.squaredNorm() / 2;
   }
 
   [[nodiscard]] MatrixXd covariance(double sigma) const { return noise_ + sigma * sigma * model_; }
 
   /// The largest size that the touches can be asked about.
-  [[nodiscard]] double misfit() const { return std::sqrt(told_.squaredNorm() / static_cast<double>(told_.size())); }
+  [[nodiscard]] double lack_of_fit() const {
+    return std::sqrt(observed_.squaredNorm() / static_cast<double>(observed_.size()));
+  }
   [[nodiscard]] double noise() const { return std::sqrt(noise_.diagonal().mean()); }
 
   /// All that does not depend on the hole, of one size.
@@ -156,13 +158,13 @@ class TouchEvidence {
       alone += (1 - own_share_) * effects * effects.transpose();
     }
     const Eigen::Matrix2d crossed = with_touches * base.transpose();
-    const MatrixXd told = -(with_touches - base * prepared.covariance) * left_;  // covariance of e and Z^T y
+    const MatrixXd informed = -(with_touches - base * prepared.covariance) * left_;  // covariance of e and Z^T y
     TipErrorCase tip;
-    const MatrixXd gain = told * prepared.left_inverse;
-    tip.mean = gain * told_;
+    const MatrixXd gain = informed * prepared.left_inverse;
+    tip.mean = gain * observed_;
     tip.covariance = variance * alone + hole.encoders.topLeftCorner<2, 2>() +
                      base * prepared.covariance * base.transpose() - crossed - crossed.transpose() -
-                     gain * told.transpose();
+                     gain * informed.transpose();
     tip.covariance = (tip.covariance + tip.covariance.transpose().eval()) / 2;
     return tip;
   }
@@ -170,9 +172,9 @@ class TouchEvidence {
  private:
   double own_share_;
   MatrixXd noise_, effects_, model_;
-  MatrixXd fit_;   ///< G: 6 x rows
-  MatrixXd left_;  ///< Z
-  VectorXd told_;  ///< Z^T y
+  MatrixXd fit_;       ///< G: 6 x rows
+  MatrixXd left_;      ///< Z
+  VectorXd observed_;  ///< Z^T y
 };
 
 /// Sizes of the model's error and their probabilities.
@@ -225,7 +227,7 @@ Scales scalesFor(const TipErrorQuestion& question, const TouchEvidence* touches,
     return {{question.stated->sigma}, {1}};
   const double size = question.stated ? question.stated->sigma : options.usual_error;
   double least = std::min(size, touches ? touches->noise() : size) / 30;
-  double most = std::max(size, touches ? touches->misfit() : size) * 100;
+  double most = std::max(size, touches ? touches->lack_of_fit() : size) * 100;
   // Looked at coarsely, then where it is likely: many degrees of freedom leave a narrow range of sizes.
   const auto logPosterior = [&](double sigma) {
     return logPrior(sigma, question, options) + (touches ? touches->logLikelihood(sigma) : 0);

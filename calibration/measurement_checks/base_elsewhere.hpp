@@ -8,8 +8,8 @@
 namespace tubeplan::calibration::mistakes::base_elsewhere {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  const bool is_known = std::any_of(checked.start.placings.begin(), checked.start.placings.end(),
-                                    [](const Placing& placing) { return placing.is_known; });
+  const bool is_known = std::any_of(checked.start.base_poses.begin(), checked.start.base_poses.end(),
+                                    [](const BasePose& base_pose) { return base_pose.is_known; });
   return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
 }
 

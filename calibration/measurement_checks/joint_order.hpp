@@ -24,8 +24,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.apply = [a, b](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       std::swap(reading.q[a], reading.q[b]);
-      if (!reading.senses.empty())
-        std::swap(reading.senses[static_cast<std::size_t>(a)], reading.senses[static_cast<std::size_t>(b)]);
+      if (!reading.approach_directions.empty())
+        std::swap(reading.approach_directions[static_cast<std::size_t>(a)],
+                  reading.approach_directions[static_cast<std::size_t>(b)]);
     }
   };
   return mend;

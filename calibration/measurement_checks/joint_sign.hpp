@@ -19,7 +19,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.apply = [joint](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       reading.q[joint] = -reading.q[joint];
-      if (!reading.senses.empty()) reading.senses[static_cast<std::size_t>(joint)] *= -1;
+      if (!reading.approach_directions.empty()) reading.approach_directions[static_cast<std::size_t>(joint)] *= -1;
     }
   };
   return mend;

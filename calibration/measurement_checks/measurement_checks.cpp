@@ -24,7 +24,7 @@ constexpr double kOdds = 14;          // log of a million
 constexpr double kDrastic = 8;        // fall of the error by the drawing that no fit of the drawing is a reason for
 constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
 constexpr double kAsGoodError = 1.5;  // times the error, for the same
-constexpr double kNoisePerRow = 0.6;  // misfit of a row by noise alone
+constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
 constexpr double kFarTurn = 0.35;     // rad, of the base from its nominal place
 constexpr double kFarShift = 0.25;    // of the arm's reach, the same
 constexpr double kUsualTurn = 0.05;   // rad, and ...
@@ -92,7 +92,7 @@ std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<
 /// Everything that the drawing leaves open: what the cell frees, all geometry, and every stiffness by one number.
 FreeChoice allThatIsOpen(const CheckedReadings& checked) {
   FreeChoice open = checked.free;
-  open.base = true;  // of placings that are not known
+  open.base = true;  // of base poses that are not known
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -114,23 +114,23 @@ FreeChoice allThatIsOpen(const CheckedReadings& checked) {
 }
 
 double shiftOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
-  return (found.placings[p].X_WB.translation() - nominal.placings[p].X_WB.translation()).norm();
+  return (found.base_poses[p].X_WB.translation() - nominal.base_poses[p].X_WB.translation()).norm();
 }
 
 double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
-  const Eigen::Matrix3d turn = found.placings[p].X_WB.linear() * nominal.placings[p].X_WB.linear().transpose();
+  const Eigen::Matrix3d turn = found.base_poses[p].X_WB.linear() * nominal.base_poses[p].X_WB.linear().transpose();
   return Eigen::AngleAxisd(turn).angle();
 }
 
 /// Of the readings as they are or as one mistake would have them.
 struct Trial {
   bool ok = false;
-  double error = std::numeric_limits<double>::infinity();   // m, by the drawing, base and tip free
-  double held_error = error;                                // m, the same with the tip as drawn
-  double open_error = error;                                // m, with all that the drawing leaves open
-  double whole_error = error;                               // m, the same of all readings
-  double misfit = std::numeric_limits<double>::infinity();  // with the base's prior
-  double base_shift = 0, base_turn = 0;                     // of the base from its nominal place; the largest
+  double error = std::numeric_limits<double>::infinity();        // m, by the drawing, base and tip free
+  double held_error = error;                                     // m, the same with the tip as drawn
+  double open_error = error;                                     // m, with all that the drawing leaves open
+  double whole_error = error;                                    // m, the same of all readings
+  double lack_of_fit = std::numeric_limits<double>::infinity();  // with the base's prior
+  double base_shift = 0, base_turn = 0;                          // of the base from its nominal place; the largest
   double chi2_per_freedom = kNaN;
   double extent = 0;  // m, of predicted tips that touched unknown points
   PlacedArm placed;
@@ -202,7 +202,7 @@ class Checking {
   PlacedArm startOf(const Mend& mend) const {
     PlacedArm start = checked_.start;
     if (mend.frees_base)
-      for (auto& placing : start.placings) placing.is_known = false;
+      for (auto& base_pose : start.base_poses) base_pose.is_known = false;
     return start;
   }
 
@@ -217,12 +217,13 @@ class Checking {
     if (!fit.ok) return trial;
     trial.error = trial.open_error = fit.error;
     trial.whole_error = fit.whole_error;
-    trial.misfit = fit.misfit;
+    trial.lack_of_fit = fit.lack_of_fit;
     trial.chi2_per_freedom = fit.chi2_per_freedom;
     trial.placed = fit.placed;
-    for (std::size_t p = 0; p < fit.placed.placings.size(); ++p) {
+    for (std::size_t p = 0; p < fit.placed.base_poses.size(); ++p) {
       const double shift = shiftOf(fit.placed, checked_.start, p), turn = turnOf(fit.placed, checked_.start, p);
-      trial.misfit += 3.5 * std::log1p(std::pow(shift / (kUsualShift * reach_), 2) + std::pow(turn / kUsualTurn, 2));
+      trial.lack_of_fit +=
+          3.5 * std::log1p(std::pow(shift / (kUsualShift * reach_), 2) + std::pow(turn / kUsualTurn, 2));
       trial.base_shift = std::max(trial.base_shift, shift);
       trial.base_turn = std::max(trial.base_turn, turn);
     }
@@ -234,16 +235,16 @@ class Checking {
   Trial triedApart(Depth depth) const {
     Trial whole;
     whole.ok = true;
-    whole.misfit = 0;
+    whole.lack_of_fit = 0;
     double squares = 0;
     std::size_t count = 0;
-    for (const auto& placing : checked_.start.placings) {
+    for (const auto& base_pose : checked_.start.base_poses) {
       auto readings = only(pool_.readings, depth == Depth::kOpen ? pool_.counted : pool_.counted_quickly);
-      std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != placing.setup; });
+      std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != base_pose.setup; });
       if (readings.empty()) continue;
-      const Trial part = judged(fit({checked_.start.arm, {placing}}, readings, depth), readings);
+      const Trial part = judged(fit({checked_.start.arm, {base_pose}}, readings, depth), readings);
       if (!part.ok) return part;
-      whole.misfit += part.misfit;
+      whole.lack_of_fit += part.lack_of_fit;
       squares += part.error * part.error * static_cast<double>(readings.size());
       count += readings.size();
     }
@@ -261,7 +262,7 @@ class Checking {
     for (const auto& reading : readings)
       if (touchesUnknownPoint(reading))
         if (const auto tip = predictReading(
-                placed.arm, placed.placings[static_cast<std::size_t>(placingOf(placed, reading))].X_WB, reading);
+                placed.arm, placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB, reading);
             tip.ok)
           tips.push_back(tip.value);
     if (tips.size() < 2) return 0;
@@ -280,10 +281,10 @@ class Checking {
   /// By how much less a mistake leaves than the readings as they are; where those cannot be fitted, by a lot.
   [[nodiscard]] double gain(const Trial& trial) const {
     constexpr double kALot = 1e9;
-    if (!as_is_.ok) return kALot - trial.misfit;
+    if (!as_is_.ok) return kALot - trial.lack_of_fit;
     double rows = 0;
     if (shrinkage(trial) > 1) rows = 3 * static_cast<double>(pool_.counted.size());
-    return as_is_.misfit - trial.misfit - rows * std::log(shrinkage(trial));
+    return as_is_.lack_of_fit - trial.lack_of_fit - rows * std::log(shrinkage(trial));
   }
 
   /// Whether there is an error that a mistake could explain, or a base that one could have moved.
@@ -296,9 +297,9 @@ class Checking {
       rows += rowsOf(reading);
     }
     noise = std::sqrt(noise / static_cast<double>(pool_.counted.size()));
-    const bool is_misfit = as_is_.misfit - kNoisePerRow * rows > kOdds;
+    const bool is_lack_of_fit = as_is_.lack_of_fit - kNoisePerRow * rows > kOdds;
     const bool is_bent = as_is_.held_error > kDrastic * as_is_.open_error;  // only a drawing bent to them fits
-    return isBaseFar() || (as_is_.held_error > kFall * noise && (is_misfit || is_bent));
+    return isBaseFar() || (as_is_.held_error > kFall * noise && (is_lack_of_fit || is_bent));
   }
 
   /// Touches of unknown points alone say nothing of the base.
@@ -336,7 +337,7 @@ class Checking {
   std::optional<Mend> zeroFound(const Mend& from) const {
     PlacedArm start = startOf(from);
     if (from.zero_of == 0)
-      for (auto& placing : start.placings) placing.is_known = true;
+      for (auto& base_pose : start.base_poses) base_pose.is_known = true;
     const auto active = deflection::activeRows(checked_.start.arm);
     const auto& row = checked_.start.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(from.zero_of)])];
     const std::string name = row.name + ".joint.offset";
@@ -373,7 +374,8 @@ class Checking {
     const std::size_t kept = std::min(kFinalists, suspects.size());
     std::partial_sort(suspects.begin(), suspects.begin() + static_cast<std::ptrdiff_t>(kept), suspects.end(),
                       [&](const Suspect& a, const Suspect& b) {
-                        return a.drawn.misfit - gainByShrinking(a.drawn) < b.drawn.misfit - gainByShrinking(b.drawn);
+                        return a.drawn.lack_of_fit - gainByShrinking(a.drawn) <
+                               b.drawn.lack_of_fit - gainByShrinking(b.drawn);
                       });
     suspects.resize(kept);
     return suspects;

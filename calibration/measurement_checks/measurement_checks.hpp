@@ -24,7 +24,7 @@
 namespace tubeplan::calibration {
 
 enum class CheckSeverity {
-  kMistake,  ///< explains the misfit: nothing is to be concluded of the model before it is mended
+  kMistake,  ///< explains the lack of fit: nothing is to be concluded of the model before it is mended
   kRemark,
 };
 

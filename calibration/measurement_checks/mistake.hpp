@@ -28,7 +28,7 @@ struct ReadingUnits {
 
 /// Readings as their file has them, and what they are held against.
 struct CheckedReadings {
-  PlacedArm start;  ///< as the cell says; a placing for every set-up
+  PlacedArm start;  ///< as the cell says; a base pose for every set-up
   std::vector<Measurement> readings;
   FreeChoice free;
   ReadingUnits units;

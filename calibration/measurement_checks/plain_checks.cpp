@@ -154,7 +154,7 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
   std::vector<MissingColumn> missing;
   const auto none = [&](auto has) { return std::none_of(readings.begin(), readings.end(), has); };
   if (none([](const Measurement& m) {
-        return std::any_of(m.senses.begin(), m.senses.end(), [](int s) { return s != 0; });
+        return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
       }))
     missing.push_back({"<joint>_dir", "with the sense of each joint's last motion, hysteresis could be seen"});
   if (none([](const Measurement& m) { return m.load > 0; }))
@@ -190,7 +190,7 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   std::vector<std::string> ids;
   for (const auto& reading : checked.readings) {
     if (!statesPlace(reading)) continue;
-    const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
+    const auto& X_WB = found.base_poses[static_cast<std::size_t>(basePoseOf(found, reading))].X_WB;
     if (!((*reading.p_W - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
   }
   if (ids.empty()) return std::nullopt;
@@ -213,7 +213,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
   for (const auto& reading : checked.readings) {
     const auto hole = tubesheets::parseTubeName(reading.point);
     if (!hole || !touchesKnownPoint(reading) || ++tried > kMostTried) continue;
-    const auto& X_WB = found.placings[static_cast<std::size_t>(placingOf(found, reading))].X_WB;
+    const auto& X_WB = found.base_poses[static_cast<std::size_t>(basePoseOf(found, reading))].X_WB;
     const auto tip = predictReading(found.arm, X_WB, reading);
     if (!tip.ok || !((tip.value - *reading.p_W).norm() > checked.sheet->pitch / 2)) continue;
     const tubesheets::Tube* nearest = nullptr;

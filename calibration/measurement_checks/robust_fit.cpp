@@ -20,7 +20,7 @@ constexpr double kFreedom = 4;  // of Student's t
 constexpr double kBest = 0.9;   // share of the readings that an error is stated of
 constexpr int kScaleSteps = 40;
 constexpr double kLeastFreedom = 12;  // from which chi-square says anything of the noise
-constexpr double kConverged = 0.05;   // fall of the misfit by a step that asks for no further one
+constexpr double kConverged = 0.05;   // fall of the lack of fit by a step that asks for no further one
 constexpr int kMostTrials = 6;        // of a step, each shorter than the one before
 
 /// Student's t about a common scale, for the whitened residuals of readings.
@@ -90,7 +90,7 @@ double bestError(const VectorXd& lengths, double share) {
   return std::sqrt(sum / static_cast<double>(kept));
 }
 
-double priorMisfit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
+double priorLackOfFit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
   return priorResiduals(unknowns, x).squaredNorm() / 2;
 }
 
@@ -107,18 +107,18 @@ class Descent {
 
   bool run() {
     if (!residual_.evaluate(x_, r_, nullptr) || !r_.allFinite()) return false;
-    misfit_ = loss_.settle(r_) + priorMisfit(unknowns_, x_);
+    lack_of_fit_ = loss_.settle(r_) + priorLackOfFit(unknowns_, x_);
     for (int step = 0; step < options_.most_steps && !unknowns_.empty(); ++step) {
       goOn(options_.stop);
-      const double before = misfit_;
+      const double before = lack_of_fit_;
       if (!residual_.evaluate(x_, r_, &jacobian_) || !jacobian_.allFinite()) break;
-      if (!improve() || before - misfit_ < kConverged) break;
+      if (!improve() || before - lack_of_fit_ < kConverged) break;
     }
     return true;
   }
 
   [[nodiscard]] const VectorXd& x() const { return x_; }
-  [[nodiscard]] double misfit() const { return misfit_; }
+  [[nodiscard]] double lack_of_fit() const { return lack_of_fit_; }
   StudentLoss& loss() { return loss_; }
   [[nodiscard]] const VectorXd& residual() const { return r_; }
 
@@ -169,9 +169,9 @@ class Descent {
         goOn(options_.stop);
         continue;
       }
-      const double misfit = loss_.settle(r) + priorMisfit(unknowns_, x);
-      if (!(misfit < misfit_)) continue;
-      x_ = x, r_ = r, misfit_ = misfit, damping_ /= 10;
+      const double lack_of_fit = loss_.settle(r) + priorLackOfFit(unknowns_, x);
+      if (!(lack_of_fit < lack_of_fit_)) continue;
+      x_ = x, r_ = r, lack_of_fit_ = lack_of_fit, damping_ /= 10;
       return true;
     }
     (void)loss_.settle(r_);
@@ -184,7 +184,7 @@ class Descent {
   StudentLoss loss_;
   VectorXd x_, r_;
   MatrixXd jacobian_;
-  double misfit_ = std::numeric_limits<double>::infinity(), damping_ = 0;
+  double lack_of_fit_ = std::numeric_limits<double>::infinity(), damping_ = 0;
 };
 
 }  // namespace
@@ -192,7 +192,7 @@ class Descent {
 RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings, const RobustFitOptions& options) {
   RobustFit fit;
   if (readings.empty()) return fit;
-  alignPlacings(start, readings);
+  alignBases(start, readings);
   auto unknowns = chooseUnknowns(start, options.free);
   const auto weights = weighReadings(start, readings, {}, 0, options.stop);
   goOn(options.stop);
@@ -203,7 +203,7 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
   const auto at =
       whitenedResidual(start, unknowns.list, readings, *weights, descent.x(), options.judges_noise, options.stop);
   if (!at.ok) return fit;
-  fit.misfit = descent.misfit();
+  fit.lack_of_fit = descent.lack_of_fit();
   const VectorXd lengths = errorLengths(readings, *weights, at.error);
   fit.error = bestError(lengths, kBest);
   fit.whole_error = bestError(lengths, 1);
@@ -212,7 +212,7 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
     const double freedom = weights->degrees_of_freedom - effectiveNumbers(covariance, unknowns.list);
     if (freedom >= kLeastFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
   }
-  fit.ok = std::isfinite(fit.error) && std::isfinite(fit.misfit);
+  fit.ok = std::isfinite(fit.error) && std::isfinite(fit.lack_of_fit);
   return fit;
 }
 

@@ -16,9 +16,9 @@ namespace tubeplan::calibration {
 struct RobustFit {
   bool ok = false;
   PlacedArm placed;
-  double misfit = std::numeric_limits<double>::infinity();  ///< -log of likelihood and priors, but for constants
-  double error = std::numeric_limits<double>::infinity();   ///< m, root mean square of the nine tenths that fit best
-  double whole_error = error;                               ///< m, root mean square of all
+  double lack_of_fit = std::numeric_limits<double>::infinity();  ///< -log of likelihood and priors, but for constants
+  double error = std::numeric_limits<double>::infinity();  ///< m, root mean square of the nine tenths that fit best
+  double whole_error = error;                              ///< m, root mean square of all
   double chi2_per_freedom = std::numeric_limits<double>::quiet_NaN();  ///< of these by the stated noise
 };
 

@@ -9,13 +9,14 @@
 namespace tubeplan::calibration::mistakes::setup_alone {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  if (checked.start.placings.size() < 2) return {};
-  return {checked.start.placings.front().setup};
+  if (checked.start.base_poses.size() < 2) return {};
+  return {checked.start.base_poses.front().setup};
 }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
-  const auto& placings = checked.start.placings;
-  if (std::none_of(placings.begin(), placings.end(), [&](const Placing& placing) { return placing.setup == value; }))
+  const auto& base_poses = checked.start.base_poses;
+  if (std::none_of(base_poses.begin(), base_poses.end(),
+                   [&](const BasePose& base_pose) { return base_pose.setup == value; }))
     return std::nullopt;
   Mend mend{"setup", value,
             "the tip was mounted anew between the set-ups: each has a tip of its own and is to be fitted alone"};

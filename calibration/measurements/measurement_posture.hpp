@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 /// one place where a reading's conditions reach the model.
 [[nodiscard]] inline deflection::Posture postureOf(const Measurement& reading, const Eigen::Vector3d& gravity_B) {
   deflection::Posture posture{reading.q, reading.load, gravity_B};
-  posture.senses = reading.senses;
+  posture.approach_directions = reading.approach_directions;
   posture.temperature = reading.temperature;
   posture.time = reading.time;
   posture.setup = reading.setup;

@@ -14,11 +14,11 @@ void ReadingBatch::place(const Measurement& reading, double load, const Vector3d
   postures_.gravity_B.col(at) = gravity_B;
 }
 
-bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector<Measurement>& readings,
-                         const std::vector<int>& placing_of, std::size_t first, std::size_t count,
+bool ReadingBatch::solve(const std::vector<BasePose>& base_poses, const std::vector<Measurement>& readings,
+                         const std::vector<int>& base_pose_of, std::size_t first, std::size_t count,
                          const std::vector<deflection::Variable>& variables) {
   std::vector<Vector3d> gravity_B;
-  for (const auto& placing : placings) gravity_B.push_back(deflection::gravityInBase(arm_, placing.X_WB));
+  for (const auto& base_pose : base_poses) gravity_B.push_back(deflection::gravityInBase(arm_, base_pose.X_WB));
   from_.assign(count, -1);
   auto postures = static_cast<Index>(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -26,7 +26,7 @@ bool ReadingBatch::solve(const std::vector<Placing>& placings, const std::vector
   postures_.resize(readings[first].q.size(), postures);
   for (std::size_t k = 0; k < count; ++k) {
     const Measurement& reading = readings[first + k];
-    const Vector3d& gravity = gravity_B[static_cast<std::size_t>(placing_of[first + k])];
+    const Vector3d& gravity = gravity_B[static_cast<std::size_t>(base_pose_of[first + k])];
     place(reading, reading.load, gravity, static_cast<Index>(k));
     if (from_[k] < 0) continue;
     const bool is_elsewhere = reading.reference != nullptr;

@@ -20,10 +20,10 @@ class ReadingBatch {
     return kinematics_.hasKernel(variables);
   }
 
-  /// Solves `count` readings from `first`, each at its placing of `placings`; false where a shape does not settle. What
-  /// follows is counted from `first`.
-  bool solve(const std::vector<Placing>& placings, const std::vector<Measurement>& readings,
-             const std::vector<int>& placing_of, std::size_t first, std::size_t count,
+  /// Solves `count` readings from `first`, each at its base pose of `base_poses`; false where a shape does not
+  /// converge. What follows is counted from `first`.
+  bool solve(const std::vector<BasePose>& base_poses, const std::vector<Measurement>& readings,
+             const std::vector<int>& base_pose_of, std::size_t first, std::size_t count,
              const std::vector<deflection::Variable>& variables);
 
   /// The tip as seen from the base [m], base axes; of a displacement less what it is taken from, as are its

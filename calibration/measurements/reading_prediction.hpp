@@ -62,7 +62,7 @@ class ReadingPredictor {
 [[nodiscard]] Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
                                     double load);
 
-/// The tool where the reading was taken; nothing where the shape does not settle.
+/// The tool where the reading was taken; nothing where the shape does not converge.
 [[nodiscard]] std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                              const Measurement& reading,
                                              const deflection::FlexibleKinematicsOptions& options = {});

@@ -53,7 +53,7 @@ class Search {
 
   [[nodiscard]] const VectorXd& q() const { return posture_.q; }
   [[nodiscard]] double distance() const { return (goal_B_ - shape_.X_BD.p).norm(); }
-  [[nodiscard]] bool isSettled() const { return shape_.status == KinematicsStatus::kConverged; }
+  [[nodiscard]] bool isConverged() const { return shape_.status == KinematicsStatus::kConverged; }
   [[nodiscard]] Matrix3Xd jacobian() const { return stiffJacobian(arm_, shape_); }
 
   /// A step, halved until the tip comes nearer; false where it never does.
@@ -80,7 +80,7 @@ class Search {
   static constexpr double kFarStep = 0.05;  // rad or m; after a longer one the old Jacobian is of no use
 
   void refresh() {
-    if (isSettled()) jacobian_ = jacobian();
+    if (isConverged()) jacobian_ = jacobian();
   }
 
   const Arm& arm_;
@@ -95,7 +95,7 @@ class Search {
 TipPlacement placeTip(const Arm& arm, const Posture& start, const Vector3d& p_BT, const TipPlacementOptions& options) {
   TipPlacement placement{TipPlacementStatus::kNotConverged, start.q};
   Search search(arm, start, p_BT);
-  if (!search.isSettled()) return placement;
+  if (!search.isConverged()) return placement;
   for (int k = 0; k < options.max_iterations && search.distance() >= options.tolerance; ++k)
     if (!search.advance()) break;
   placement.q = search.q();

@@ -34,31 +34,32 @@ Evaluation evaluate(const PlacedArm& placed, const std::vector<Measurement>& rea
   return result;
 }
 
-bool fallsShort(const ModelMisfit& misfit, double level) {
-  const bool by_repeats = disagreesWithStatedNoise(misfit.repeats, level) && misfit.repeats.lack_freedom > 0;
-  return (by_repeats ? misfit.repeats.lack_of_fit_p_value : misfit.p_value) < level;
+bool isInadequate(const ModelLackOfFit& lack_of_fit, double level) {
+  const bool by_repeats = disagreesWithStatedNoise(lack_of_fit.repeats, level) && lack_of_fit.repeats.lack_freedom > 0;
+  return (by_repeats ? lack_of_fit.repeats.lack_of_fit_p_value : lack_of_fit.p_value) < level;
 }
 
-std::string inconclusiveSince(const ModelMisfit& misfit, const std::vector<Measurement>& readings, int numbers) {
-  auto problem = findLackOfFreedom(readings, misfit.degrees_of_freedom, numbers);
-  if (!problem) problem = findOverstatedNoise(misfit.chi2, misfit.degrees_of_freedom);
+std::string inconclusiveSince(const ModelLackOfFit& lack_of_fit, const std::vector<Measurement>& readings,
+                              int numbers) {
+  auto problem = findLackOfFreedom(readings, lack_of_fit.degrees_of_freedom, numbers);
+  if (!problem) problem = findOverstatedNoise(lack_of_fit.chi2, lack_of_fit.degrees_of_freedom);
   return problem ? problem->what + " (needed: " + problem->needed + ")" : "";
 }
 
-ModelMisfit misfitOf(const Evaluation& model, int fitted_numbers, double level) {
-  ModelMisfit misfit;
-  misfit.errors = errorSize(model.scene.readings, model.weights, model.residual.error);
-  misfit.noise_floor = noiseFloor(model.scene.readings, model.weights);
-  misfit.chi2 = model.residual.r.squaredNorm();
-  misfit.degrees_of_freedom = model.weights.degrees_of_freedom - fitted_numbers;
-  misfit.p_value = chiSquareTail(misfit.chi2, misfit.degrees_of_freedom);
-  misfit.repeats =
-      judgeRepeats(model.scene.readings, model.weights, model.residual.error, misfit.chi2, misfit.degrees_of_freedom);
-  misfit.inconclusive = inconclusiveSince(misfit, model.scene.readings, fitted_numbers);
-  misfit.adequacy = fallsShort(misfit, level)     ? Adequacy::kFallsShort
-                    : misfit.inconclusive.empty() ? Adequacy::kAdequate
-                                                  : Adequacy::kInconclusive;
-  return misfit;
+ModelLackOfFit lackOfFitOf(const Evaluation& model, int fitted_numbers, double level) {
+  ModelLackOfFit lack_of_fit;
+  lack_of_fit.errors = errorSize(model.scene.readings, model.weights, model.residual.error);
+  lack_of_fit.noise_floor = noiseFloor(model.scene.readings, model.weights);
+  lack_of_fit.chi2 = model.residual.r.squaredNorm();
+  lack_of_fit.degrees_of_freedom = model.weights.degrees_of_freedom - fitted_numbers;
+  lack_of_fit.p_value = chiSquareTail(lack_of_fit.chi2, lack_of_fit.degrees_of_freedom);
+  lack_of_fit.repeats = judgeRepeats(model.scene.readings, model.weights, model.residual.error, lack_of_fit.chi2,
+                                     lack_of_fit.degrees_of_freedom);
+  lack_of_fit.inconclusive = inconclusiveSince(lack_of_fit, model.scene.readings, fitted_numbers);
+  lack_of_fit.adequacy = isInadequate(lack_of_fit, level)   ? Adequacy::kInadequate
+                         : lack_of_fit.inconclusive.empty() ? Adequacy::kAdequate
+                                                            : Adequacy::kInconclusive;
+  return lack_of_fit;
 }
 
 /// The error in the world: one that is measured along a line lies along it, a mere turn has none.
@@ -111,8 +112,8 @@ void listWorst(Comparison& result) {
 bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options,
            Comparison& result) {
   result.fitted = start;
-  const bool has_base = options.refit.free.base && std::any_of(start.placings.begin(), start.placings.end(),
-                                                               [](const Placing& p) { return !p.is_known; });
+  const bool has_base = options.refit.free.base && std::any_of(start.base_poses.begin(), start.base_poses.end(),
+                                                               [](const BasePose& p) { return !p.is_known; });
   if (options.refit.free.names.empty() && !has_base) return true;
   IdentificationOptions refit = options.refit;
   refit.hooks = options.hooks;
@@ -138,10 +139,10 @@ Evaluation evaluateFitted(const Comparison& result, const std::vector<Measuremen
 }
 
 void giveVerdict(Comparison& result, double level) {
-  const auto& misfit = result.after_refit;
-  result.noise_disagrees = disagreesWithStatedNoise(misfit.repeats, level);
+  const auto& lack_of_fit = result.after_refit;
+  result.noise_disagrees = disagreesWithStatedNoise(lack_of_fit.repeats, level);
   if (result.status == ComparisonStatus::kNotConverged) result.grounds.emplace_back("the refit did not converge");
-  if (misfit.adequacy == Adequacy::kFallsShort)
+  if (lack_of_fit.adequacy == Adequacy::kInadequate)
     result.grounds.emplace_back(result.noise_disagrees ? "the misfit is more than repeated readings scatter"
                                                        : "the misfit is more than the stated noise allows");
   if (!result.patterns.findings.empty()) {
@@ -149,8 +150,8 @@ void giveVerdict(Comparison& result, double level) {
     result.grounds.push_back(first.trend.size() == 1 ? "a part of the error is the same everywhere"
                                                      : "the error follows " + first.variable);
   }
-  result.verdict = result.grounds.empty() ? misfit.adequacy : Adequacy::kFallsShort;
-  if (result.verdict == Adequacy::kInconclusive) result.grounds.push_back(misfit.inconclusive);
+  result.verdict = result.grounds.empty() ? lack_of_fit.adequacy : Adequacy::kInadequate;
+  if (result.verdict == Adequacy::kInconclusive) result.grounds.push_back(lack_of_fit.inconclusive);
 }
 
 Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
@@ -167,7 +168,7 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
   }
   const Evaluation before = evaluate(start, fitted);
   if (before.ok) {
-    result.as_it_stands = misfitOf(before, 0, options.level);
+    result.as_it_stands = lackOfFitOf(before, 0, options.level);
     result.joints_before = equivalentJoints(start, fitted, before.residual.error);
   }
   if (!refit(start, readings, options, result)) return result;
@@ -180,7 +181,7 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
   if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;
   const bool is_refitted = result.refit.status != IdentificationStatus::kNotRun;
   const int numbers = is_refitted ? after.weights.degrees_of_freedom - result.refit.degrees_of_freedom : 0;
-  result.after_refit = misfitOf(after, numbers, options.level);
+  result.after_refit = lackOfFitOf(after, numbers, options.level);
   result.joints_after = equivalentJoints(result.fitted, fitted, after.residual.error);
   describeReadings(before, after, result.used, result);
   describeHeldOut(start, readings, result);

@@ -20,10 +20,10 @@ struct ComparisonOptions {
 enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
 /// Inconclusive: the readings are too few, or their noise is stated too large, for a verdict.
-enum class Adequacy { kNotRun, kAdequate, kFallsShort, kInconclusive };
+enum class Adequacy { kNotRun, kAdequate, kInadequate, kInconclusive };
 
 /// A model against the readings that a fit may use.
-struct ModelMisfit {
+struct ModelLackOfFit {
   ErrorSize errors;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
@@ -49,12 +49,12 @@ struct Comparison {
   ComparisonStatus status = ComparisonStatus::kNotRun;
   std::string reason;                 ///< why not done
   std::vector<FreeProblem> problems;  ///< why refused
-  ModelMisfit as_it_stands, after_refit;
+  ModelLackOfFit as_it_stands, after_refit;
   Identification refit;  ///< not run where nothing is free
   PlacedArm fitted;      ///< the model after the refit
   std::vector<ComparedReading> readings;
   std::vector<int> worst;                        ///< of the fitted readings after the refit, most sigmas first
-  PatternSearch patterns;                        ///< of the misfit after the refit
+  PatternSearch patterns;                        ///< of the lack of fit after the refit
   JointEquivalents joints_before, joints_after;  ///< columns in the order of `used`
   std::vector<int> used;                         ///< readings that are not held out
   Adequacy verdict = Adequacy::kNotRun;          ///< after the refit
@@ -65,7 +65,7 @@ struct Comparison {
 [[nodiscard]] Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const ComparisonOptions& options);
 
-/// Whether the repeats say that the stated noise is wrong, at this level: then misfit is judged by them.
+/// Whether the repeats say that the stated noise is wrong, at this level: then lack of fit is judged by them.
 [[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
 
 }  // namespace tubeplan::calibration

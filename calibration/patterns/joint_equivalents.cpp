@@ -59,7 +59,7 @@ JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Mea
   double chi2 = 0;
   Index row = 0;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    const auto& X_WB = placed.placings[static_cast<std::size_t>(placingOf(placed, readings[k]))].X_WB;
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
     const Prediction prediction = predictReading(placed.arm, X_WB, readings[k], request);
     if (!prediction.ok) return result;
     const Turned one =

@@ -1,4 +1,4 @@
-// The misfit turned into joint angles: how wrong every joint's reading would have to be, if nothing else were.
+// The residual turned into joint angles: how wrong every joint's reading would have to be, if nothing else were.
 //
 // With J the tip's derivative by the joints and S the encoders' covariance, dq = -S J^T (J S J^T)^+ e is the least
 // correction of the readings, in encoder sigmas, that takes the predicted tip to the measured one.

@@ -18,8 +18,8 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
                       {}};
     variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
     for (std::size_t k = 0; k < scene.readings.size(); ++k) {
-      const auto& senses = scene.readings[k].senses;
-      variable.value[static_cast<Eigen::Index>(k)] = senses.empty() ? 0 : senses[j];
+      const auto& approach_directions = scene.readings[k].approach_directions;
+      variable.value[static_cast<Eigen::Index>(k)] = approach_directions.empty() ? 0 : approach_directions[j];
     }
     if (!varies(variable.value)) continue;
     variable.basis = centred(variable.value, [](double s) { return s; });

@@ -1,5 +1,5 @@
-// What a misfit may follow: the open table of variables that readings differ in. Each kind is a file here and a row of
-// the table in patterns.cpp; nothing else names it.
+// What a residual may follow: the open table of variables that readings differ in. Each kind is a file here and a row
+// of the table in patterns.cpp; nothing else names it.
 #pragma once
 
 #include <Eigen/Core>

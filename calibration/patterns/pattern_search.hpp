@@ -1,4 +1,4 @@
-// Which variables a misfit follows, each asked by a test, so that a pattern is a finding and not an impression.
+// Which variables a residual follows, each asked by a test, so that a pattern is a finding and not an impression.
 //
 // For a variable with functions f_j and axes e_c of a frame, the columns are W_i e_c(i) f_j(i), W_i the whitener of
 // reading i. What the fitted unknowns, the touched points and a constant in that frame can absorb is projected off both

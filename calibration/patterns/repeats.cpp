@@ -21,9 +21,9 @@ constexpr double kSameLoad = 1e-6;   // N
 
 bool areAlike(const Measurement& a, const Measurement& b) {
   const bool same_anchor = kindOf(a).is_place || (a.p_W == b.p_W && a.direction_W == b.direction_W);
-  return a.kind == b.kind && a.setup == b.setup && a.point == b.point && a.senses == b.senses &&
-         a.reference == b.reference && same_anchor && std::abs(a.load - b.load) <= kSameLoad &&
-         (a.q - b.q).cwiseAbs().maxCoeff() <= kSameJoint;
+  return a.kind == b.kind && a.setup == b.setup && a.point == b.point &&
+         a.approach_directions == b.approach_directions && a.reference == b.reference && same_anchor &&
+         std::abs(a.load - b.load) <= kSameLoad && (a.q - b.q).cwiseAbs().maxCoeff() <= kSameJoint;
 }
 
 /// Chi-square of some readings' errors about their own weighted mean.

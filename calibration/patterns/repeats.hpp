@@ -1,4 +1,4 @@
-// The noise by what repeated readings differ, whatever the model: pure error, and the misfit beyond it.
+// The noise by what repeated readings differ, whatever the model: pure error, and the lack of fit beyond it.
 #pragma once
 
 #include <limits>
@@ -25,7 +25,7 @@ struct Repeats {
 /// repeat. Readings of one point from different postures are no repeats.
 [[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& readings);
 
-/// `error` [m] of the readings by a model whose misfit is `chi2` for `freedom` degrees.
+/// `error` [m] of the readings by a model whose lack of fit is `chi2` for `freedom` degrees.
 [[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                    const Eigen::VectorXd& error, double chi2, int freedom);
 

@@ -13,7 +13,7 @@ constexpr double kRest = 1e-9;  // rad or m: less is no motion
 
 }  // namespace
 
-std::vector<int> ReadingConditions::senses(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+std::vector<int> ReadingConditions::approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
   std::vector<int> result;
   for (int k = 0; k < to.size(); ++k) {
     const double way = to[k] - from[k];

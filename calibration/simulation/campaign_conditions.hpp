@@ -26,7 +26,7 @@ struct ReadingConditions {
   Eigen::VectorXd encoder_noise;                               ///< rad or m
 
   /// The sense of each joint's last motion on the way from one posture to another.
-  [[nodiscard]] std::vector<int> senses(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
+  [[nodiscard]] std::vector<int> approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 };
 
 /// A series of conditions, in order of time.

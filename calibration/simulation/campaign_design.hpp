@@ -32,7 +32,7 @@ struct CampaignDesign {
   bool points_known = true;                     ///< of kind touch
   std::vector<double> loads;                    ///< N; every posture is read under each of them in turn
   int postures_per_point = 1;                   ///< of kind touch: how many postures touch the same point
-  int setups = 1;                               ///< placings of the base, one after the other
+  int setups = 1;                               ///< base poses, one after the other
   std::optional<Eigen::Vector3d> anchor_W;      ///< m, of kinds that measure from an anchor
   std::optional<Eigen::Vector3d> direction_W;   ///< a unit vector, of kinds that measure along one
   std::optional<Eigen::AlignedBox3d> region_W;  ///< m, where the tip stays; else in front of the base's own plane

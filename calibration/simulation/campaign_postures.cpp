@@ -21,7 +21,7 @@ const char* describe(PostureRefusal refusal) {
   switch (refusal) {
     case PostureRefusal::kNone:
       return "usable";
-    case PostureRefusal::kUnsettled:
+    case PostureRefusal::kNotConverged:
       return "without a deflected shape that settles";
     case PostureRefusal::kOutOfReach:
       return "out of reach";

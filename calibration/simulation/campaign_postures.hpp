@@ -25,7 +25,7 @@ struct CampaignSite {
 };
 
 /// Why a posture drawn at random is of no use.
-enum class PostureRefusal { kNone, kUnsettled, kOutOfReach, kStretched, kPastLimit, kOutsideRegion, kNotClear };
+enum class PostureRefusal { kNone, kNotConverged, kOutOfReach, kStretched, kPastLimit, kOutsideRegion, kNotClear };
 inline constexpr int kPostureRefusals = 7;
 
 /// "past a joint limit"; continues "so many of the postures were ...".

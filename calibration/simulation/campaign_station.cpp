@@ -3,7 +3,7 @@
 #include "calibration/measurements/measurement_posture.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/tip_placement.hpp"
-#include "deflection/effects/situation.hpp"
+#include "deflection/effects/effect_context.hpp"
 
 namespace tubeplan::calibration {
 
@@ -43,7 +43,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
     Measurement unloaded = reading;
     unloaded.load = 0;
     const auto rest = toolIn(arm, site, unloaded);
-    if (!rest) return PostureRefusal::kUnsettled;
+    if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
   }
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
@@ -116,7 +116,7 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   first.q = q;
   first.load = design_.loads.front();
   const auto tool = toolIn(arm_, site, first);
-  if (!tool) return PostureRefusal::kUnsettled;
+  if (!tool) return PostureRefusal::kNotConverged;
   taken.p_W = tool->p_W;
   const Vector3d up = -arm_.gravity_W;
   if (design_.place == CampaignPlace::kPlane) *taken.p_W += (plane_height_ - up.dot(*taken.p_W)) * up;
@@ -138,7 +138,7 @@ PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationRea
 PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingConditions& conditions,
                                      const StationReadings& taken, const VectorXd& here, Measurement& reading,
                                      Vector3d& tip_W) const {
-  reading.senses = conditions.senses(here, reading.q);
+  reading.approach_directions = conditions.approach_directions(here, reading.q);
   if (const auto goal_W = goalOf(taken, conditions.coordinate_noise)) {
     const auto refusal = bringTip(site, conditions, *goal_W, here, reading);
     if (refusal != PostureRefusal::kNone) return refusal;
@@ -159,11 +159,11 @@ PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const Reading
     if (placed.status == TipPlacementStatus::kStretched) return PostureRefusal::kStretched;
     if (placed.status != TipPlacementStatus::kPlaced) return PostureRefusal::kOutOfReach;
     reading.q = placed.q;
-    const auto senses = conditions.senses(here, reading.q);
-    if (senses == reading.senses) return PostureRefusal::kNone;
-    reading.senses = senses;
+    const auto approach_directions = conditions.approach_directions(here, reading.q);
+    if (approach_directions == reading.approach_directions) return PostureRefusal::kNone;
+    reading.approach_directions = approach_directions;
   }
-  return PostureRefusal::kUnsettled;
+  return PostureRefusal::kNotConverged;
 }
 
 std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, const Vector3d& noise) const {
@@ -178,7 +178,7 @@ TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& rea
   if (!source_.isWithinLimits(reading.q))
     trial.refusal = PostureRefusal::kPastLimit;
   else if (!tool)
-    trial.refusal = PostureRefusal::kUnsettled;
+    trial.refusal = PostureRefusal::kNotConverged;
   else if (!isInRegion(site, tool->p_W))
     trial.refusal = PostureRefusal::kOutsideRegion;
   else if (options_.is_clear && !options_.is_clear(site.setup, reading.load, reading.q))

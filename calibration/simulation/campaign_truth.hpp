@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration {
 
-/// A placing of the base; its name is empty where there is only one.
+/// A base pose; its name is empty where there is only one.
 struct TrueBase {
   std::string setup;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();

@@ -8,7 +8,7 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/simulation/campaign_station.hpp"
 #include "calibration/statistics.hpp"
-#include "deflection/effects/situation.hpp"
+#include "deflection/effects/effect_context.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::calibration {

@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration {
 
-/// A hole to touch and the posture to start from, which settles the branch.
+/// A hole to touch and the posture to start from, which converges the branch.
 struct TouchPlan {
   std::string id, hole;
   Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();

@@ -14,11 +14,11 @@
 namespace tubeplan::deflection::backlash {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  Addition<S>& addition = additionOf(situation, effect.place.row);
-  addition.joint_gives = true;
-  addition.has_gap[effect.place.axis] = true;
-  addition.gap[effect.place.axis] += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  EffectTerms<S>& effect_terms = effectTermsOf(context, effect.place.row);
+  effect_terms.joint_is_compliant = true;
+  effect_terms.has_gap[effect.place.axis] = true;
+  effect_terms.gap[effect.place.axis] += effect.values[0];
 }
 
 inline bool hasPlace(const Arm& arm, int row, int axis) {

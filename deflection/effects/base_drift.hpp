@@ -13,9 +13,9 @@
 namespace tubeplan::deflection::base_drift {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  if (std::isnan(situation.asked.time)) return;
-  for (int k = 0; k < 3; ++k) situation.X_BM.p[k] += effect.values[k] * situation.asked.time;
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  if (std::isnan(context.asked.time)) return;
+  for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k] * context.asked.time;
 }
 
 inline EffectKind kind() {

@@ -11,10 +11,10 @@
 namespace tubeplan::deflection::base_slip {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  if (situation.asked.time < valueOf(effect.values[4])) return;
-  for (int k = 0; k < 3; ++k) situation.X_BM.p[k] += effect.values[k];
-  situation.X_BM.R = situation.X_BM.R * rotationZ<S>(effect.values[3]);
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  if (context.asked.time < valueOf(effect.values[4])) return;
+  for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k];
+  context.X_BM.R = context.X_BM.R * rotationZ<S>(effect.values[3]);
 }
 
 inline EffectKind kind() {

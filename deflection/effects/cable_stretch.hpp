@@ -17,13 +17,13 @@ inline bool hasPlace(const Arm& arm, int row) {
 }
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  const int row = effect.place.row, joint = jointIndexOf(situation.given, row);
-  const S moment = rigidMomentOf(situation, row)[2];
-  const auto& senses = situation.asked.senses;
-  const double sense = senses.empty() ? 0 : senses[joint];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const int row = effect.place.row, joint = jointIndexOf(context.given, row);
+  const S moment = rigidMomentOf(context, row)[2];
+  const auto& approach_directions = context.asked.approach_directions;
+  const double approach_direction = approach_directions.empty() ? 0 : approach_directions[joint];
   using std::abs;
-  situation.posture.q[joint] += effect.values[0] * moment + effect.values[1] * abs(moment) * S(sense);
+  context.posture.q[joint] += effect.values[0] * moment + effect.values[1] * abs(moment) * S(approach_direction);
 }
 
 inline EffectKind kind() {
@@ -35,7 +35,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 0.5,
           .odds_reason = "cable-driven arms only",
-          .needs = {.senses = true, .moments = true},
+          .needs = {.approach_directions = true, .moments = true},
           .parameters = {{"stretch", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
                          {"friction", Quantity::kAnglePerTorque, 0, -kUnbounded, kUnbounded, 5e-4}},
           .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },

@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::contact_force {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  tipLoadOf(situation).contact_force += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  tipLoadOf(context).contact_force += effect.values[0];
 }
 
 inline EffectKind kind() {

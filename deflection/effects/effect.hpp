@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deflection/effects/situation.hpp"
+#include "deflection/effects/effect_context.hpp"
 #include "deflection/parameters.hpp"
 
 namespace tubeplan::deflection {
@@ -35,7 +35,8 @@ enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 /// What there must be for an effect to be seen: columns of the measurements, a hung load, moments at all (weights of
 /// the arm, or a load), or an arm whose weights nobody stated.
 struct EffectNeeds {
-  bool senses = false, temperature = false, time = false, load = false, moments = false, no_weights = false;
+  bool approach_directions = false, temperature = false, time = false, load = false, moments = false,
+       no_weights = false;
 };
 
 /// One row of the effect table.
@@ -52,8 +53,8 @@ struct EffectKind {
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< every place of an arm where the effect can be
-  void (*apply)(const EffectOf<double>&, Situation<double>&);
-  void (*applyDual)(const EffectOf<Dual>&, Situation<Dual>&);
+  void (*apply)(const EffectOf<double>&, EffectContext<double>&);
+  void (*applyDual)(const EffectOf<Dual>&, EffectContext<Dual>&);
 };
 
 const std::vector<EffectKind>& effectKinds();

@@ -16,7 +16,7 @@ bool fits(const Arm& arm, const Formula& formula) {
   if (formula.target.of == FormulaTarget::Of::kJoint && !isJoint(formula.target.row)) return false;
   return std::all_of(formula.inputs.begin(), formula.inputs.end(), [&](const Formula::Input& input) {
     const FormulaSymbol& symbol = input.symbol;
-    const bool of_joint = symbol.of == FormulaSymbol::Of::kJoint || symbol.of == FormulaSymbol::Of::kSense;
+    const bool of_joint = symbol.of == FormulaSymbol::Of::kJoint || symbol.of == FormulaSymbol::Of::kApproachDirection;
     return input.parameter >= 0 || (of_joint ? isJoint(symbol.row) : symbol.row < static_cast<int>(arm.rows.size()));
   });
 }

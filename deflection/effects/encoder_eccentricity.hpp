@@ -13,11 +13,11 @@
 namespace tubeplan::deflection::encoder_eccentricity {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   using std::cos, std::sin;
-  const int joint = jointIndexOf(situation.given, effect.place.row);
-  const S& q = situation.asked.q[joint];
-  situation.posture.q[joint] += effect.values[0] * sin(q) + effect.values[1] * cos(q);
+  const int joint = jointIndexOf(context.given, effect.place.row);
+  const S& q = context.asked.q[joint];
+  context.posture.q[joint] += effect.values[0] * sin(q) + effect.values[1] * cos(q);
 }
 
 inline EffectKind kind() {

@@ -239,7 +239,7 @@ std::vector<NamedSymbol> formulaSymbols(const Arm& arm, const FormulaUnits& unit
     const auto& joint = arm.rows[row].joint;
     const double unit = joint.type == JointType::kPrismatic ? units.length : 1;
     symbols.push_back({symbolNameOf(joint.name), {Of::kJoint, row, -1, unit, 0}});
-    symbols.push_back({symbolNameOf(joint.name) + "_dir", {Of::kSense, row, -1, 1, 0}});
+    symbols.push_back({symbolNameOf(joint.name) + "_dir", {Of::kApproachDirection, row, -1, 1, 0}});
   }
   for (int row = 0; row < static_cast<int>(arm.rows.size()); ++row)
     for (int axis = 0; axis < 3; ++axis)
@@ -284,11 +284,11 @@ MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnit
 }
 
 std::string findUndefinedFormula(const Arm& arm, const Posture& posture) {
-  Situation<double> situation(arm, posture);
+  EffectContext<double> context(arm, posture);
   for (const Effect& effect : arm.effects) {
     if (!effect.formula) continue;
     const Formula& formula = *effect.formula;
-    const auto at = user_formula::inputsOf(effect, situation);
+    const auto at = user_formula::inputsOf(effect, context);
     if (!std::isfinite(formula.expression->value(at))) return user_formula::undefinedText(formula, at);
     for (std::size_t k = 0; k < at.size(); ++k)
       if (!std::isfinite(formula.expression->slope(at, k)))

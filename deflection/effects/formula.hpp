@@ -37,7 +37,7 @@ struct FormulaTarget {
 
 /// What a name in an expression stands for: (internal value) / unit - zero.
 struct FormulaSymbol {
-  enum class Of { kJoint, kSense, kMoment, kLoad, kTemperature, kTime };
+  enum class Of { kJoint, kApproachDirection, kMoment, kLoad, kTemperature, kTime };
   Of of = Of::kLoad;
   int row = -1, axis = -1;
   double unit = 1, zero = 0;

@@ -16,11 +16,11 @@ inline bool hasPlace(const Arm& arm, int row) {
 }
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  const int joint = jointIndexOf(situation.given, effect.place.row);
-  const S angle = situation.asked.q[joint] * S(situation.given.rows[effect.place.row].joint.gear_ratio);
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const int joint = jointIndexOf(context.given, effect.place.row);
+  const S angle = context.asked.q[joint] * S(context.given.rows[effect.place.row].joint.gear_ratio);
   using std::cos, std::sin;
-  situation.posture.q[joint] += effect.values[0] * sin(angle) + effect.values[1] * cos(angle);
+  context.posture.q[joint] += effect.values[0] * sin(angle) + effect.values[1] * cos(angle);
 }
 
 inline EffectKind kind() {

@@ -15,14 +15,14 @@
 namespace tubeplan::deflection::gravity_sag {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int row = effect.place.row;
-  const RigidFrames<S>& frames = rigidFramesOf(situation);
+  const RigidFrames<S>& frames = rigidFramesOf(context);
   const PoseOf<S>& joint = frames.rows[row];
   const Vector3<S> lever =
       joint.R.col(0) * effect.values[0] + joint.R.col(1) * effect.values[1] + (frames.tip - joint.p) * effect.values[2];
-  const Vector3<S> moment = lever.cross(situation.asked.gravity_B);
-  situation.posture.q[jointIndexOf(situation.given, row)] += joint.R.col(2).dot(moment);
+  const Vector3<S> moment = lever.cross(context.asked.gravity_B);
+  context.posture.q[jointIndexOf(context.given, row)] += joint.R.col(2).dot(moment);
 }
 
 inline EffectKind kind() {

@@ -11,9 +11,9 @@
 namespace tubeplan::deflection::gravity_tilt {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  situation.gravity_turn.x() += effect.values[0];
-  situation.gravity_turn.y() += effect.values[1];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  context.gravity_turn.x() += effect.values[0];
+  context.gravity_turn.y() += effect.values[1];
 }
 
 inline EffectKind kind() {

@@ -13,12 +13,12 @@
 namespace tubeplan::deflection::hysteresis {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  const auto& senses = situation.asked.senses;
-  if (senses.empty()) return;
-  const int joint = jointIndexOf(situation.given, effect.place.row);
-  assert(joint < static_cast<int>(senses.size()));
-  situation.posture.q[joint] += effect.values[0] * static_cast<double>(senses[joint]);
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const auto& approach_directions = context.asked.approach_directions;
+  if (approach_directions.empty()) return;
+  const int joint = jointIndexOf(context.given, effect.place.row);
+  assert(joint < static_cast<int>(approach_directions.size()));
+  context.posture.q[joint] += effect.values[0] * static_cast<double>(approach_directions[joint]);
 }
 
 inline EffectKind kind() {
@@ -30,7 +30,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 1.5,
           .odds_reason = "every gear and seal has friction before a spring",
-          .needs = {.senses = true},
+          .needs = {.approach_directions = true},
           .parameters = {{"half_width", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
           .places = places::ofJoints,
           .apply = apply<double>,

@@ -13,10 +13,10 @@
 namespace tubeplan::deflection::joint_compliance {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  Addition<S>& addition = additionOf(situation, effect.place.row);
-  addition.joint_gives = true;
-  addition.compliance[effect.place.axis] += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  EffectTerms<S>& effect_terms = effectTermsOf(context, effect.place.row);
+  effect_terms.joint_is_compliant = true;
+  effect_terms.compliance[effect.place.axis] += effect.values[0];
 }
 
 inline bool hasPlace(const Arm& arm, int row, int axis) { return !std::isfinite(arm.rows[row].joint_stiffness[axis]); }

@@ -11,10 +11,10 @@
 namespace tubeplan::deflection::joint_coupling {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  const int to = jointIndexOf(situation.given, effect.place.row);
-  const int from = jointIndexOf(situation.given, effect.place.other);
-  situation.posture.q[to] += effect.values[0] * situation.asked.q[from];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const int to = jointIndexOf(context.given, effect.place.row);
+  const int from = jointIndexOf(context.given, effect.place.other);
+  context.posture.q[to] += effect.values[0] * context.asked.q[from];
 }
 
 inline EffectKind kind() {

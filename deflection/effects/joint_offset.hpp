@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::joint_offset {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  situation.posture.q[jointIndexOf(situation.given, effect.place.row)] += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  context.posture.q[jointIndexOf(context.given, effect.place.row)] += effect.values[0];
 }
 
 inline EffectKind kind() {

@@ -11,9 +11,9 @@
 namespace tubeplan::deflection::joint_scale {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  const int joint = jointIndexOf(situation.given, effect.place.row);
-  situation.posture.q[joint] += effect.values[0] * situation.asked.q[joint];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const int joint = jointIndexOf(context.given, effect.place.row);
+  context.posture.q[joint] += effect.values[0] * context.asked.q[joint];
 }
 
 inline EffectKind kind() {

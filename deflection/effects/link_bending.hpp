@@ -12,11 +12,11 @@
 namespace tubeplan::deflection::link_bending {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  Addition<S>& addition = additionOf(situation, effect.place.row);
-  addition.member_gives = true;
-  addition.bends[effect.place.axis] = true;
-  addition.bending_compliance[effect.place.axis] += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  EffectTerms<S>& effect_terms = effectTermsOf(context, effect.place.row);
+  effect_terms.member_is_compliant = true;
+  effect_terms.bends[effect.place.axis] = true;
+  effect_terms.bending_compliance[effect.place.axis] += effect.values[0];
 }
 
 inline bool hasPlace(const Arm& arm, int row, int axis) {

@@ -13,10 +13,10 @@
 namespace tubeplan::deflection::link_length {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   using std::sqrt;
-  const Row<S>& given = situation.given.rows[effect.place.row + 1];
-  Row<S>& next = situation.arm.rows[effect.place.row + 1];
+  const Row<S>& given = context.given.rows[effect.place.row + 1];
+  Row<S>& next = context.arm.rows[effect.place.row + 1];
   if (auto* dh = std::get_if<DenavitHartenberg<S>>(&next.placement)) {
     dh->a += effect.values[0];
     return;

@@ -12,10 +12,10 @@
 namespace tubeplan::deflection::link_torsion {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  Addition<S>& addition = additionOf(situation, effect.place.row);
-  addition.member_gives = true;
-  addition.torsion_compliance += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  EffectTerms<S>& effect_terms = effectTermsOf(context, effect.place.row);
+  effect_terms.member_is_compliant = true;
+  effect_terms.torsion_compliance += effect.values[0];
 }
 
 inline bool hasPlace(const Arm& arm, int row) {

@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::link_twist {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  Row<S>& next = situation.arm.rows[effect.place.row + 1];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  Row<S>& next = context.arm.rows[effect.place.row + 1];
   if (auto* dh = std::get_if<DenavitHartenberg<S>>(&next.placement))
     dh->alpha += effect.values[0];
   else

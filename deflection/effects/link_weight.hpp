@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::link_weight {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  situation.arm.rows[effect.place.row].weight.end += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  context.arm.rows[effect.place.row].weight.end += effect.values[0];
 }
 
 /// A link cannot lose more than it has: its end weight, lumps and distributed weight.

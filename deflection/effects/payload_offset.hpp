@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::payload_offset {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  TipLoad<S>& load = tipLoadOf(situation);
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  TipLoad<S>& load = tipLoadOf(context);
   for (int k = 0; k < 3; ++k) load.payload_offset[k] += effect.values[k];
 }
 

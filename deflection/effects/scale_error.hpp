@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::scale_error {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  situation.measurement_scale += effect.values[0];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  context.measurement_scale += effect.values[0];
 }
 
 inline EffectKind kind() {

@@ -18,13 +18,13 @@ inline bool hasPlace(const Arm& arm, int row, int axis) {
 }
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int row = effect.place.row;
-  const auto& joint = situation.given.rows[row].joint;
-  const S out = (situation.asked.q[jointIndexOf(situation.given, row)] - S(joint.lower)) / S(joint.upper - joint.lower);
-  Addition<S>& addition = additionOf(situation, row);
-  addition.joint_gives = true;
-  addition.compliance[effect.place.axis] += effect.values[0] * out + effect.values[1] * out * out;
+  const auto& joint = context.given.rows[row].joint;
+  const S out = (context.asked.q[jointIndexOf(context.given, row)] - S(joint.lower)) / S(joint.upper - joint.lower);
+  EffectTerms<S>& effect_terms = effectTermsOf(context, row);
+  effect_terms.joint_is_compliant = true;
+  effect_terms.compliance[effect.place.axis] += effect.values[0] * out + effect.values[1] * out * out;
 }
 
 inline EffectKind kind() {

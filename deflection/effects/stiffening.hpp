@@ -15,11 +15,11 @@
 namespace tubeplan::deflection::stiffening {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  Addition<S>& addition = additionOf(situation, effect.place.row);
-  addition.joint_gives = true;
-  addition.softness[effect.place.axis] += effect.values[0];
-  addition.knee[effect.place.axis] += effect.values[1];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  EffectTerms<S>& effect_terms = effectTermsOf(context, effect.place.row);
+  effect_terms.joint_is_compliant = true;
+  effect_terms.softness[effect.place.axis] += effect.values[0];
+  effect_terms.knee[effect.place.axis] += effect.values[1];
 }
 
 inline bool hasPlace(const Arm& arm, int row, int axis) { return std::isfinite(arm.rows[row].joint_stiffness[axis]); }

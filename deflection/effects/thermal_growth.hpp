@@ -27,16 +27,16 @@ void grow(const Row<S>& given, Row<S>& row, const S& strain) {
 }
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  if (std::isnan(situation.asked.temperature)) return;
-  const S strain = effect.values[0] * (situation.asked.temperature - situation.given.reference_temperature);
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  if (std::isnan(context.asked.temperature)) return;
+  const S strain = effect.values[0] * (context.asked.temperature - context.given.reference_temperature);
   bool moves = false;
-  for (std::size_t i = 0; i < situation.given.rows.size(); ++i) {
-    const Row<S>& given = situation.given.rows[i];
-    if (moves) grow(given, situation.arm.rows[i], strain);
+  for (std::size_t i = 0; i < context.given.rows.size(); ++i) {
+    const Row<S>& given = context.given.rows[i];
+    if (moves) grow(given, context.arm.rows[i], strain);
     moves = moves || given.joint.type != JointType::kPassive;
   }
-  situation.arm.p_LT += situation.given.p_LT * strain;
+  context.arm.p_LT += context.given.p_LT * strain;
 }
 
 inline EffectKind kind() {

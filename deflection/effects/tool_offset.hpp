@@ -11,8 +11,8 @@
 namespace tubeplan::deflection::tool_offset {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  for (int k = 0; k < 3; ++k) situation.arm.p_LT[k] += effect.values[k];
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  for (int k = 0; k < 3; ++k) context.arm.p_LT[k] += effect.values[k];
 }
 
 inline EffectKind kind() {

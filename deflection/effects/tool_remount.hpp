@@ -11,9 +11,9 @@
 namespace tubeplan::deflection::tool_remount {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  if (situation.asked.setup != effect.place.setup) return;
-  situation.arm.p_LT += Vector3<S>(effect.values[0], effect.values[1], effect.values[2]);
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  if (context.asked.setup != effect.place.setup) return;
+  context.arm.p_LT += Vector3<S>(effect.values[0], effect.values[1], effect.values[2]);
 }
 
 inline EffectKind kind() {

@@ -11,9 +11,9 @@
 namespace tubeplan::deflection::tool_weight {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
-  const Weight<S>& given = situation.given.rows.back().weight;
-  Weight<S>& weight = situation.arm.rows.back().weight;
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const Weight<S>& given = context.given.rows.back().weight;
+  Weight<S>& weight = context.arm.rows.back().weight;
   const S& e = effect.values[0];
   weight.distributed += given.distributed * e;
   weight.end += given.end * e;

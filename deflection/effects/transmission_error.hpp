@@ -13,11 +13,11 @@
 namespace tubeplan::deflection::transmission_error {
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   using std::cos, std::sin;
-  const int joint = jointIndexOf(situation.given, effect.place.row);
-  const S twice = situation.asked.q[joint] * 2.;
-  situation.posture.q[joint] += effect.values[0] * sin(twice) + effect.values[1] * cos(twice);
+  const int joint = jointIndexOf(context.given, effect.place.row);
+  const S twice = context.asked.q[joint] * 2.;
+  context.posture.q[joint] += effect.values[0] * sin(twice) + effect.values[1] * cos(twice);
 }
 
 inline EffectKind kind() {

@@ -18,18 +18,18 @@ inline constexpr const char* kName = "formula";
 
 /// A symbol in the units of the formula.
 template <class S>
-S valueOf(const FormulaSymbol& symbol, Situation<S>& situation) {
-  const ArmOf<S>& given = situation.given;
-  const PostureOf<S>& asked = situation.asked;
+S valueOf(const FormulaSymbol& symbol, EffectContext<S>& context) {
+  const ArmOf<S>& given = context.given;
+  const PostureOf<S>& asked = context.asked;
   using Of = FormulaSymbol::Of;
   const auto inUnit = [&](const S& internal) { return internal / symbol.unit - S(symbol.zero); };
   switch (symbol.of) {
     case Of::kJoint:
       return inUnit(asked.q[jointIndexOf(given, symbol.row)]);
-    case Of::kSense:
-      return asked.senses.empty() ? S(0) : S(asked.senses[jointIndexOf(given, symbol.row)]);
+    case Of::kApproachDirection:
+      return asked.approach_directions.empty() ? S(0) : S(asked.approach_directions[jointIndexOf(given, symbol.row)]);
     case Of::kMoment:
-      return inUnit(rigidMomentOf(situation, symbol.row)[symbol.axis]);
+      return inUnit(rigidMomentOf(context, symbol.row)[symbol.axis]);
     case Of::kLoad:
       return inUnit(asked.load);
     case Of::kTemperature:
@@ -42,10 +42,10 @@ S valueOf(const FormulaSymbol& symbol, Situation<S>& situation) {
 
 /// What the expression is asked at, name by name.
 template <class S>
-std::vector<S> inputsOf(const EffectOf<S>& effect, Situation<S>& situation) {
+std::vector<S> inputsOf(const EffectOf<S>& effect, EffectContext<S>& context) {
   std::vector<S> at;
   for (const Formula::Input& input : effect.formula->inputs)
-    at.push_back(input.parameter < 0 ? valueOf(input.symbol, situation)
+    at.push_back(input.parameter < 0 ? valueOf(input.symbol, context)
                                      : S(effect.values[input.parameter] / effect.formula->units[input.parameter]));
   return at;
 }
@@ -53,25 +53,25 @@ std::vector<S> inputsOf(const EffectOf<S>& effect, Situation<S>& situation) {
 std::string undefinedText(const Formula& formula, const std::vector<double>& at);
 
 template <class S>
-void apply(const EffectOf<S>& effect, Situation<S>& situation) {
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const Formula& formula = *effect.formula;
-  const std::vector<S> at = inputsOf(effect, situation);
+  const std::vector<S> at = inputsOf(effect, context);
   const S added = formula.expression->value(at) * formula.unit;
   if constexpr (std::is_same_v<S, double>)
-    if (!std::isfinite(added)) situation.undefined = undefinedText(formula, at);
+    if (!std::isfinite(added)) context.undefined = undefinedText(formula, at);
   const FormulaTarget& target = formula.target;
   switch (target.of) {
     case FormulaTarget::Of::kJoint:
-      situation.posture.q[jointIndexOf(situation.given, target.row)] += added;
+      context.posture.q[jointIndexOf(context.given, target.row)] += added;
       return;
     case FormulaTarget::Of::kTip:
-      situation.arm.p_LT[target.axis] += added;
+      context.arm.p_LT[target.axis] += added;
       return;
     case FormulaTarget::Of::kBase:
       if (target.axis < 3)
-        situation.X_BM.p[target.axis] += added;
+        context.X_BM.p[target.axis] += added;
       else
-        situation.X_BM.R = situation.X_BM.R * rotationZ<S>(added);
+        context.X_BM.R = context.X_BM.R * rotationZ<S>(added);
   }
 }
 

@@ -27,7 +27,7 @@ inline bool bends(const Beam<double>& b, int axis) { return std::isfinite(b.E) &
 inline bool twists(const Beam<double>& b) { return std::isfinite(b.G) && std::isfinite(b.J); }
 
 inline bool isFlexible(const Row<double>& row) {
-  if (row.addition && row.addition->member_gives) return true;
+  if (row.effect_terms && row.effect_terms->member_is_compliant) return true;
   return row.beam && (bends(*row.beam, 0) || bends(*row.beam, 1) || bends(*row.beam, 2) || twists(*row.beam));
 }
 
@@ -56,12 +56,12 @@ Matrix3<S> curvatureCompliance(const Beam<S>& b, const Vector3<S>& e) {
 
 /// The same of an addition. An axis along the member has no bending about it.
 template <class S>
-Matrix3<S> addedCompliance(const Addition<S>& addition, const Vector3<S>& e) {
-  Matrix3<S> C = e * e.transpose() * addition.torsion_compliance;
+Matrix3<S> addedCompliance(const EffectTerms<S>& effect_terms, const Vector3<S>& e) {
+  Matrix3<S> C = e * e.transpose() * effect_terms.torsion_compliance;
   for (int k = 0; k < 3; ++k) {
-    if (!addition.bends[k]) continue;
+    if (!effect_terms.bends[k]) continue;
     const Vector3<S> n = squareTo<S>(e, k);
-    C += n * n.transpose() * addition.bending_compliance[k];
+    C += n * n.transpose() * effect_terms.bending_compliance[k];
   }
   return C;
 }
@@ -75,7 +75,8 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>& member) {
   const S L = sqrt(member.squaredNorm());
   const Vector3<S> e = member / L;
   if (row.beam) result.compliance += curvatureCompliance<S>(*row.beam, e);
-  if (row.addition && row.addition->member_gives) result.compliance += addedCompliance<S>(*row.addition, e);
+  if (row.effect_terms && row.effect_terms->member_is_compliant)
+    result.compliance += addedCompliance<S>(*row.effect_terms, e);
   result.compliance *= L;
   return result;
 }

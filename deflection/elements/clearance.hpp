@@ -32,7 +32,7 @@ struct Rest {
   double by_moment = 0;  ///< ... by this [rad/(N m)]
 };
 
-inline Rest settle(double gap, double before, double moment, const Restoring& restoring) {
+inline Rest converge(double gap, double before, double moment, const Restoring& restoring) {
   const double half = gap / 2, side = (moment > 0) - (moment < 0), floor = 1e-6 * restoring.scale;
   // A closed gap still has its derivative: half of what it would open, in the sense of the moment.
   if (half <= 0) return {side * half, side / 2};

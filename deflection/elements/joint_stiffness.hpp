@@ -15,7 +15,7 @@
 namespace tubeplan::deflection::joint_stiffness {
 
 inline bool isFlexible(const Row<double>& row) {
-  return row.joint_stiffness.array().isFinite().any() || (row.addition && row.addition->joint_gives);
+  return row.joint_stiffness.array().isFinite().any() || (row.effect_terms && row.effect_terms->joint_is_compliant);
 }
 
 inline int segments(const Row<double>&) { return 1; }
@@ -28,15 +28,15 @@ S clampTo(const S& x, const S& limit) {
 template <class S>
 Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
   Flexibility<S> result;
-  const bool added = row.addition && row.addition->joint_gives;
+  const bool added = row.effect_terms && row.effect_terms->joint_is_compliant;
   for (int k = 0; k < 3; ++k) {
-    const bool gives = std::isfinite(valueOf(row.joint_stiffness[k]));
-    if (gives) result.compliance(k, k) = S(1) / row.joint_stiffness[k];
+    const bool is_compliant = std::isfinite(valueOf(row.joint_stiffness[k]));
+    if (is_compliant) result.compliance(k, k) = S(1) / row.joint_stiffness[k];
     if (!added) continue;
-    result.compliance(k, k) += row.addition->compliance[k];
-    if (!gives) continue;
-    result.softness[k] = row.addition->softness[k] / row.joint_stiffness[k];
-    result.knee[k] = row.addition->knee[k];
+    result.compliance(k, k) += row.effect_terms->compliance[k];
+    if (!is_compliant) continue;
+    result.softness[k] = row.effect_terms->softness[k] / row.joint_stiffness[k];
+    result.knee[k] = row.effect_terms->knee[k];
     result.has_soft_zone = true;
   }
   return result;

@@ -94,7 +94,7 @@ PlaceTip deflectedTip(const Arm& arm, double load, const Vector3d& gravity_B,
   auto tip = std::make_shared<TipDifferentiation>(arm);
   const int last = activeRows(arm).back();
   return [=, tool_axis_L = arm.tool_axis_L, variables = jointVariables(arm)](const VectorXd& q, TipMotion& out) {
-    out.settles = tip->solve({q, load, gravity_B}, variables, options) == KinematicsStatus::kConverged;
+    out.is_converged = tip->solve({q, load, gravity_B}, variables, options) == KinematicsStatus::kConverged;
     out.p = tip->arm().X_BD().p;
     out.axis = tip->arm().X_BD().R * tool_axis_L;
     out.last_axis = tip->arm().X_BL(last).R.col(2);

@@ -5,13 +5,13 @@
 #include <numeric>
 #include <optional>
 
-#include "deflection/hinges/hinge_chain.hpp"
-#include "deflection/hinges/kernels.hpp"
 #include "deflection/inverse/branch_verdict.hpp"
 #include "deflection/inverse/goal_newton.hpp"
 #include "deflection/inverse/inverse_solver.hpp"
 #include "deflection/inverse/start_postures.hpp"
 #include "deflection/prepared_arm.hpp"
+#include "deflection/revolute_chain/kernels.hpp"
+#include "deflection/revolute_chain/revolute_chain.hpp"
 
 namespace tubeplan::deflection {
 
@@ -20,15 +20,15 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 constexpr int kStraightSteps = 12;  ///< without damping; a goal that takes more is met alone
 
-hinges::Tool toolOf(const Arm& arm, const hinges::HingeChain& chain) {
-  const hinges::TurnDirection& last = chain.lastAxis();
-  hinges::Tool tool{{}, last.turn, {}};
+simd::Tool toolOf(const Arm& arm, const simd::RevoluteChain& chain) {
+  const simd::TurnDirection& last = chain.lastAxis();
+  simd::Tool tool{{}, last.turn, {}};
   std::copy_n(arm.tool_axis_L.data(), 3, tool.axis);
   std::copy_n(last.direction.data(), 3, tool.hand_axis);
   return tool;
 }
 
-void setLane(const ToolGoal& goal, const VectorXd& start, std::size_t lane, hinges::Goals& lanes) {
+void setLane(const ToolGoal& goal, const VectorXd& start, std::size_t lane, simd::Goals& lanes) {
   for (int axis = 0; axis < 3; ++axis) {
     lanes.p_BT[axis][lane] = goal.p_BT[axis];
     lanes.axis_B[axis][lane] = goal.axis_B[axis];
@@ -36,7 +36,7 @@ void setLane(const ToolGoal& goal, const VectorXd& start, std::size_t lane, hing
   for (int j = 0; j < 4; ++j) lanes.start[j][lane] = start[j];
 }
 
-Branch branchOf(const hinges::Reached& reached, std::size_t lane) {
+Branch branchOf(const simd::Reached& reached, std::size_t lane) {
   Branch branch;
   if (reached.done[lane] == 1) branch.status = BranchStatus::kConverged;
   branch.q = Eigen::Vector4d(reached.q[0][lane], reached.q[1][lane], reached.q[2][lane], reached.q[3][lane]);
@@ -60,7 +60,7 @@ class InverseSolver::Parts {
     std::vector<Branch> found(goals.size());
     std::vector<std::size_t> open(goals.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
-    const hinges::HingeChain* chain = prepared_.hinges();
+    const simd::RevoluteChain* chain = prepared_.revoluteChain();
     // Most goals are met straight away; those that are not would keep their neighbours waiting.
     if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
@@ -74,10 +74,10 @@ class InverseSolver::Parts {
 
  private:
   /// Those of `which` that a kernel leads to their goals or as near as they come; returns the others.
-  std::vector<std::size_t> leadSideBySide(const hinges::HingeChain& chain, std::span<const ToolGoal> goals,
+  std::vector<std::size_t> leadSideBySide(const simd::RevoluteChain& chain, std::span<const ToolGoal> goals,
                                           std::span<const VectorXd> starts, std::span<const std::size_t> which,
                                           bool damped, std::vector<Branch>& found);
-  hinges::Goals goalsFor(const hinges::HingeArm& numbers, bool damped) const;
+  simd::Goals goalsFor(const simd::RevoluteArm& numbers, bool damped) const;
   Branch leadAlone(const ToolGoal& goal, const VectorXd& start);
 
   const Arm& arm_;
@@ -87,18 +87,18 @@ class InverseSolver::Parts {
   std::optional<GoalProblem> problem_;  ///< made when a kernel leaves something over
 };
 
-std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const hinges::HingeChain& chain,
+std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const simd::RevoluteChain& chain,
                                                               std::span<const ToolGoal> goals,
                                                               std::span<const VectorXd> starts,
                                                               std::span<const std::size_t> which, bool damped,
                                                               std::vector<Branch>& found) {
-  const hinges::HingeArm numbers = chain.numbers();
-  const hinges::Tool tool = toolOf(arm_, chain);
-  hinges::Goals lanes = goalsFor(numbers, damped);
-  hinges::Reached reached{};
+  const simd::RevoluteArm numbers = chain.numbers();
+  const simd::Tool tool = toolOf(arm_, chain);
+  simd::Goals lanes = goalsFor(numbers, damped);
+  simd::Reached reached{};
   std::vector<std::size_t> open;
   for (std::size_t first = 0; first < which.size();) {
-    const hinges::Kernel& kernel = hinges::kernelFor(static_cast<int>(which.size() - first));
+    const simd::Kernel& kernel = simd::kernelFor(static_cast<int>(which.size() - first));
     const std::size_t width = static_cast<std::size_t>(kernel.lanes), count = std::min(which.size() - first, width);
     for (std::size_t l = 0; l < width; ++l) {
       const std::size_t k = which[first + std::min(l, count - 1)];
@@ -116,8 +116,8 @@ std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const hinges::Hing
   return open;
 }
 
-hinges::Goals InverseSolver::Parts::goalsFor(const hinges::HingeArm& numbers, bool damped) const {
-  hinges::Goals lanes{};
+simd::Goals InverseSolver::Parts::goalsFor(const simd::RevoluteArm& numbers, bool damped) const {
+  simd::Goals lanes{};
   lanes.tolerance = options.kinematics.tolerance * numbers.reach;
   lanes.position_tolerance = options.position_tolerance;
   lanes.pitch_tolerance = options.pitch_tolerance;

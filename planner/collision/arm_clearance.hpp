@@ -48,7 +48,7 @@ class ArmClearance {
   [[nodiscard]] const BasePadding& padding() const { return padding_; }
 
   /// Least margin at joint readings q, on the deflected shape; the bow of a bent member between its frames is taken
-  /// off. A shape that does not settle has a NaN margin, with the reason in `other`.
+  /// off. A shape that does not converge has a NaN margin, with the reason in `other`.
   [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
 
   /// The same with `spare` [m] taken off the margin: what a plan keeps in hand, so that a proof by other means succeeds

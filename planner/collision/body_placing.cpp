@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cassert>
 
-#include "deflection/hinges/hinge_chain.hpp"
-#include "deflection/hinges/kernels.hpp"
+#include "deflection/revolute_chain/kernels.hpp"
+#include "deflection/revolute_chain/revolute_chain.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/collision/frames_along_chords.hpp"
 #include "planner/collision/kernels/plain_pose.hpp"
 
 namespace tubeplan::planner {
 
-using deflection::KinematicsStatus, deflection::hinges::HingeChain;
+using deflection::KinematicsStatus, deflection::simd::RevoluteChain;
 using Eigen::Index, Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 using kernels::copy, kernels::plainPose;
 
@@ -25,7 +25,7 @@ constexpr double kBowMargin = 1.1;
 
 /// The arm as plain numbers.
 struct BodyPlacing::Plain {
-  const HingeChain& chain;
+  const RevoluteChain& chain;
   std::vector<kernels::PlainRow> rows;
   std::vector<kernels::BentPiece> pieces;
   kernels::PlainPose X_WB;
@@ -37,7 +37,7 @@ struct BodyPlacing::Plain {
   /// Null where a kernel cannot take the arm. `components` are the arm's elements in order.
   static std::unique_ptr<const Plain> of(const Workcell& cell, const deflection::PreparedArm& arm,
                                          const std::vector<deflection::ComponentState>& components) {
-    const HingeChain* chain = arm.hinges();
+    const RevoluteChain* chain = arm.revoluteChain();
     if (!chain || chain->rows().size() != cell.arm.rows.size() || chain->rows().size() > kernels::kMostRows)
       return nullptr;
     auto plain = std::make_unique<Plain>(Plain{*chain, {}, {}, plainPose(cell.X_WB)});
@@ -96,7 +96,7 @@ BodyPlacing::BodyPlacing(const Workcell& cell)
     : cell_(cell), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)), arm_(cell.arm) {
   const auto joints = static_cast<Index>(deflection::activeRows(cell.arm).size());
   constexpr std::size_t kLanes = kernels::kMostLanes;
-  if (arm_.hinges()) {
+  if (arm_.revoluteChain()) {
     arm_.solve({VectorXd::Zero(joints), cell.load, gravity_B_});
     plain_ = Plain::of(cell, arm_, arm_.shape().components);
   }
@@ -104,12 +104,12 @@ BodyPlacing::BodyPlacing(const Workcell& cell)
   load_.assign(kLanes, cell.load);
   placed_.frames.resize(12 * kLanes * cell.arm.rows.size());
   placed_.bow.resize(kLanes);
-  placed_.settles.resize(kLanes);
+  placed_.is_converged.resize(kLanes);
   if (!plain_) return;
   const auto turns = static_cast<std::size_t>(plain_->chain.numbers().count);
   tip_.resize(12 * kLanes);
   turns_.resize(12 * kLanes * turns);
-  gives_.resize(4 * kLanes * turns);
+  element_states_.resize(4 * kLanes * turns);
   sweeps_.resize(kLanes);
 }
 
@@ -148,23 +148,23 @@ const PlacedPostures& BodyPlacing::run(int count) {
 void BodyPlacing::runKernel() {
   const int width = placed_.kernel->lanes;
   const auto& kernel =
-      deflection::hinges::kernels()[static_cast<std::size_t>(placed_.kernel - kernels::kernels().data())];
+      deflection::simd::kernels()[static_cast<std::size_t>(placed_.kernel - kernels::kernels().data())];
   assert(kernel.lanes == width);
-  const deflection::hinges::HingeArm arm = plain_->chain.numbers();
+  const deflection::simd::RevoluteArm arm = plain_->chain.numbers();
   double gravity[3 * kernels::kMostLanes];
   for (int k = 0; k < 3 * width; ++k) gravity[k] = gravity_B_[k / width];
-  deflection::hinges::Shapes shapes{};
+  deflection::simd::Shapes shapes{};
   shapes.pose = tip_.data();
   shapes.sweeps = sweeps_.data();
-  shapes.gives = gives_.data();
+  shapes.element_states = element_states_.data();
   shapes.turns = turns_.data();
   shapes.stride = width;
   kernel.solve(arm, {q_.data(), load_.data(), gravity, width, kUsual.tolerance * arm.reach, kUsual.max_iterations},
                shapes);
-  placed_.kernel->place(plain_->arm(), {tip_.data(), turns_.data(), gives_.data(), width},
+  placed_.kernel->place(plain_->arm(), {tip_.data(), turns_.data(), element_states_.data(), width},
                         {placed_.frames.data(), placed_.bow.data(), width});
   for (int l = 0; l < width; ++l)
-    placed_.settles[static_cast<std::size_t>(l)] = !(sweeps_[static_cast<std::size_t>(l)] < 0);
+    placed_.is_converged[static_cast<std::size_t>(l)] = !(sweeps_[static_cast<std::size_t>(l)] < 0);
 }
 
 void BodyPlacing::runOneByOne() {
@@ -175,11 +175,12 @@ void BodyPlacing::runOneByOne() {
     for (Index joint = 0; joint < q.size(); ++joint) q[joint] = q_[static_cast<std::size_t>(joint * width + l)];
     // The last one stands again in the lanes that are left over.
     if (l < placed_.count)
-      placed_.settles[lane] = arm_.solve({q, cell_.load, gravity_B_}) == KinematicsStatus::kConverged;
+      placed_.is_converged[lane] = arm_.solve({q, cell_.load, gravity_B_}) == KinematicsStatus::kConverged;
     else
-      placed_.settles[lane] = placed_.settles[lane - 1];
-    const auto frames = placed_.settles[lane] ? framesAlongChords(cell_, arm_.shape(), &placed_.bow[lane])
-                                              : std::vector<Isometry3d>(cell_.arm.rows.size(), Isometry3d::Identity());
+      placed_.is_converged[lane] = placed_.is_converged[lane - 1];
+    const auto frames = placed_.is_converged[lane]
+                            ? framesAlongChords(cell_, arm_.shape(), &placed_.bow[lane])
+                            : std::vector<Isometry3d>(cell_.arm.rows.size(), Isometry3d::Identity());
     for (std::size_t row = 0; row < frames.size(); ++row) {
       double* to = placed_.frames.data() + 12 * row * static_cast<std::size_t>(width) + lane;
       for (int k = 0; k < 3; ++k) to[k * width] = frames[row].translation()[k];

@@ -20,9 +20,9 @@ namespace tubeplan::planner {
 struct PlacedPostures {
   const kernels::Kernel* kernel = nullptr;
   int count = 0;
-  std::vector<double> frames;  ///< 12 numbers for each row, in lanes: its frame in the world (kernels::PlacedRows)
-  std::vector<double> bow;     ///< m, greatest distance of a bent member from its chord
-  std::vector<bool> settles;   ///< whether the deflected shape does; if not, nothing else is told
+  std::vector<double> frames;      ///< 12 numbers for each row, in lanes: its frame in the world (kernels::PlacedRows)
+  std::vector<double> bow;         ///< m, greatest distance of a bent member from its chord
+  std::vector<bool> is_converged;  ///< whether the deflected shape does; if not, nothing else is told
 
   [[nodiscard]] Eigen::Isometry3d X_WL(int row, int lane) const;
 };
@@ -58,7 +58,7 @@ class BodyPlacing {
   Eigen::Vector3d gravity_B_;
   deflection::PreparedArm arm_;
   std::unique_ptr<const Plain> plain_;  ///< the arm for the kernels; null where it is none for them
-  std::vector<double> q_, load_, tip_, turns_, gives_, sweeps_;  ///< in lanes
+  std::vector<double> q_, load_, tip_, turns_, element_states_, sweeps_;  ///< in lanes
   PlacedPostures placed_;
 };
 

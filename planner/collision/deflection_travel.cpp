@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "deflection/chain.hpp"
-#include "deflection/effects/situation.hpp"
+#include "deflection/effects/effect_context.hpp"
 #include "deflection/elements/element.hpp"
 
 namespace tubeplan::planner {
@@ -36,13 +36,13 @@ double jumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
   const deflection::Posture posture{
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(deflection::activeRows(cell.arm).size())), cell.load,
       deflection::gravityInBase(cell.arm, cell.X_WB)};
-  const auto situation = deflection::situationOf(cell.arm, posture);
+  const auto context = deflection::contextOf(cell.arm, posture);
   double jump = 0, reach = 0;
   for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
-    reach = std::max(reach + deflection::undeflectedMember(situation.arm, row).norm(),
+    reach = std::max(reach + deflection::undeflectedMember(context.arm, row).norm(),
                      body_reach[static_cast<std::size_t>(row)]);
-    const auto& addition = situation.arm.rows[static_cast<std::size_t>(row)].addition;
-    if (addition) jump += addition->gap.cwiseAbs().sum() * reach;
+    const auto& effect_terms = context.arm.rows[static_cast<std::size_t>(row)].effect_terms;
+    if (effect_terms) jump += effect_terms->gap.cwiseAbs().sum() * reach;
   }
   return jump;
 }
@@ -96,7 +96,7 @@ class Bound {
     return std::ranges::all_of(places_, [](const Place& place) { return place.bending <= kMostBending; });
   }
 
-  /// Travel per radian of the joint at a row's origin; not finite where the series does not settle.
+  /// Travel per radian of the joint at a row's origin; not finite where the series does not converge.
   [[nodiscard]] double travelBy(int row) const {
     Eigen::VectorXd first(static_cast<Eigen::Index>(places_.size()));
     for (std::size_t e = 0; e < places_.size(); ++e) {

@@ -171,7 +171,7 @@ void NearestPairs::find(const PlacedPostures& placed, std::span<NearestPair> fou
   for (int lane = 0; lane < placed.count; ++lane) {
     const auto l = static_cast<std::size_t>(lane);
     found[l] = {};
-    if (!placed.settles[l] || isLost(lane)) continue;
+    if (!placed.is_converged[l] || isLost(lane)) continue;
     found[l] = {distance[l], static_cast<int>(nearest[l])};
     for (std::size_t k = static_cast<std::size_t>(exact_); k < pairs_.size(); ++k) {
       const double bound = bounds[(k - static_cast<std::size_t>(exact_)) * static_cast<std::size_t>(width) + l];
@@ -184,7 +184,7 @@ void NearestPairs::find(const PlacedPostures& placed, std::span<NearestPair> fou
 
 NearestPair NearestPairs::findPadded(const PlacedPostures& placed, int lane, const BasePadding& padding) const {
   NearestPair found;
-  if (!placed.settles[static_cast<std::size_t>(lane)]) return found;
+  if (!placed.is_converged[static_cast<std::size_t>(lane)]) return found;
   for (const auto& body : bodies_)
     if (!placed.X_WL(body.row, lane).matrix().allFinite()) return found;
   found.distance = std::numeric_limits<double>::infinity();
@@ -212,7 +212,7 @@ NearestPair NearestPairs::findPadded(const PlacedPostures& placed, int lane, con
 
 Clearance NearestPairs::named(const PlacedPostures& placed, int lane, const NearestPair& found) const {
   Clearance clearance;
-  if (!placed.settles[static_cast<std::size_t>(lane)]) {
+  if (!placed.is_converged[static_cast<std::size_t>(lane)]) {
     clearance.other = "the deflected shape does not settle";
     return clearance;
   }

@@ -27,7 +27,7 @@ class NearestPairs {
   /// The scene must be free of problems (findSceneProblems).
   explicit NearestPairs(Scene scene);
 
-  /// One for each posture placed; NaN where the shape does not settle or a pose is not a number.
+  /// One for each posture placed; NaN where the shape does not converge or a pose is not a number.
   void find(const PlacedPostures& placed, std::span<NearestPair> found) const;
 
   /// The same of one posture, with the padding of the base taken off every distance from what stands in the world: pair

@@ -167,8 +167,8 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
     result.travel_time = std::numeric_limits<double>::infinity();
   }
   result.lower_bound = lower_bound;
-  if (lower_bound > 0) result.gap = (result.travel_time - lower_bound) / lower_bound;
-  if (result.travel_time <= lower_bound) result.gap = 0;
+  if (lower_bound > 0) result.optimality_gap = (result.travel_time - lower_bound) / lower_bound;
+  if (result.travel_time <= lower_bound) result.optimality_gap = 0;
   return result;
 }
 

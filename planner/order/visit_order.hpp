@@ -37,8 +37,8 @@ struct VisitOrder {
   std::vector<int> branches;  ///< by place in the order: branch at order[k]
   double travel_time =
       std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves and extra times; start and end included
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved
-  double gap = std::numeric_limits<double>::quiet_NaN();          ///< (travel_time - lower_bound) / lower_bound
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< s, proved
+  double optimality_gap = std::numeric_limits<double>::quiet_NaN();  ///< (travel_time - lower_bound) / lower_bound
 };
 
 /// Nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, the exact branch choice in turn with them, and

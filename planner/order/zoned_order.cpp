@@ -116,7 +116,7 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
   OneTreeOptions bound = options.bound;
   bound.stop = options.stop;
   whole.lower_bound = zonedBound(route, zones, bound);
-  if (whole.lower_bound > 0) whole.gap = (whole.travel_time - whole.lower_bound) / whole.lower_bound;
+  if (whole.lower_bound > 0) whole.optimality_gap = (whole.travel_time - whole.lower_bound) / whole.lower_bound;
   return whole;
 }
 

@@ -47,7 +47,7 @@ class ToolPlacer {
     for (const Vector3d& tip_W : tips_W) goals_.push_back(goalAt(tip_W));
     return solver_.refine(goals_, starts);
   }
-  /// Not numbers where the shape does not settle.
+  /// Not numbers where the shape does not converge.
   std::vector<Vector3d> tipsAt(const std::vector<VectorXd>& postures) {
     const auto n = static_cast<Eigen::Index>(postures.size());
     batch_.resize(joints_, n, cell_.load, gravity_B_);

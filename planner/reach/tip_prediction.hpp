@@ -11,7 +11,7 @@ namespace tubeplan::planner {
 /// The larger; not a number where one is none.
 inline double worseOf(double a, double b) { return a <= b || std::isnan(b) ? b : a; }
 
-/// Predicts tips of one workcell; each thread needs its own. Not numbers where a shape does not settle.
+/// Predicts tips of one workcell; each thread needs its own. Not numbers where a shape does not converge.
 class TipPrediction {
  public:
   /// `cell` must outlive this, and stay as it is.

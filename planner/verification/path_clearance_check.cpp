@@ -121,7 +121,7 @@ class PathClearance {
   }
 
   double marginOf(const PlacedPostures& placed, int lane, SegmentKind kind, std::string* names) {
-    if (!placed.settles[static_cast<std::size_t>(lane)]) return -std::numeric_limits<double>::infinity();
+    if (!placed.is_converged[static_cast<std::size_t>(lane)]) return -std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < frames_.size(); ++row) frames_[row] = placed.X_WL(static_cast<int>(row), lane);
     LipschitzMargins& margins = kind == SegmentKind::kTravel ? travelling_ : approaching_;
     return margins.at(frames_, options_.distance_accuracy, options_.distance_share, names) -

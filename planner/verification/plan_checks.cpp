@@ -52,7 +52,7 @@ class Checker {
     if (result_.findings.size() < kMostFindings) result_.findings.push_back(std::move(what));
   }
 
-  /// Not a number where the shape does not settle.
+  /// Not a number where the shape does not converge.
   Vector3d tipAt(const VectorXd& q) {
     if (arm_.solve({q, cell_.load, gravity_B_}, {1e-13, 100}) != deflection::KinematicsStatus::kConverged)
       return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -212,7 +212,7 @@ class Checker {
     }
   }
 
-  /// Infinite where the shape does not settle.
+  /// Infinite where the shape does not converge.
   double offAxis(const VectorXd& q, const StatedTube& tube) {
     const double off = (tipAt(q) - tube.hole_W).head<2>().norm();
     return std::isnan(off) ? std::numeric_limits<double>::infinity() : off;

@@ -46,7 +46,7 @@ inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::
     const double middle[] = {0, 75, -80, 0}, half[] = {60, 30, 40, 40};
     for (int j = 0; j < 4; ++j) {
       reading.q[j] = (middle[j] + half[j] * uniform(random)) * kDegree;
-      reading.senses.push_back(uniform(random) > 0 ? 1 : -1);
+      reading.approach_directions.push_back(uniform(random) > 0 ? 1 : -1);
     }
     Eigen::Vector3d p = predictReading(arm, cell.X_WB, reading).value;
     for (double& coordinate : p) coordinate += reading.sigma * normal(random);

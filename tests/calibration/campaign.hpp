@@ -44,7 +44,7 @@ inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::
     reading.q.resize(static_cast<Eigen::Index>(active.size()));
     for (auto& q : reading.q) q = -1 + 2 * share(random);
     reading.q[1] += 1.2;
-    for (std::size_t j = 0; j < active.size(); ++j) reading.senses.push_back(share(random) < 0.5 ? -1 : 1);
+    for (std::size_t j = 0; j < active.size(); ++j) reading.approach_directions.push_back(share(random) < 0.5 ? -1 : 1);
     reading.temperature = truth.reference_temperature + 20 * (share(random) - 0.5);
     reading.sigma = plan.stated;
     for (int again = 0; again < plan.repeats; ++again) {

@@ -1,4 +1,4 @@
-// The numbers that may be freed, what a variable means, and the placing of bases in closed form.
+// The numbers that may be freed, what a variable means, and the base pose of bases in closed form.
 #include "calibration/placed_arm.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ const Unknown& named(const std::vector<Unknown>& unknowns, const std::string& na
 
 TEST(PlacedArm, PlacingsComeFirstThenNamesInTheirOrderThenGeometry) {
   PlacedArm placed = cobraTwice();
-  placed.placings[0].is_known = true;
+  placed.base_poses[0].is_known = true;
   const auto unknowns = chooseUnknowns(placed, {{"geometry", "tool.tip", "forearm.dh.a"}, true}).list;
   const auto names = namesOf(unknowns);
   EXPECT_EQ(names[0], "base.shift.x@B");
@@ -79,8 +79,8 @@ TEST(PlacedArm, AppliedMovesEachPlacingByItsOwnStep) {
   Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(15, -0.2, 0.3);
   const PlacedArm at = applied(placed, unknowns, x);
   for (int p = 0; p < 2; ++p) {
-    const auto expected = moved(placed.placings[static_cast<std::size_t>(p)].X_WB, x.segment<6>(6 * p));
-    EXPECT_LE((at.placings[static_cast<std::size_t>(p)].X_WB.matrix() - expected.matrix()).norm(), 1e-12);
+    const auto expected = moved(placed.base_poses[static_cast<std::size_t>(p)].X_WB, x.segment<6>(6 * p));
+    EXPECT_LE((at.base_poses[static_cast<std::size_t>(p)].X_WB.matrix() - expected.matrix()).norm(), 1e-12);
   }
   EXPECT_LE((at.arm.p_LT - placed.arm.p_LT - x.tail<3>()).norm(), 1e-12);
 }
@@ -89,13 +89,13 @@ TEST(PlacedArm, EverySetUpOfTheReadingsHasItsPlacing) {
   std::vector<Measurement> readings(4);
   readings[1].setup = readings[3].setup = "second";
   const auto placed = placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), false, readings);
-  ASSERT_EQ(placed.placings.size(), 2u);
-  EXPECT_EQ(placingOf(placed, readings[2]), 0);
-  EXPECT_EQ(placingOf(placed, readings[3]), 1);
-  EXPECT_EQ(placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, {}).placings.size(), 1u);
+  ASSERT_EQ(placed.base_poses.size(), 2u);
+  EXPECT_EQ(basePoseOf(placed, readings[2]), 0);
+  EXPECT_EQ(basePoseOf(placed, readings[3]), 1);
+  EXPECT_EQ(placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, {}).base_poses.size(), 1u);
 }
 
-TEST(AlignPlacings, FindsBasesFromAnywhere) {
+TEST(AlignBases, FindsBasesFromAnywhere) {
   const PlacedArm truth = cobraTwice();
   ReadingMaker maker(truth, 3);
   maker.add(MeasurementKind::kPosition, 4, "A");
@@ -106,39 +106,39 @@ TEST(AlignPlacings, FindsBasesFromAnywhere) {
                                       poseOf({0, 0, -9}, {3, 0, 0})};
   for (const auto& start : starts) {
     PlacedArm placed = truth;
-    for (auto& placing : placed.placings) placing.X_WB = start;
-    alignPlacings(placed, maker.readings);
+    for (auto& base_pose : placed.base_poses) base_pose.X_WB = start;
+    alignBases(placed, maker.readings);
     for (int p = 0; p < 2; ++p) {
       const auto k = static_cast<std::size_t>(p);
-      EXPECT_LE((placed.placings[k].X_WB.matrix() - truth.placings[k].X_WB.matrix()).norm(), 1e-5) << p;
+      EXPECT_LE((placed.base_poses[k].X_WB.matrix() - truth.base_poses[k].X_WB.matrix()).norm(), 1e-5) << p;
     }
   }
 }
 
-TEST(AlignPlacings, LeavesWhatIsKnownAndWhatCannotBeTold) {
+TEST(AlignBases, LeavesWhatIsKnownAndWhatCannotBeTold) {
   const PlacedArm truth = cobraTwice();
   ReadingMaker maker(truth, 4);
   maker.add(MeasurementKind::kPosition, 5, "A");
   maker.add(MeasurementKind::kPosition, 2, "B");
   PlacedArm placed = truth;
   const auto start = poseOf({0.5, 0, 0}, {0, 0, 0.1});
-  for (auto& placing : placed.placings) placing.X_WB = start;
-  placed.placings[0].is_known = true;
-  alignPlacings(placed, maker.readings);
-  EXPECT_TRUE(placed.placings[0].X_WB.isApprox(start)) << "known";
-  EXPECT_TRUE(placed.placings[1].X_WB.isApprox(start)) << "two places only";
+  for (auto& base_pose : placed.base_poses) base_pose.X_WB = start;
+  placed.base_poses[0].is_known = true;
+  alignBases(placed, maker.readings);
+  EXPECT_TRUE(placed.base_poses[0].X_WB.isApprox(start)) << "known";
+  EXPECT_TRUE(placed.base_poses[1].X_WB.isApprox(start)) << "two places only";
 }
 
-TEST(AlignPlacings, DoesNotLookAtHeldOutReadings) {
+TEST(AlignBases, DoesNotLookAtHeldOutReadings) {
   PlacedArm truth = cobra();
-  truth.placings[0].is_known = false;
+  truth.base_poses[0].is_known = false;
   ReadingMaker maker(truth, 5);
   maker.add(MeasurementKind::kPosition, 6);
   maker.readings[5].is_held_out = true;
   *maker.readings[5].p_W += Eigen::Vector3d(1, 1, 1);
   PlacedArm placed = truth;
-  alignPlacings(placed, maker.readings);
-  EXPECT_LE((placed.placings[0].X_WB.matrix() - truth.placings[0].X_WB.matrix()).norm(), 1e-6);
+  alignBases(placed, maker.readings);
+  EXPECT_LE((placed.base_poses[0].X_WB.matrix() - truth.base_poses[0].X_WB.matrix()).norm(), 1e-6);
 }
 
 }  // namespace

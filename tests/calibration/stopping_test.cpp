@@ -5,10 +5,10 @@
 #include <atomic>
 #include <set>
 
-#include "app/studies/measurements/splitting_candidates.hpp"
+#include "app/studies/measurements/discrimination_candidates.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/discriminating_measurements.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
-#include "calibration/diagnosis/splitting_readings.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
@@ -132,15 +132,15 @@ TEST_F(Stopping, ProposalsSayThatTheyWereStopped) {
   Diagnosis open = diagnose(start, readings, diagnosis({}));
   ASSERT_FALSE(open.closest.empty());
   open.verdict = Verdict::kInconclusive;  // so that there is something to split
-  const auto candidates = app::splittingCandidates(cell, open.baseline.fitted, readings);
+  const auto candidates = app::discriminationCandidates(cell, open.baseline.fitted, readings);
   stopEverywhere(
       [&](const WorkHooks& hooks) {
-        SplittingOptions options;
+        DiscriminationOptions options;
         options.hooks = hooks;
-        return proposeSplittingReadings(open, readings, candidates, options);
+        return proposeDiscriminatingMeasurements(open, readings, candidates, options);
       },
-      [](const SplittingReadings& result) {
-        if (result.status != SplittingStatus::kStopped) return false;
+      [](const DiscriminatingMeasurements& result) {
+        if (result.status != DiscriminationStatus::kStopped) return false;
         EXPECT_TRUE(result.readings.empty() && result.pairs.empty());
         return true;
       });

@@ -28,7 +28,7 @@ inline PlacedArm cobra() {
   return {deflection::cobraArm(), {{"", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), true}}};
 }
 
-/// The same at two placings that are not known, "A" and "B".
+/// The same at two base poses that are not known, "A" and "B".
 inline PlacedArm cobraTwice() {
   return {deflection::cobraArm(),
           {{"A", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), false},
@@ -117,7 +117,7 @@ class ReadingMaker {
 
   /// The tool in the world; of a deflection the tip's displacement.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
-    const auto& X_WB = truth_.placings[static_cast<std::size_t>(placingOf(truth_, m))].X_WB;
+    const auto& X_WB = truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
     ToolPose tool = *toolAt(truth_.arm, X_WB, m);
     Measurement unloaded = m;
     unloaded.load = 0;
@@ -157,7 +157,7 @@ class ReadingMaker {
   }
 
   const Eigen::Isometry3d& baseOf(const Measurement& m) const {
-    return truth_.placings[static_cast<std::size_t>(placingOf(truth_, m))].X_WB;
+    return truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
   }
 
   Eigen::VectorXd encoderNoise() {

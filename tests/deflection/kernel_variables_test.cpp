@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
-#include "tests/deflection/hinges/hinge_arms.hpp"
+#include "tests/deflection/revolute_chain/revolute_arms.hpp"
 
 namespace tubeplan::deflection {
 namespace {

@@ -132,10 +132,10 @@ TEST(ElementSlopes, AreThoseOfTheLaws) {
     Row<double> row;
     row.joint_stiffness = {2e3, kRigid, 5e3};
     row.beam = Beam<double>{7e10, {2e-8, kRigid, 4e-8}, 2.6e10, 3e-8};
-    row.addition.emplace();
-    row.addition->joint_gives = true;
-    row.addition->softness = {0.5, 0, 2};
-    row.addition->knee = {100, 0, 250};
+    row.effect_terms.emplace();
+    row.effect_terms->joint_is_compliant = true;
+    row.effect_terms->softness = {0.5, 0, 2};
+    row.effect_terms->knee = {100, 0, 250};
     const auto spring = joint_stiffness::flexibilityOf<double>(row, member);
     expectSlopes<joint_stiffness::deflect<Dual, Dual>>(spring, loading, joint_stiffness::slopesOf(spring, loading));
     const auto beam = beam::flexibilityOf<double>(row, member);

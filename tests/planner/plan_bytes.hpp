@@ -12,9 +12,10 @@ namespace tubeplan::planner::testing {
 
 /// Every number of a plan, exactly.
 inline std::string bytesOf(const VisitPlan& plan) {
-  std::string text = fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status),
-                                 plan.reason, plan.travel_time, plan.lower_bound, plan.gap, plan.row_by_row_time,
-                                 plan.total_time, plan.min_margin, plan.tightest.body, plan.detours);
+  std::string text =
+      fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status), plan.reason,
+                  plan.travel_time, plan.lower_bound, plan.optimality_gap, plan.row_by_row_time, plan.total_time,
+                  plan.min_margin, plan.tightest.body, plan.detours);
   for (const auto& visit : plan.visits)
     text += fmt::format("visit {} {:a} {:a}\n", visit.tube, visit.branch.tilt, visit.branch.path_deviation);
   for (const auto& missed : plan.unreachable) text += fmt::format("missed {} {}\n", missed.tube, missed.reason);

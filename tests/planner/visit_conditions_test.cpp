@@ -100,9 +100,9 @@ TEST_F(Conditioned, IsProvedAgainAndItsConditionsAreHeldAgainstIt) {
 }
 
 TEST_F(Conditioned, GoesOnToTheSamePlanFromAnyMemory) {
-  PlanMemory memory;
-  const VisitPlan first = planVisits(*cell_, tubes_, options_, {}, memory);
-  const VisitPlan again = planVisits(*cell_, tubes_, options_, {}, memory);
+  PlanCache cache;
+  const VisitPlan first = planVisits(*cell_, tubes_, options_, {}, cache);
+  const VisitPlan again = planVisits(*cell_, tubes_, options_, {}, cache);
   EXPECT_EQ(again.total_time, first.total_time);
   EXPECT_EQ(again.kept.travels, 8);
 }

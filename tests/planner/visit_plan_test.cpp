@@ -128,7 +128,7 @@ TEST_F(MockupPlan, TimesAndMarginsAddUp) {
   EXPECT_EQ(plan_->min_margin, least);
   EXPECT_GT(plan_->lower_bound, 0);
   EXPECT_LE(plan_->lower_bound, plan_->travel_time + 1e-9);
-  EXPECT_NEAR(plan_->gap, plan_->travel_time / plan_->lower_bound - 1, 1e-12);
+  EXPECT_NEAR(plan_->optimality_gap, plan_->travel_time / plan_->lower_bound - 1, 1e-12);
   EXPECT_GE(plan_->row_by_row_time, plan_->lower_bound);
 }
 
@@ -279,13 +279,13 @@ TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
   for (int tube : testing::tubesOf(cell, "R10C20,R30C40,R10C95")) reach.push_back(reachTube(clearance, tube));
   const VisitPlanOptions options;
   TravelRoadmap roadmap(clearance, options);
-  PlanMemory memory, other_memory;
-  TravelNetwork network(clearance, reach, roadmap, options, memory);
-  TravelNetwork other(clearance, reach, roadmap, options, other_memory);
+  PlanCache cache, other_cache;
+  TravelNetwork network(clearance, reach, roadmap, options, cache);
+  TravelNetwork other(clearance, reach, roadmap, options, other_cache);
   const Stop a{0, 0}, b{2, 0}, c{1, 0};
   const MotionPlan forth = network.between(a, b);
   ASSERT_EQ(forth.status, MotionPlanStatus::kFree) << forth.reason;
-  EXPECT_EQ(memory.travels.size(), 1u);
+  EXPECT_EQ(cache.travels.size(), 1u);
   MotionPlan back = network.between(b, a);
   std::ranges::reverse(back.waypoints);
   EXPECT_EQ(forth.waypoints, back.waypoints);

@@ -25,7 +25,7 @@ struct Cost {
 
 Cost costOf(int readings) {
   PlacedArm placed = cobra();
-  placed.placings[0].is_known = false;
+  placed.base_poses[0].is_known = false;
   ReadingMaker maker(placed, 1, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, readings);
   placed.arm.rows[5].joint_stiffness.z() *= 2;

@@ -11,7 +11,7 @@
 
 #include "app/files/cell_reader.hpp"
 #include "app/files/workcell.hpp"
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/random_draw.hpp"
 #include "app/studies/monte_carlo/true_arm.hpp"
@@ -45,7 +45,8 @@ class StepChanceTrials {
     const auto& table = deflection::effectKinds();
     for (int k = 0; k < static_cast<int>(table.size()); ++k) {
       const auto& kind = table[static_cast<std::size_t>(k)];
-      const bool is_seen = !kind.needs.time && !kind.needs.temperature && !kind.needs.senses && !kind.needs.load;
+      const bool is_seen =
+          !kind.needs.time && !kind.needs.temperature && !kind.needs.approach_directions && !kind.needs.load;
       if (is_seen && kind.places && !kind.parameters.empty() && kind.stage != deflection::EffectStage::kMeasurement &&
           kind.at != deflection::PlaceRule::kSetup && !kind.places(model_.arm).empty())
         kinds_.push_back(k);

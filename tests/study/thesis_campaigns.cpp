@@ -73,7 +73,7 @@ double meanTouchError(const PlacedArm& placed, const std::vector<Measurement>& r
   int pairs = 0;
   Eigen::VectorXd bare;
   for (const auto& m : readings) {
-    const Eigen::VectorXd tip = predictReading(placed.arm, placed.placings[0].X_WB, m).value;
+    const Eigen::VectorXd tip = predictReading(placed.arm, placed.base_poses[0].X_WB, m).value;
     if (m.load == 0)
       bare = tip;
     else

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/checkpoint/plan_key.hpp"
 #include "app/studies/monte_carlo/experiment.hpp"
 
 namespace tubeplan::app {
@@ -48,7 +48,7 @@ struct CampaignFile {
 
 struct Campaign {
   std::unique_ptr<Experiment> experiment;
-  PlanQuestion question;
+  PlanKey question;
   std::uint64_t largest_chunk = 1;  ///< runs that a worker takes at once
   std::function<nlohmann::json(const CampaignProgress&)> figures;
   std::function<std::string(const nlohmann::json& figures)> text;

@@ -54,7 +54,7 @@ Campaign makeCentringCampaign(const CampaignRequest& request) {
   auto experiment = std::make_unique<CentringExperiment>(*task);
   (void)requireTouches({{}, experiment->trials().problem()});
   Campaign campaign;
-  campaign.question = centringQuestion(*task, request);
+  campaign.question = centringKey(*task, request);
   campaign.largest_chunk = kLargestChunk;
   const CentringExperiment& made = *experiment;
   campaign.figures = [task, request, &made](const CampaignProgress& progress) {

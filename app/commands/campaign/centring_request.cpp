@@ -9,7 +9,7 @@
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/files/workcell.hpp"
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 
 namespace tubeplan::app {
@@ -152,7 +152,7 @@ CentringTask centringTask(const CampaignRequest& request) {
   return task;
 }
 
-PlanQuestion centringQuestion(const CentringTask& task, const CampaignRequest& request) {
+PlanKey centringKey(const CentringTask& task, const CampaignRequest& request) {
   const auto& spread = task.options.spread;
   std::string settings, holes;
   for (const auto& setting : task.options.settings)

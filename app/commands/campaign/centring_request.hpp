@@ -19,6 +19,6 @@ struct CentringTask {
 [[nodiscard]] CentringTask centringTask(const CampaignRequest& request);
 
 /// All that figures depend on but the number of runs.
-[[nodiscard]] PlanQuestion centringQuestion(const CentringTask& task, const CampaignRequest& request);
+[[nodiscard]] PlanKey centringKey(const CentringTask& task, const CampaignRequest& request);
 
 }  // namespace tubeplan::app

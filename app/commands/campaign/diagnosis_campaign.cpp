@@ -116,7 +116,7 @@ DiagnosisTask diagnosisTask(const CampaignRequest& request) {
   throw InputError("--hide", inQuotes(request.hide), alternatives(names), near);
 }
 
-PlanQuestion diagnosisQuestion(const DiagnosisTask& task, const CampaignRequest& request) {
+PlanKey diagnosisQuestion(const DiagnosisTask& task, const CampaignRequest& request) {
   std::string identify, kinds;
   for (const auto& name : task.cell.identify) identify += name + " ";
   for (const int kind : task.kinds) kinds += fmt::format("{} ", kind);

@@ -20,7 +20,7 @@ struct Link {
   Vector3d from, to;
 };
 
-/// The links in the world, in order; none where the shape does not settle.
+/// The links in the world, in order; none where the shape does not converge.
 std::vector<Link> linksAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                           const deflection::Posture& posture) {
   const auto shape = deflection::solveFlexibleKinematics(arm, posture);
@@ -73,7 +73,7 @@ std::vector<double> distancesOf(const std::vector<Link>& links) {
 MeasuredRoom::MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<Measurement>& readings)
     : fitted_(fitted) {
   for (const Measurement& reading : readings) {
-    const auto& X_WB = fitted.placings[static_cast<std::size_t>(placingOf(fitted, reading))].X_WB;
+    const auto& X_WB = fitted.base_poses[static_cast<std::size_t>(basePoseOf(fitted, reading))].X_WB;
     const auto links = linksAt(fitted.arm, X_WB, calibration::postureOf(reading, fitted.arm, X_WB));
     if (links.empty()) continue;
     lowest_ = std::min(lowest_, lowestOf(links));
@@ -84,7 +84,7 @@ MeasuredRoom::MeasuredRoom(const calibration::PlacedArm& fitted, const std::vect
 }
 
 bool MeasuredRoom::holds(const Eigen::VectorXd& q, double load) const {
-  const auto& X_WB = fitted_.placings.back().X_WB;
+  const auto& X_WB = fitted_.base_poses.back().X_WB;
   const auto links = linksAt(fitted_.arm, X_WB, {q, load, deflection::gravityInBase(fitted_.arm, X_WB)});
   if (links.empty() || lowestOf(links) < lowest_ - kSlack) return false;
   const auto distances = distancesOf(links);

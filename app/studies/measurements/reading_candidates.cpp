@@ -101,7 +101,7 @@ planner::Workcell armAndScene(const CellModel& cell) {
   work.X_WB = cell.X_WB;
   work.scene = cell.scene;
   // The default axis may be that of the last joint, about which no pitch can be held: the way to the tip stands in.
-  if (!cell.tool_axis_told && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
+  if (!cell.tool_axis_stated && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
   return work;
 }
 

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// What the cell sets free: its `identify`, and the base where that is not known.
 [[nodiscard]] calibration::FreeChoice freeNumbersOf(const CellModel& cell);
 
-/// The cell's arm with a placing for every set-up of the readings.
+/// The cell's arm with a base pose for every set-up of the readings.
 [[nodiscard]] calibration::PlacedArm startOf(const CellModel& cell,
                                              const std::vector<calibration::Measurement>& readings);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 
 namespace tubeplan::app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/true_touches.hpp"
 

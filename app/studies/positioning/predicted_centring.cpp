@@ -33,7 +33,7 @@ Reached reach(const CellModel& cell, const calibration::PlacedArm& placed, const
               const calibration::StopQuestion& stop) {
   planner::Workcell work;
   work.arm = placed.arm;
-  work.X_WB = placed.placings.back().X_WB;
+  work.X_WB = placed.base_poses.back().X_WB;
   planner::CompensationOptions options;
   options.with_approach = false;
   std::vector<VectorXd> postures(tubes.size());
@@ -61,7 +61,7 @@ PredictedCentring predictCentring(const CellModel& cell, const calibration::Iden
   predicted.later_stage = is_staged;
   if (!cell.sheet)
     predicted.reason = "the cell has no tube sheet";
-  else if (!cell.tool_axis_told)
+  else if (!cell.tool_axis_stated)
     predicted.reason = "the cell does not say which way the tool enters a hole";
   else if (fit.status != calibration::IdentificationStatus::kDone)
     predicted.reason = "nothing was identified";

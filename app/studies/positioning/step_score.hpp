@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/studies/measurements/touch_rehearsal.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "planner/reach/scoring.hpp"
 #include "planner/reach/tip_prediction.hpp"
 

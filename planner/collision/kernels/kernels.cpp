@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "deflection/hinges/kernels.hpp"
+#include "deflection/revolute_chain/kernels.hpp"
 
 namespace tubeplan::planner::kernels {
 
@@ -38,6 +38,6 @@ constexpr Kernel kAll[] = {
 
 }  // namespace
 
-std::span<const Kernel> kernels() { return std::span(kAll).first(deflection::hinges::kernels().size()); }
+std::span<const Kernel> kernels() { return std::span(kAll).first(deflection::simd::kernels().size()); }
 
 }  // namespace tubeplan::planner::kernels

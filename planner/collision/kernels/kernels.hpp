@@ -13,7 +13,7 @@ struct Kernel {
   void (*nearest)(const PlainScene&, const double* frames, const FoundPairs&);
 };
 
-/// As many as deflection/hinges/kernels.hpp has, of the same widths.
+/// As many as deflection/revolute_chain/kernels.hpp has, of the same widths.
 std::span<const Kernel> kernels();
 
 }  // namespace tubeplan::planner::kernels

@@ -45,7 +45,7 @@ struct PlainArm {
 
 /// What the deflection kernel says of the postures (hinges::Shapes): 12 numbers for the tip, 12 and 4 for each turn.
 struct BentShapes {
-  const double *tip, *turns, *gives;
+  const double *tip, *turns, *element_states;
   long stride;
 };
 

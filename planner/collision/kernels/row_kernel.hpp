@@ -5,7 +5,7 @@
 // rotation w of its end define: (3 s^2 - 2 s^3 - s) d + (s^3 - s^2) w x member.
 #pragma once
 
-#include "deflection/hinges/lanes.hpp"
+#include "deflection/revolute_chain/lanes.hpp"
 #include "planner/collision/kernels/plain_cell.hpp"
 
 namespace {
@@ -77,16 +77,16 @@ inline void turnAlong(Vec member, Vec chord, RowFrame& X) {
 }
 
 inline Real angleOf(const BentPiece& piece, const BentShapes& in) {
-  const double* gives = in.gives + 4 * piece.turn * in.stride;
-  const Real moment = load(gives);
-  return piece.bends ? load(gives + in.stride) - piece.others * moment : piece.compliance * moment;
+  const double* element_states = in.element_states + 4 * piece.turn * in.stride;
+  const Real moment = load(element_states);
+  return piece.bends ? load(element_states + in.stride) - piece.others * moment : piece.compliance * moment;
 }
 
 /// Square of the greatest distance of a piece from its chord.
 inline Real squaredBow(const BentPiece& piece, const BentShapes& in) {
-  const double* gives = in.gives + 4 * piece.turn * in.stride;
-  const Real lambda = piece.bends ? load(gives + 2 * in.stride) : constant(0),
-             kappa = piece.bends ? load(gives + 3 * in.stride) : constant(0);
+  const double* element_states = in.element_states + 4 * piece.turn * in.stride;
+  const Real lambda = piece.bends ? load(element_states + 2 * in.stride) : constant(0),
+             kappa = piece.bends ? load(element_states + 3 * in.stride) : constant(0);
   const Vec d = lambda * same(piece.across) - kappa * same(piece.along);
   const Vec slope = angleOf(piece, in) * same(piece.turning);
   Real most = constant(0);

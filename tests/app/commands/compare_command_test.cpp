@@ -29,18 +29,20 @@ class CompareCommand : public ProgramTest {
         "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n";
     for (int k = 0; k < 40; ++k) {
       Eigen::Vector4d read(100 * share(random), 60 + 50 * share(random), 60 * share(random), 60 * share(random));
-      Eigen::Vector4i senses;
-      for (int& sense : senses) sense = share(random) < 0 ? -1 : 1;
+      Eigen::Vector4i approach_directions;
+      for (int& approach_direction : approach_directions) approach_direction = share(random) < 0 ? -1 : 1;
       calibration::Measurement reading;
       reading.load = cell.units.toInternal(10. * (k % 4), dimension::kForce);
-      reading.q = (read + Eigen::Vector4d(0, lost * senses[1], 0, 0)) * cell.units.factor(dimension::kAngle);
+      reading.q =
+          (read + Eigen::Vector4d(0, lost * approach_directions[1], 0, 0)) * cell.units.factor(dimension::kAngle);
       Eigen::Vector3d tip = calibration::predictReading(cell.arm, cell.X_WB, reading).value;
       tip /= cell.units.factor(dimension::kLength);
       for (auto& coordinate : tip) coordinate += 0.002 * normal(random);
       for (auto& angle : read) angle += 0.002 * normal(random);
-      text += fmt::format("{},position,{},{:.9f},{:.9f},{:.9f},{:.9f},{:.6f},{:.6f},{:.6f},0.002,{},{},{},{}\n", k + 1,
-                          10 * (k % 4), read[0], read[1], read[2], read[3], tip[0], tip[1], tip[2], senses[0],
-                          senses[1], senses[2], senses[3]);
+      text +=
+          fmt::format("{},position,{},{:.9f},{:.9f},{:.9f},{:.9f},{:.6f},{:.6f},{:.6f},0.002,{},{},{},{}\n", k + 1,
+                      10 * (k % 4), read[0], read[1], read[2], read[3], tip[0], tip[1], tip[2], approach_directions[0],
+                      approach_directions[1], approach_directions[2], approach_directions[3]);
     }
     return text;
   }

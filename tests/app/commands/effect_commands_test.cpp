@@ -64,8 +64,8 @@ TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
 
   const auto ladder = run("ladder " + readings + " " + bench() + " " + path("fitted.yaml") + " --json -");
   ASSERT_EQ(ladder.exit_code, 0) << ladder.err;
-  const json rungs = json::parse(ladder.out)["rungs"];
-  EXPECT_GT(rungs[0]["rms"]["heldout"].get<double>(), 1.5 * rungs[1]["rms"]["heldout"].get<double>());
+  const json comparison = json::parse(ladder.out)["rungs"];
+  EXPECT_GT(comparison[0]["rms"]["heldout"].get<double>(), 1.5 * comparison[1]["rms"]["heldout"].get<double>());
 
   // What was fitted is the cell that every other command reads.
   const auto again = json::parse(run("diagnose " + path("fitted.yaml") + " " + readings + " --json -").out);
@@ -109,15 +109,15 @@ TEST_F(EffectCommands, TheTutorialDoesWhatItSays) {
     EXPECT_TRUE(std::filesystem::exists(folder / page)) << page;
   const auto ladder = run("ladder campaign/measurements.csv " + shipped("mockup.yaml") +
                           " identified.yaml complete.yaml --rigid --truth real.yaml --json -");
-  const json rungs = json::parse(ladder.out)["rungs"];
-  ASSERT_EQ(rungs.size(), 4U);
+  const json comparison = json::parse(ladder.out)["rungs"];
+  ASSERT_EQ(comparison.size(), 4U);
   for (std::size_t k = 1; k < 4; ++k) {
-    EXPECT_LT(rungs[k]["rms"]["heldout"], rungs[k - 1]["rms"]["heldout"]);
-    EXPECT_LT(rungs[k]["steps"]["centring_error"]["p95"], rungs[k - 1]["steps"]["centring_error"]["p95"]);
+    EXPECT_LT(comparison[k]["rms"]["heldout"], comparison[k - 1]["rms"]["heldout"]);
+    EXPECT_LT(comparison[k]["steps"]["centring_error"]["p95"], comparison[k - 1]["steps"]["centring_error"]["p95"]);
   }
-  EXPECT_GT(rungs[0]["steps"]["zero"], 700);
-  EXPECT_GT(rungs[3]["steps"]["three"], rungs[2]["steps"]["three"]);
-  EXPECT_EQ(rungs[3]["steps"]["zero"], 0);
+  EXPECT_GT(comparison[0]["steps"]["zero"], 700);
+  EXPECT_GT(comparison[3]["steps"]["three"], comparison[2]["steps"]["three"]);
+  EXPECT_EQ(comparison[3]["steps"]["zero"], 0);
 }
 
 TEST_F(EffectCommands, EffectsOfACellReachThePose) {

@@ -153,11 +153,11 @@ TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
                     third = real("kuka-iiwa7/measurements-payload-2.5kg.csv");
   (void)identified(cell + " both.csv --free tool.tip,link2.joint_stiffness.z --out found.yaml");
   const double rigid = heldOutMean(cell + " " + third + " --free tool.tip");
-  const double foretold = heldOutMean("found.yaml " + third + " --free tool.tip");
+  const double predictions = heldOutMean("found.yaml " + third + " --free tool.tip");
   const double own = heldOutMean(cell + " " + third + " --free tool.tip,link2.joint_stiffness.z");
-  EXPECT_LT(foretold, 0.5);
-  EXPECT_LT(foretold, 1.1 * own);
-  EXPECT_LT(foretold, 0.4 * rigid);
+  EXPECT_LT(predictions, 0.5);
+  EXPECT_LT(predictions, 1.1 * own);
+  EXPECT_LT(predictions, 0.4 * rigid);
 }
 
 // Touches alone make the arm shrink: without the spacings the sockets come out 27 mm off.

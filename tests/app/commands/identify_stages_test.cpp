@@ -21,7 +21,7 @@ class IdentifyStages : public ProgramTest {
  protected:
   IdentifyStages() {
     PlacedArm truth{deflection::cobraArm(), {{"A", Eigen::Isometry3d::Identity(), true}}};
-    truth.placings.push_back({"B", Eigen::Isometry3d::Identity(), true});
+    truth.base_poses.push_back({"B", Eigen::Isometry3d::Identity(), true});
     truth.arm.rows[5].joint_stiffness.z() *= 0.8;
     ReadingMaker maker(truth, 77, ReadingMaker::Noise::kStated);
     maker.add(MeasurementKind::kPosition, 6, "A");

@@ -25,7 +25,7 @@ PlacedArm trueArm() {
 }
 PlacedArm movedArm() {
   PlacedArm truth = trueArm();
-  truth.placings[0].X_WB = calibration::poseOf({0.05, -0.03, 0.02}, {0.01, -0.02, 0.05});
+  truth.base_poses[0].X_WB = calibration::poseOf({0.05, -0.03, 0.02}, {0.01, -0.02, 0.05});
   return truth;
 }
 
@@ -271,8 +271,8 @@ TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
   (void)identified(shipped("bowl.yaml") + " two.csv --out found.yaml" + kFree);
   const Cell first = readCell((folder / "found-setup-in.yaml").string());
   const Cell second = readCell((folder / "found-setup-2-of-2.yaml").string());
-  EXPECT_LT((first.X_WB.translation() - truth.placings[0].X_WB.translation()).norm(), 1e-3);
-  EXPECT_LT((second.X_WB.translation() - truth.placings[1].X_WB.translation()).norm(), 1e-3);
+  EXPECT_LT((first.X_WB.translation() - truth.base_poses[0].X_WB.translation()).norm(), 1e-3);
+  EXPECT_LT((second.X_WB.translation() - truth.base_poses[1].X_WB.translation()).norm(), 1e-3);
   ASSERT_TRUE(first.base_covariance && second.base_covariance);
   EXPECT_GT(first.base_covariance->trace(), 0);
   EXPECT_EQ(first.arm_path, second.arm_path);

@@ -38,10 +38,11 @@ TEST_F(NextReadings, AreProposedWhereTheAnswerIsOneOfSeveral) {
   simulate("link-bending@tool.z:1e-6", "--readings 120 --spread 0.1");
   const json diagnosed = answer("diagnose " + bench() + " " + path("set/measurements.csv") + " --next 4");
   ASSERT_EQ(diagnosed["verdict"], "ambiguous") << diagnosed["sentence"];
-  const json& splitting = diagnosed["splitting"];
-  EXPECT_FALSE(splitting["pairs"].empty());
-  EXPECT_NE(diagnosed["sentence"].get<std::string>().find(splitting["advice"].get<std::string>()), std::string::npos);
-  if (splitting["can_be_split"].get<bool>()) {
+  const json& discrimination = diagnosed["splitting"];
+  EXPECT_FALSE(discrimination["pairs"].empty());
+  EXPECT_NE(diagnosed["sentence"].get<std::string>().find(discrimination["advice"].get<std::string>()),
+            std::string::npos);
+  if (discrimination["can_be_split"].get<bool>()) {
     ASSERT_EQ(diagnosed["next_readings"].size(), 4U);
     const auto arm = readCell(bench()).arm;
     for (const auto& reading : diagnosed["next_readings"]) {
@@ -58,7 +59,7 @@ TEST_F(NextReadings, AreProposedWhereTheAnswerIsOneOfSeveral) {
     }
   } else {
     EXPECT_TRUE(diagnosed["next_readings"].empty());
-    EXPECT_FALSE(splitting["other_means"].empty());
+    EXPECT_FALSE(discrimination["other_means"].empty());
   }
 }
 

@@ -68,7 +68,7 @@ TEST(RealData, practiceSetsAreRead) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const auto readings = readMeasurements((entry.path() / "measurements.csv").string(), cell.arm);
     EXPECT_GE(readings.size(), 60u) << entry.path();
-    EXPECT_EQ(readings.front().senses.size(), 4u);
+    EXPECT_EQ(readings.front().approach_directions.size(), 4u);
     ++sets;
   }
   EXPECT_GT(sets, 10);

@@ -41,7 +41,7 @@ class RunSheet : public ProgramTest {
       reading.q.resize(4);
       for (int j = 0; j < 4; ++j) {
         reading.q[j] = std::stod(fields[static_cast<std::size_t>(4 + j)]) * kDegree;
-        reading.senses.push_back(std::stoi(fields[static_cast<std::size_t>(12 + j)]));
+        reading.approach_directions.push_back(std::stoi(fields[static_cast<std::size_t>(12 + j)]));
       }
       const Eigen::Vector3d tip = calibration::predictReading(cell_.arm, cell_.X_WB, reading).value / kInch;
       for (int axis = 0; axis < 3; ++axis) {

@@ -104,7 +104,7 @@ class DiagnosisReportOfProgram : public ProgramTest {
       for (const double q : reading.q) csv += fmt::format(",{:.9f}", q / kDegree);
       for (const double x : *reading.p_W) csv += fmt::format(",{:.9f}", x / kInch);
       csv += ",0.003";
-      for (const int sense : reading.senses) csv += fmt::format(",{}", sense);
+      for (const int approach_direction : reading.approach_directions) csv += fmt::format(",{}", approach_direction);
       csv += "\n";
     }
     return csv;

@@ -40,7 +40,7 @@ TEST_F(MeasurementsReader, readsAPosition) {
   EXPECT_TRUE(m.p_W->isApprox(Eigen::Vector3d(1, 2, 3) * kInch));
   EXPECT_NEAR(m.sigma, 0.003 * kInch, 1e-18);
   EXPECT_EQ(m.line, 2);
-  EXPECT_TRUE(m.senses.empty());
+  EXPECT_TRUE(m.approach_directions.empty());
   EXPECT_TRUE(std::isnan(m.temperature));
 }
 
@@ -67,7 +67,7 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
   EXPECT_DOUBLE_EQ(m.own[0], 0.1);
   EXPECT_EQ(m.q[0], 0.5);
   EXPECT_EQ(m.p_W->z(), 3);
-  EXPECT_EQ(m.senses, (std::vector<int>{-1, 0, 1, 1}));
+  EXPECT_EQ(m.approach_directions, (std::vector<int>{-1, 0, 1, 1}));
 }
 
 TEST_F(MeasurementsReader, refusesBadHeaders) {

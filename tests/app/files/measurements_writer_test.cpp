@@ -47,7 +47,7 @@ class MeasurementsWriter : public ::testing::Test {
 
   void addConditions(Measurement& m) {
     m.setup = "S" + std::to_string(random.index(3));
-    for (int k = 0; k < 4; ++k) m.senses.push_back(random.index(3) - 1);
+    for (int k = 0; k < 4; ++k) m.approach_directions.push_back(random.index(3) - 1);
     m.temperature = random.uniform(270, 310);
     m.time = random.uniform(0, 1e5);
     m.is_held_out = random.index(2) == 1;
@@ -58,7 +58,7 @@ class MeasurementsWriter : public ::testing::Test {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.point, b.point);
     EXPECT_EQ(a.setup, b.setup);
-    EXPECT_EQ(a.senses, b.senses);
+    EXPECT_EQ(a.approach_directions, b.approach_directions);
     EXPECT_EQ(a.is_held_out, b.is_held_out);
     EXPECT_NEAR(a.load, b.load, 1e-9);
     EXPECT_LE((a.q - b.q).lpNorm<Eigen::Infinity>(), 1e-11) << "half of the twelfth digit of 180 deg is 9e-12 rad";

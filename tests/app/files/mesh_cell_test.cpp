@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/cell_writer.hpp"
-#include "app/files/checkpoint/plan_question.hpp"
+#include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/workcell.hpp"
 #include "app/workbench/geometry_json.hpp"
 #include "tests/app/files/mesh_files.hpp"
@@ -110,7 +110,7 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   EXPECT_EQ(std::filesystem::canonical(again.meshes[0].path), std::filesystem::canonical(folder / "dam.stl"));
   // The same question to a plan, until what is in the file changes.
   const auto question = [](const Cell& c) {
-    return partOf(questionOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
+    return partOf(planKeyOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
                   "arm and scene");
   };
   EXPECT_EQ(question(cell), question(again));

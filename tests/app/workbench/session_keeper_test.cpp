@@ -141,7 +141,7 @@ TEST_F(SessionKeeping, twoProgramsOnOneCellKeepASessionEach) {
   options.state = state().string();
   RunningServer other(options);
   EXPECT_NE(other.workbench().keeper().file(), server->workbench().keeper().file());
-  EXPECT_EQ(other.workbench().situation().readings, nullptr);
+  EXPECT_EQ(other.workbench().session().readings, nullptr);
 }
 
 TEST_F(SessionKeeping, withoutAStateFolderNothingIsKept) {

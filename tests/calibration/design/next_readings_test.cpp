@@ -64,8 +64,8 @@ std::vector<Measurement> readingsOf(const deflection::Arm& arm, int count, std::
   return readings;
 }
 
-Knowledge fromNothing(const FreeChoice& free, bool base_known = true) {
-  return learnFrom(cobraArm(), Eigen::Isometry3d::Identity(), base_known, {}, free);
+Estimate fromNothing(const FreeChoice& free, bool base_known = true) {
+  return estimateFrom(cobraArm(), Eigen::Isometry3d::Identity(), base_known, {}, free);
 }
 
 /// Value of a reading with the logarithm of one stiffness moved by `step`.
@@ -79,11 +79,11 @@ VectorXd movedBy(const Measurement& reading, const std::string& name, double ste
 // The covariance of generalised least squares, put together from difference quotients of the readings themselves: one
 // matrix over all coordinates, with every noise in it.
 TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
-  const auto knowledge = fromNothing(kStiffnesses);
+  const auto estimate = fromNothing(kStiffnesses);
   const auto candidates = randomCandidates(30, 5);
   NextReadingsOptions options;
   options.design.count = 7;
-  const auto next = proposeReadings(knowledge, candidates, randomWork(10, 6), options);
+  const auto next = proposeReadings(estimate, candidates, randomWork(10, 6), options);
   ASSERT_EQ(next.status, NextReadingsStatus::kDone);
   const int n = static_cast<int>(kStiffnesses.names.size()), rows = 3 * options.design.count;
   MatrixXd J(rows, n), noise = MatrixXd::Identity(rows, rows) * kSigma * kSigma;
@@ -111,17 +111,17 @@ TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
     const auto& number = next.numbers[static_cast<std::size_t>(k)];
     EXPECT_NEAR(number.after, number.value * std::sqrt(covariance(k, k)), 1e-4 * number.after);
     EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // a factor of e, before any reading
-    EXPECT_FALSE(number.is_told_now);
+    EXPECT_FALSE(number.is_identifiable_now);
   }
 }
 
 TEST(NextReadings, PromisesWhatAFitThenReaches) {
-  const auto knowledge = fromNothing(kStiffnesses);
+  const auto estimate = fromNothing(kStiffnesses);
   const auto candidates = randomCandidates(120, 7);
   const Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   NextReadingsOptions proposal;
   proposal.design.count = 6;
-  const auto next = proposeReadings(knowledge, candidates, randomWork(10, 8), proposal);
+  const auto next = proposeReadings(estimate, candidates, randomWork(10, 8), proposal);
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal(0, 1);
   constexpr int kRuns = 40;
@@ -155,15 +155,15 @@ TEST(NextReadings, NowIsWhatIdentifyReports) {
   options.folds = 0;
   options.intervals_by_profile = false;
   const auto fit = identify(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, options);
-  const auto knowledge = learnFrom(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, kStiffnesses);
-  EXPECT_EQ(knowledge.note, "");
-  const auto next = proposeReadings(knowledge, randomCandidates(60, 12), randomWork(10, 13));
+  const auto estimate = estimateFrom(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, kStiffnesses);
+  EXPECT_EQ(estimate.note, "");
+  const auto next = proposeReadings(estimate, randomCandidates(60, 12), randomWork(10, 13));
   ASSERT_EQ(next.numbers.size(), fit.numbers.size());
   for (std::size_t k = 0; k < fit.numbers.size(); ++k) {
     EXPECT_NEAR(next.numbers[k].now, fit.numbers[k].sigma, 0.01 * fit.numbers[k].sigma);
     EXPECT_NEAR(next.numbers[k].value, fit.numbers[k].value, 1e-9 * fit.numbers[k].value);
     EXPECT_LT(next.numbers[k].after, next.numbers[k].now);
-    EXPECT_TRUE(next.numbers[k].is_told_now);
+    EXPECT_TRUE(next.numbers[k].is_identifiable_now);
   }
 }
 
@@ -171,23 +171,23 @@ class NextReadingsBySeed : public ::testing::TestWithParam<std::uint64_t> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, NextReadingsBySeed, ::testing::Values(1, 2, 3));
 
 TEST_P(NextReadingsBySeed, ChosenReadingsBeatRandomOnes) {
-  const auto knowledge = fromNothing(kStiffnesses);
+  const auto estimate = fromNothing(kStiffnesses);
   NextReadingsOptions options;
   options.seed = GetParam();
   options.design.count = 5;
   const auto candidates = randomCandidates(150, GetParam());
   const auto work = randomWork(20, GetParam() + 50);
-  const auto in_all = proposeReadings(knowledge, candidates, work, options);
+  const auto in_all = proposeReadings(estimate, candidates, work, options);
   EXPECT_GT(in_all.bits, in_all.bits_random);
   options.design.optimality = Optimality::kWorstTip;
-  const auto at_worst = proposeReadings(knowledge, candidates, work, options);
+  const auto at_worst = proposeReadings(estimate, candidates, work, options);
   EXPECT_LT(at_worst.tip_after.worst, at_worst.tip_random.worst);
   EXPECT_LE(at_worst.tip_after.worst, in_all.tip_after.worst);
   EXPECT_LT(at_worst.tip_after.worst, at_worst.tip_now.worst);
 }
 
 TEST(NextReadings, OneTouchOfAnUnknownPointTellsNothingButTwoLoadsDo) {
-  const auto knowledge = fromNothing(kStiffnesses);
+  const auto estimate = fromNothing(kStiffnesses);
   std::mt19937_64 random(21);
   std::vector<ReadingCandidate> once, twice;
   for (int k = 0; k < 12; ++k) {
@@ -201,33 +201,33 @@ TEST(NextReadings, OneTouchOfAnUnknownPointTellsNothingButTwoLoadsDo) {
   const Work work = randomWork(5, 22);
   NextReadingsOptions options;
   options.design.count = 4;
-  EXPECT_NEAR(proposeReadings(knowledge, once, work, options).bits, 0, 1e-6);
-  EXPECT_GT(proposeReadings(knowledge, twice, work, options).bits, 5);
+  EXPECT_NEAR(proposeReadings(estimate, once, work, options).bits, 0, 1e-6);
+  EXPECT_GT(proposeReadings(estimate, twice, work, options).bits, 5);
 }
 
 TEST(NextReadings, APlacingIsLearntWithTheNumbers) {
   FreeChoice free = kStiffnesses;
   free.base = true;
-  const auto knowledge = fromNothing(free, false);
-  ASSERT_EQ(knowledge.unknowns.size(), 10u);
-  const auto next = proposeReadings(knowledge, randomCandidates(80, 31), randomWork(10, 32));
-  for (const auto& number : next.numbers) EXPECT_TRUE(number.is_told_after) << number.unknown.name;
+  const auto estimate = fromNothing(free, false);
+  ASSERT_EQ(estimate.unknowns.size(), 10u);
+  const auto next = proposeReadings(estimate, randomCandidates(80, 31), randomWork(10, 32));
+  for (const auto& number : next.numbers) EXPECT_TRUE(number.is_identifiable_after) << number.unknown.name;
   EXPECT_GT(next.tip_now.rms, 1);
   EXPECT_LT(next.tip_after.rms, 0.01 * kInch);
 }
 
 TEST(NextReadings, NamesThatAreNoNumbersAreTold) {
-  const auto knowledge = fromNothing({{"forearm.dh.aa"}, false});
-  ASSERT_EQ(knowledge.problems.size(), 1u);
-  EXPECT_EQ(knowledge.problems.front().name, "forearm.dh.aa");
+  const auto estimate = fromNothing({{"forearm.dh.aa"}, false});
+  ASSERT_EQ(estimate.problems.size(), 1u);
+  EXPECT_EQ(estimate.problems.front().name, "forearm.dh.aa");
 }
 
 TEST(NextReadings, ReadingsThatCannotBeFittedAreCountedWhereTheDrawingStands) {
   auto readings = readingsOf(cobraArm(), 1, 41);
-  const auto knowledge = learnFrom(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, kStiffnesses);
-  EXPECT_NE(knowledge.note, "");
-  EXPECT_EQ(knowledge.x, VectorXd::Zero(4));
-  EXPECT_GT((knowledge.information - MatrixXd::Identity(4, 4)).norm(), 1);
+  const auto estimate = estimateFrom(cobraArm(), Eigen::Isometry3d::Identity(), true, readings, kStiffnesses);
+  EXPECT_NE(estimate.note, "");
+  EXPECT_EQ(estimate.x, VectorXd::Zero(4));
+  EXPECT_GT((estimate.information - MatrixXd::Identity(4, 4)).norm(), 1);
 }
 
 }  // namespace

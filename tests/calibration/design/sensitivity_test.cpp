@@ -162,7 +162,7 @@ TEST(Sensitivity, TouchesThatPlaceNoBaseAreTold) {
   c.task.touches = {c.task.work[0], c.task.work[0], c.task.work[0]};
   EXPECT_EQ(c.find().status, SensitivityStatus::kTouchesTellNoBase);
   c.task.work.clear();
-  EXPECT_EQ(c.find().status, SensitivityStatus::kNotSettled);
+  EXPECT_EQ(c.find().status, SensitivityStatus::kNotConverged);
 }
 
 }  // namespace

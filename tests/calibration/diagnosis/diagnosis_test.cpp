@@ -106,7 +106,7 @@ TEST(Diagnosis, SetsGrossOutliersAsideAndSaysSo) {
 TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 45, 3);
-  for (auto& reading : readings) reading.senses.clear();
+  for (auto& reading : readings) reading.approach_directions.clear();
   const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
   const auto mentions = [&](const std::string& effect) {
     return std::any_of(found.not_tried.begin(), found.not_tried.end(),

@@ -78,7 +78,7 @@ TEST(EffectWarnings, AnEffectThatIsNotThereIsNotNeeded) {
 TEST(EffectWarnings, AWrongEffectInThePlaceOfTheRightOneIsToldSo) {
   const auto readings = benchReadings(shippedBench(), "encoder-eccentricity", "theta3", {0.001, 0.0012}, 90, 5);
   const WithEffects cell(std::vector<Added>{{"joint-offset", "theta3"}});
-  EXPECT_FALSE(ofKind(cell.identified(readings), EffectWarningKind::kMisfitRemains).empty());
+  EXPECT_FALSE(ofKind(cell.identified(readings), EffectWarningKind::kLackOfFitRemains).empty());
   const auto better = ofKind(cell.diagnosed(readings), EffectWarningKind::kBetterExplainedBy);
   ASSERT_EQ(better.size(), 1U);
   EXPECT_EQ(better.front().effect, "joint-offset");

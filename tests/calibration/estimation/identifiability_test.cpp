@@ -83,7 +83,7 @@ PlacedArm sixAxisArm() {
     placed.arm.rows.push_back(row);
   }
   placed.arm.p_LT = {0.05, 0.03, 0.12};
-  placed.placings = {{"", poseOf({0.3, -0.2, 0.1}, {0.1, 0.2, 0.3}), false}};
+  placed.base_poses = {{"", poseOf({0.3, -0.2, 0.1}, {0.1, 0.2, 0.3}), false}};
   return placed;
 }
 
@@ -110,7 +110,7 @@ TEST(Identifiability, TwinsAreDeterminedInCombinationAndNameEachOther) {
 // A deflection does not say where the base stands, nor which way it faces; that it leans shows in what hangs down.
 TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   PlacedArm placed = cobra();
-  placed.placings[0].is_known = false;
+  placed.base_poses[0].is_known = false;
   ReadingMaker maker(placed, 2);
   maker.add(MeasurementKind::kDeflection, 10);
   const FreeChoice choice{{"tool.joint_stiffness.z"}, true};
@@ -126,7 +126,7 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   const auto result = identify(placed, maker.readings, options);
   EXPECT_EQ(result.numbers[0].identifiable, kNo);
   EXPECT_FALSE(result.numbers[0].note.empty());
-  EXPECT_LT(result.fitted.placings[0].X_WB.translation().x() - placed.placings[0].X_WB.translation().x(), 1e-9);
+  EXPECT_LT(result.fitted.base_poses[0].X_WB.translation().x() - placed.base_poses[0].X_WB.translation().x(), 1e-9);
 }
 
 // Six axes need 4 x 6 numbers between them, six for the base and three for the tip, less the six that the first and
@@ -151,7 +151,7 @@ TEST(Identifiability, GeometryOfASixAxisArmIsDeterminedUpToItsRedundancies) {
 
 TEST(Identifiability, AlongParallelAxesOneLengthIsDetermined) {
   PlacedArm placed = cobra();
-  placed.placings[0].is_known = false;
+  placed.base_poses[0].is_known = false;
   makePrecise(placed);
   const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
   EXPECT_EQ(rankOf(seen), 17);  // four axes: 4 x 4 + 3, less one for each axis parallel to the one before
@@ -163,7 +163,7 @@ TEST(Identifiability, AlongParallelAxesOneLengthIsDetermined) {
 TEST(Identifiability, AKnownBaseSparesItsSixNumbers) {
   PlacedArm placed = sixAxisArm();
   makePrecise(placed);
-  placed.placings[0].is_known = true;
+  placed.base_poses[0].is_known = true;
   const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
   EXPECT_EQ(seen.unknowns.size(), 27u);
   EXPECT_NEAR(seen.numbers(), 25, 0.01);  // the first frame's four are determined now; the last one's two still are not

@@ -50,8 +50,8 @@ void expectFound(const Identification& result, const PlacedArm& truth, double re
     EXPECT_NEAR(number.value, value, relative * std::max(std::abs(value), number.unknown.typical))
         << number.unknown.name;
   }
-  for (std::size_t p = 0; p < truth.placings.size(); ++p)
-    EXPECT_LE((result.fitted.placings[p].X_WB.matrix() - truth.placings[p].X_WB.matrix()).norm(), relative) << p;
+  for (std::size_t p = 0; p < truth.base_poses.size(); ++p)
+    EXPECT_LE((result.fitted.base_poses[p].X_WB.matrix() - truth.base_poses[p].X_WB.matrix()).norm(), relative) << p;
 }
 
 TEST(Identification, FindsTheTruthFromEveryKindOfReading) {
@@ -88,7 +88,7 @@ TEST(Identification, FindsTheTruthFromAMixOfKindsAtTwoSetUpsFromAnyFactorOfThree
   names.insert(names.end(), {"forearm.dh.a", "forearm.joint.offset"});
   for (const unsigned ways : {0U, 3U, 5U, 7U}) {
     PlacedArm start = offByThree(truth, kSoft, ways);
-    for (auto& placing : start.placings) placing.X_WB = poseOf({0.3, 0, 0}, {0, 0, 0});
+    for (auto& base_pose : start.base_poses) base_pose.X_WB = poseOf({0.3, 0, 0}, {0, 0, 0});
     stiffnessOf(start.arm, "forearm.dh.a") += 0.004;
     stiffnessOf(start.arm, "forearm.joint.offset") -= 0.01;
     SCOPED_TRACE(ways);
@@ -175,7 +175,7 @@ TEST(Identification, RefusesWithAReason) {
 PlacedArm rigidCobra() {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
-  placed.placings[0].is_known = false;
+  placed.base_poses[0].is_known = false;
   return placed;
 }
 
@@ -211,7 +211,7 @@ TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
 
 TEST(Outliers, CleanReadingsHaveNone) {
   PlacedArm placed = rigidCobra();
-  placed.placings[0].is_known = true;
+  placed.base_poses[0].is_known = true;
   int clean = 0;
   constexpr int kSeeds = 100;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {

@@ -248,7 +248,7 @@ TEST_P(EveryMethod, RefusesBoundsTheWrongWayRound) {
   EXPECT_EQ(found.evaluations + found.jacobian_evaluations, 0);
 }
 
-/// A misfit that stays hides gradient and chi2 in its rounding: no method may search that for ever, nor give up.
+/// A lack of fit that stays hides gradient and chi2 in its rounding: no method may search that for ever, nor give up.
 TEST_P(EveryMethod, RestsOnALargeMisfit) {
   auto problem = rosenbrock();
   problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {

@@ -7,7 +7,7 @@ namespace {
 
 using Status = LeastSquaresStatus;
 
-/// Steps that run against bounds one after the other may foretell a rise; they are to become shorter, not to be tried
+/// Steps that run against bounds one after the other may predict a rise; they are to become shorter, not to be tried
 /// for ever.
 TEST(LevenbergMarquardt, UnknownsAllButAlikeComeToRestAtTheirBounds) {
   int at_bounds = 0;

@@ -83,7 +83,7 @@ TEST(Prior, CovarianceDoesNotHangOnUnits) {
 
 TEST(Prior, GeometryHasTheDrawingsAndAllOthersAWeakOne) {
   PlacedArm placed = cobra();
-  placed.placings[0].is_known = false;
+  placed.base_poses[0].is_known = false;
   FreeChoice choice{
       {"tool.tip", "forearm.dh.a", "forearm.joint.offset", "latch-link.dh.alpha", "tool.joint_stiffness.z"}, true};
   choice.priors.named["latch-link.dh.alpha"] = 0.007;
@@ -151,7 +151,7 @@ TEST(Prior, HoldsAgainstReadingsThatStateFarTooLittleNoise) {
   const VectorXd q = readings.front().q;
   for (auto& reading : readings) {
     reading.q = q + 0.05 * (reading.q - q);
-    reading.p_W = predictReading(start.arm, start.placings[0].X_WB, reading).value + maker.noise3(2e-3);
+    reading.p_W = predictReading(start.arm, start.base_poses[0].X_WB, reading).value + maker.noise3(2e-3);
     reading.sigma = 1e-6;
   }
   auto unknowns = chooseUnknowns(start, {{"geometry"}, false}).list;

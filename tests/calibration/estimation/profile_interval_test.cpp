@@ -59,7 +59,7 @@ TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
   EXPECT_NEAR(interval.upper - interval.lower, 2 * 1.959964 * f.sigmaOf(0), 0.01 * f.sigmaOf(0));
 }
 
-// At an interval's end the misfit, everything else fitted again, has risen by what 95 % of chi-square allows.
+// At an interval's end the lack of fit, everything else fitted again, has risen by what 95 % of chi-square allows.
 TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
   ReadingMaker maker(cobra(), 5, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);

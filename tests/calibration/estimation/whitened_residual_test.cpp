@@ -1,4 +1,4 @@
-// The misfit of a campaign: its derivatives, and touched points that nobody measured.
+// The lack of fit of a campaign: its derivatives, and touched points that nobody measured.
 #include "calibration/estimation/whitened_residual.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   addEveryKind(maker, 3, "B");
   addUntouched(maker, 2, "A");
   PlacedArm fast = cobraTwice();
-  fast.placings[1].is_known = true;
+  fast.base_poses[1].is_known = true;
   const FreeChoice choice{
       {"tool.joint_stiffness.z", "latch-link.beam.Iz", "latch-link.beam.E", "base-link.joint_stiffness.y"}, true};
   const auto unknowns = chooseUnknowns(fast, choice).list;

@@ -17,7 +17,7 @@ Identification baseFit(const Eigen::Matrix<double, 6, 6>& covariance) {
   Identification fit;
   fit.status = IdentificationStatus::kDone;
   fit.fitted = cobra();
-  fit.fitted.placings.front().is_known = false;
+  fit.fitted.base_poses.front().is_known = false;
   PlacedArm placed = fit.fitted;
   for (const auto& unknown : chooseUnknowns(placed, {{}, true}).list) {
     IdentifiedNumber number;
@@ -69,7 +69,7 @@ TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
   const auto fit = baseFit(covariance);
   std::vector<double> radii;
   for (const auto& q : postures) {
-    const auto& X_WB = fit.fitted.placings.front().X_WB;
+    const auto& X_WB = fit.fitted.base_poses.front().X_WB;
     radii.push_back((predictTip(fit.fitted.arm, X_WB, q, 0).value - X_WB.translation()).head<2>().norm());
   }
   CentringForecastOptions options;
@@ -102,7 +102,7 @@ TEST(CentringForecast, aLargerCovarianceWidensItAndAKnownBaseMayBringItsOwn) {
 // One joint that reads with noise alone: its lever arm times its sigma.
 TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
   auto fit = baseFit(Eigen::Matrix<double, 6, 6>::Identity() * 1e-8);
-  fit.fitted.placings.front().X_WB = Eigen::Isometry3d::Identity();
+  fit.fitted.base_poses.front().X_WB = Eigen::Isometry3d::Identity();
   const auto active = deflection::activeRows(fit.fitted.arm);
   for (const int row : active) fit.fitted.arm.rows[static_cast<std::size_t>(row)].joint.encoder_sigma = 0;
   fit.fitted.arm.rows[static_cast<std::size_t>(active[0])].joint.encoder_sigma = 1e-4;
@@ -111,7 +111,7 @@ TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
   Eigen::VectorXd q = postures[0];
   q[0] += step;
   const auto tip = [&](const Eigen::VectorXd& at) {
-    return predictTip(fit.fitted.arm, fit.fitted.placings.front().X_WB, at, 0).value;
+    return predictTip(fit.fitted.arm, fit.fitted.base_poses.front().X_WB, at, 0).value;
   };
   const double lever = (tip(q) - tip(postures[0])).head<2>().norm() / step;
   const auto forecast = forecastCentring(fit, postures);

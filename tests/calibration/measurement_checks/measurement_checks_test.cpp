@@ -69,7 +69,7 @@ TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   ASSERT_TRUE(set);
   auto readings = *set;
   for (auto& m : readings.table.readings) {
-    m.senses.clear();
+    m.approach_directions.clear();
     m.temperature = m.time = std::numeric_limits<double>::quiet_NaN();
   }
   std::vector<std::string> columns;

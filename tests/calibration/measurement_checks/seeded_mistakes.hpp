@@ -257,8 +257,8 @@ inline Made tipAnew(SeededSet& s, SeededRandom& random) {
     if (m.setup != setups.back() || !m.p_W) continue;
     // The base is where the cell has it but for what a set-up is off by: the tool's turn in the world is near enough.
     const auto shape =
-        deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.placings.front().X_WB));
-    *m.p_W += placed.placings.front().X_WB.linear() * shape.X_BD.R * by;
+        deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.base_poses.front().X_WB));
+    *m.p_W += placed.base_poses.front().X_WB.linear() * shape.X_BD.R * by;
   }
   return "setup=" + setups.front();
 }

@@ -29,7 +29,7 @@ Measurement reading(MeasurementKind kind) {
 }
 
 Eigen::Vector3d tip(const PlacedArm& placed, const Measurement& m, double load) {
-  const auto& X_WB = placed.placings[0].X_WB;
+  const auto& X_WB = placed.base_poses[0].X_WB;
   const deflection::Posture posture{m.q, load, deflection::gravityInBase(placed.arm, X_WB)};
   return X_WB * deflection::solveFlexibleKinematics(placed.arm, posture, kFine).X_BD.p;
 }
@@ -37,7 +37,7 @@ Eigen::Vector3d tip(const PlacedArm& placed, const Measurement& m, double load) 
 TEST(ReadingPrediction, ValueOfEachKind) {
   const PlacedArm placed = cobra();
   const auto value = [&](MeasurementKind kind) {
-    return predictReading(placed.arm, placed.placings[0].X_WB, reading(kind)).value;
+    return predictReading(placed.arm, placed.base_poses[0].X_WB, reading(kind)).value;
   };
   const Measurement m = reading(MeasurementKind::kPosition);
   const Eigen::Vector3d loaded = tip(placed, m, m.load), bare = tip(placed, m, 0);
@@ -49,7 +49,7 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   ASSERT_EQ(value(MeasurementKind::kAxis).size(), 1);
   EXPECT_NEAR(value(MeasurementKind::kAxis)[0], m.direction_W->dot(loaded - *m.p_W), 1e-9);
   EXPECT_GT((loaded - bare).norm(), 0.01);
-  const Eigen::Matrix3d R = toolAt(placed.arm, placed.placings.front().X_WB, m)->R_WT;
+  const Eigen::Matrix3d R = toolAt(placed.arm, placed.base_poses.front().X_WB, m)->R_WT;
   const Eigen::Vector3d up = -placed.arm.gravity_W;
   const Eigen::VectorXd pose = value(MeasurementKind::kPose), turn = value(MeasurementKind::kOrientation) / kTurnLever;
   EXPECT_LE((deflection::rotationFromVector<double>(Eigen::Vector3d(turn)) *
@@ -61,7 +61,7 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   EXPECT_LE((value(MeasurementKind::kOffset) - R.transpose() * (*m.p_W - loaded)).norm(), 1e-9);
   Measurement upright = reading(MeasurementKind::kTilt);
   upright.direction_W = up;
-  const Eigen::VectorXd tilts = predictReading(placed.arm, placed.placings[0].X_WB, upright).value / kTurnLever;
+  const Eigen::VectorXd tilts = predictReading(placed.arm, placed.base_poses[0].X_WB, upright).value / kTurnLever;
   EXPECT_LE((tilts.array().sin().matrix() - R.transpose() * up).norm(), 1e-9);
   EXPECT_NEAR(value(MeasurementKind::kSteps)[0], (loaded - *m.p_W).head<2>().norm(), 1e-9);
 }
@@ -72,14 +72,14 @@ TEST(ReadingPrediction, DerivativesByTheJointsMatchDifferences) {
     const Measurement m = reading(kind);
     PredictionRequest request;
     request.by_joints = true;
-    const auto prediction = predictReading(placed.arm, placed.placings[0].X_WB, m, request);
+    const auto prediction = predictReading(placed.arm, placed.base_poses[0].X_WB, m, request);
     ASSERT_TRUE(prediction.ok);
     for (int k = 0; k < 4; ++k) {
       constexpr double kStep = 1e-3;
       const auto moved = [&](double h) {
         Measurement other = m;
         other.q[k] += h;
-        return predictReading(placed.arm, placed.placings[0].X_WB, other).value;
+        return predictReading(placed.arm, placed.base_poses[0].X_WB, other).value;
       };
       const Eigen::VectorXd slope =
           (8 * (moved(kStep) - moved(-kStep)) - (moved(2 * kStep) - moved(-2 * kStep))) / (12 * kStep);
@@ -92,7 +92,7 @@ TEST(ReadingPrediction, DerivativesByTheJointsMatchDifferences) {
 TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
   PlacedArm placed = cobra();
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma *= 3;
-  const auto& X_WB = placed.placings[0].X_WB;
+  const auto& X_WB = placed.base_poses[0].X_WB;
   ReadingMaker maker(placed, 5, ReadingMaker::Noise::kStated);
   for (const auto kind : kKinds) {
     const Measurement m = reading(kind);

@@ -1,4 +1,4 @@
-// What a misfit follows is found where it was planted, and nowhere else more often than promised.
+// What a residual follows is found where it was planted, and nowhere else more often than promised.
 #include "calibration/patterns/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -105,8 +105,8 @@ TEST(Comparison, aRightModelIsAdequateBeforeAndAfter) {
     EXPECT_EQ(result.as_it_stands.degrees_of_freedom, 3 * 36);
     EXPECT_EQ(result.after_refit.degrees_of_freedom, 3 * 36 - 2);
     EXPECT_LE(result.after_refit.chi2, result.as_it_stands.chi2 * (1 + 1e-3));
-    short_before += result.as_it_stands.adequacy == Adequacy::kFallsShort;
-    short_after += result.verdict == Adequacy::kFallsShort;
+    short_before += result.as_it_stands.adequacy == Adequacy::kInadequate;
+    short_after += result.verdict == Adequacy::kInadequate;
     chi2 += result.after_refit.chi2;
     freedom += result.after_refit.degrees_of_freedom;
   }
@@ -119,7 +119,7 @@ TEST(Comparison, plantedHysteresisIsFoundByTheJointsSense) {
   for (const char* joint : {"theta1", "theta2", "theta3"}) {
     const auto truth = withEffect(deflection::cobraArm(), "hysteresis", joint, 0.03 * kDegree);
     const auto result = compareCobra(makeCampaign(truth, 5));
-    EXPECT_EQ(result.verdict, Adequacy::kFallsShort);
+    EXPECT_EQ(result.verdict, Adequacy::kInadequate);
     ASSERT_FALSE(result.patterns.findings.empty());
     const auto& first = result.patterns.findings.front();
     EXPECT_EQ(first.kind, "sense");
@@ -136,7 +136,7 @@ TEST(Comparison, plantedHysteresisIsFoundByTheJointsSense) {
 TEST(Comparison, plantedGrowthIsFoundByTemperature) {
   const auto truth = withEffect(deflection::cobraArm(), "thermal-growth", "arm", 5e-5);
   const auto result = compareCobra(makeCampaign(truth, 6));
-  EXPECT_EQ(result.verdict, Adequacy::kFallsShort);
+  EXPECT_EQ(result.verdict, Adequacy::kInadequate);
   ASSERT_FALSE(result.patterns.findings.empty());
   const auto& first = result.patterns.findings.front();
   EXPECT_EQ(first.variable, "temperature");
@@ -149,10 +149,10 @@ TEST(Comparison, aPlantedOffsetIsSeenAndGoneOnceItIsFitted) {
   const auto truth = withEffect(deflection::cobraArm(), "joint-offset", "theta3", 0.1 * kDegree);
   const auto readings = makeCampaign(truth, 8);
   const auto without = compareCobra(readings);
-  EXPECT_EQ(without.verdict, Adequacy::kFallsShort);
+  EXPECT_EQ(without.verdict, Adequacy::kInadequate);
   EXPECT_FALSE(without.patterns.findings.empty());
   const auto with = compareCobra(readings, {"forearm.joint.offset", "tool.joint_stiffness.z"});
-  EXPECT_EQ(with.as_it_stands.adequacy, Adequacy::kFallsShort);
+  EXPECT_EQ(with.as_it_stands.adequacy, Adequacy::kInadequate);
   EXPECT_EQ(with.verdict, Adequacy::kAdequate);
   EXPECT_TRUE(with.patterns.findings.empty());
   EXPECT_GT(with.as_it_stands.errors.rms, 5 * with.after_refit.errors.rms);
@@ -258,7 +258,7 @@ TEST(Repeats, lackOfFitIsFoundWhereTheStatedNoiseWouldHideIt) {
   EXPECT_TRUE(result.noise_disagrees);
   EXPECT_LT(result.after_refit.repeats.noise_ratio, 0.6);
   EXPECT_GT(result.after_refit.p_value, 0.01);
-  EXPECT_EQ(result.verdict, Adequacy::kFallsShort);
+  EXPECT_EQ(result.verdict, Adequacy::kInadequate);
 }
 
 TEST(JointEquivalents, correctionsTakeThePredictedTipToTheMeasuredOne) {

@@ -185,13 +185,14 @@ TEST(SimulatedCampaign, SensesFollowTheMotionAndBothOccur) {
     for (int joint = 0; joint < 4; ++joint) {
       const double way = straight[k].q[joint] - straight[k - 1].q[joint];
       if (std::abs(way) > 1e-8) {
-        EXPECT_EQ(straight[k].senses[joint], way > 0 ? 1 : -1);
+        EXPECT_EQ(straight[k].approach_directions[joint], way > 0 ? 1 : -1);
       }
     }
   options.pace.overshoot = 0.5;
   const auto mixed = simulateCampaign(truth, design, options).readings;
   for (int joint = 0; joint < 4; ++joint) {
-    const auto up = std::count_if(mixed.begin(), mixed.end(), [&](const auto& m) { return m.senses[joint] == 1; });
+    const auto up =
+        std::count_if(mixed.begin(), mixed.end(), [&](const auto& m) { return m.approach_directions[joint] == 1; });
     EXPECT_NEAR(static_cast<double>(up), 300, 4 * std::sqrt(150.)) << "four standard errors";
   }
 }
@@ -225,7 +226,7 @@ TEST(SimulatedCampaign, TheSameSeedReadsTheSameAndAnotherDoesNot) {
              other = simulate(truth, design, 90, 8).readings;
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_EQ(one[k].q, same[k].q);
-    EXPECT_EQ(one[k].senses, same[k].senses);
+    EXPECT_EQ(one[k].approach_directions, same[k].approach_directions);
     EXPECT_EQ(one[k].temperature, same[k].temperature);
     EXPECT_NE(one[k].q, other[k].q);
   }

@@ -94,10 +94,10 @@ void hysteresis() {
   const Arm arm = cobraArm(), loose = withEffect(arm, "hysteresis", "theta3", {0.002});
   const Posture unknown = at({0.2, 1.1, -0.7, -0.3});
   expectSame(loose, unknown, arm, unknown);
-  for (int sense : {-1, 0, 1}) {
+  for (int approach_direction : {-1, 0, 1}) {
     Posture posture = unknown, changed = unknown;
-    posture.senses = {1, -1, sense, 1};
-    changed.q[2] += 0.002 * sense;
+    posture.approach_directions = {1, -1, approach_direction, 1};
+    changed.q[2] += 0.002 * approach_direction;
     expectSame(loose, posture, arm, changed);
   }
 }
@@ -332,10 +332,11 @@ void cableStretch() {
   const double stretch = 2e-5, friction = 5e-6, reading = 0.3;
   const Arm arm = boom(kRigid), cabled = withEffect(arm, "cable-stretch", "turn", {stretch, friction});
   const double moment = -kLoad * kLength * std::cos(reading);
-  for (const int sense : {-1, 0, 1}) {
+  for (const int approach_direction : {-1, 0, 1}) {
     Posture posture = at({reading});
-    posture.senses = {sense};
-    expectSame(cabled, posture, arm, at({reading + stretch * moment + friction * std::abs(moment) * sense}));
+    posture.approach_directions = {approach_direction};
+    expectSame(cabled, posture, arm,
+               at({reading + stretch * moment + friction * std::abs(moment) * approach_direction}));
   }
 }
 

@@ -43,7 +43,7 @@ TEST(BodyPlacing, IsWhereBodyFramesAreWithTheSameBow) {
         for (int lane = 0; lane < placed.count; ++lane) {
           double bow = 0;
           const auto frames = bodyFrames(cell, q.col(first + lane), &bow);
-          ASSERT_TRUE(placed.settles[static_cast<std::size_t>(lane)]);
+          ASSERT_TRUE(placed.is_converged[static_cast<std::size_t>(lane)]);
           EXPECT_NEAR(placed.bow[static_cast<std::size_t>(lane)], bow, 1e-12);
           for (std::size_t row = 0; row < frames.size(); ++row)
             EXPECT_LE((placed.X_WL(static_cast<int>(row), lane).matrix() - frames[row].matrix()).norm(), 1e-12);
@@ -79,7 +79,7 @@ TEST(BodyPlacing, AShapeThatDoesNotSettleIsSaidSo) {
   Workcell cell = mockup();
   cell.arm.rows.back().joint_stiffness.z() = 1e-3;
   BodyPlacing placing(cell);
-  EXPECT_FALSE(placing.place(VectorXd(Eigen::Vector4d(0, 1.2, -1.4, 0))).settles[0]);
+  EXPECT_FALSE(placing.place(VectorXd(Eigen::Vector4d(0, 1.2, -1.4, 0))).is_converged[0]);
 }
 
 TEST(ArmClearance, ABatchHasTheMarginsOfItsPostures) {

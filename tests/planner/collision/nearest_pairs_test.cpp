@@ -28,7 +28,7 @@ PlacedPostures sideBySide(std::span<const Frames> postures, const kernels::Kerne
   const auto width = static_cast<std::size_t>(kernel.lanes);
   placed.frames.resize(12 * rows * width);
   placed.bow.assign(width, 0);
-  placed.settles.assign(width, true);
+  placed.is_converged.assign(width, true);
   for (std::size_t lane = 0; lane < width; ++lane)
     for (std::size_t row = 0; row < rows; ++row) {
       const Isometry3d& X = postures[std::min(lane, postures.size() - 1)][row];

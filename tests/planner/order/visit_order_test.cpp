@@ -177,9 +177,9 @@ TEST(OrderVisits, GapOfALatticeIsSmall) {
   options.least_kicks = 10'000;
   const VisitOrder result = orderVisits(route, options);
   expectValid(route, result);
-  EXPECT_GE(result.gap, 0);
-  EXPECT_LT(result.gap, 0.02);
-  EXPECT_NEAR(result.gap, result.travel_time / result.lower_bound - 1, 1e-12);
+  EXPECT_GE(result.optimality_gap, 0);
+  EXPECT_LT(result.optimality_gap, 0.02);
+  EXPECT_NEAR(result.optimality_gap, result.travel_time / result.lower_bound - 1, 1e-12);
 }
 
 TEST(OrderVisits, GapOfALatticeWithBothElbowsIsSane) {
@@ -188,8 +188,8 @@ TEST(OrderVisits, GapOfALatticeWithBothElbowsIsSane) {
   options.least_kicks = 10'000;
   const VisitOrder result = orderVisits(route, options);
   expectValid(route, result);
-  EXPECT_GE(result.gap, 0);
-  EXPECT_LT(result.gap, 0.06);
+  EXPECT_GE(result.optimality_gap, 0);
+  EXPECT_LT(result.optimality_gap, 0.06);
   EXPECT_LE(result.travel_time, orderVisits(latticeRoute(20, 0.05, 1), options).travel_time * 1.005);
 }
 

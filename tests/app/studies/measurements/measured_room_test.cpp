@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/studies/measurements/splitting_candidates.hpp"
+#include "app/studies/measurements/discrimination_candidates.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::app {
@@ -38,7 +38,7 @@ TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
 }
 
 TEST_F(MeasuredRoomOfTheBench, ProposalsStayInIt) {
-  const auto candidates = splittingCandidates(cell, placed, readings);
+  const auto candidates = discriminationCandidates(cell, placed, readings);
   ASSERT_GT(candidates.size(), 20U);
   for (const auto& candidate : candidates)
     for (const auto& reading : candidate.readings) EXPECT_TRUE(room.holds(reading.q, reading.load));

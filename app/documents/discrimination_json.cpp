@@ -1,0 +1,187 @@
+#include "app/documents/discrimination_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/documents/figures.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement, calibration::ReadingCandidate, calibration::DiscriminatedPair,
+    calibration::DiscriminatingMeasurement, calibration::DiscriminatingMeasurements, calibration::DiscriminationStatus;
+
+std::vector<std::string> jointNames(const deflection::Arm& arm) {
+  std::vector<std::string> names;
+  for (const int row : deflection::activeRows(arm)) names.push_back(arm.rows[static_cast<std::size_t>(row)].joint.name);
+  return names;
+}
+
+std::string explanationName(const DiscriminatingMeasurements& result, int index) {
+  return calibration::nameOf(result.explanations[static_cast<std::size_t>(index)]);
+}
+
+/// Touches of one unknown point are named alike: N1; a hole or known point by its own name.
+nlohmann::json readingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
+                           std::size_t number, const Measurement& reading, const deflection::Arm& arm,
+                           const Units& units) {
+  const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
+  const auto names = jointNames(arm);
+  nlohmann::json json = {{"kind", calibration::kindOf(reading).name},
+                         {"posture", nlohmann::json::object()},
+                         {"load", rounded(units.toFile(reading.load, dimension::kForce))},
+                         {"splits", {explanationName(result, chosen.a), explanationName(result, chosen.b)}},
+                         {"separation_sigmas", finiteJson(chosen.separation)},
+                         {"point", nullptr}};
+  for (std::size_t j = 0; j < names.size(); ++j)
+    json["posture"][names[j]] = rounded(joints[static_cast<Eigen::Index>(j)]);
+  if (!reading.approach_directions.empty()) json["senses"] = nlohmann::json::object();
+  for (std::size_t j = 0; j < reading.approach_directions.size(); ++j)
+    json["senses"][names[j]] = reading.approach_directions[j];
+  if (isTouch(reading)) json["point"] = reading.p_W ? reading.point : "N" + std::to_string(number + 1);
+  if (touchesKnownPoint(reading)) json["place"] = vectorJson(*reading.p_W, units, dimension::kLength);
+  return json;
+}
+
+const std::vector<Measurement>& readingsOf(const std::vector<ReadingCandidate>& candidates,
+                                           const DiscriminatingMeasurement& chosen) {
+  return candidates[static_cast<std::size_t>(chosen.candidate)].readings;
+}
+
+nlohmann::json pairJson(const DiscriminatingMeasurements& result, const DiscriminatedPair& pair) {
+  return {{"if_true", explanationName(result, pair.truth)},
+          {"against", explanationName(result, pair.other)},
+          {"criterion_gap_now", finiteJson(pair.now)},
+          {"criterion_gap_expected", finiteJson(pair.expected)},
+          {"probability_told", finiteJson(pair.probability)}};
+}
+
+std::string firstMeans(const DiscriminatingMeasurements& result) {
+  std::vector<std::string> some;
+  for (std::size_t k = 0; k < result.alternative_measurements.size() && k < 2; ++k)
+    some.push_back(result.alternative_measurements[k].what);
+  return fmt::format("{}", fmt::join(some, ", or "));
+}
+
+/// "A from B"; of many pairs the first.
+std::string neverText(const DiscriminatingMeasurements& result) {
+  const auto& first = result.never.front();
+  const std::string more = result.never.size() > 1 ? fmt::format(" (and {} pairs more)", result.never.size() - 1) : "";
+  return explanationName(result, first.truth) + " from " + explanationName(result, first.other) + more;
+}
+
+std::string jointsText(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
+  const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
+  std::string text;
+  for (Eigen::Index j = 0; j < joints.size(); ++j) {
+    const char* sense = reading.approach_directions.empty()                            ? ""
+                        : reading.approach_directions[static_cast<std::size_t>(j)] > 0 ? "+"
+                                                                                       : "-";
+    text += fmt::format(" {:9.2f}{}", joints[j], sense);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
+  std::string advice;
+  const std::size_t count = result.readings.size();
+  const std::string what = result.never.empty() ? "them" : "the others";
+  if (result.times == 1)
+    advice = fmt::format("{} further readings would tell {} apart (chance {:.0f} %).", count, what,
+                         100 * result.probability);
+  else if (result.times > 1)
+    advice = fmt::format("It takes about {} further readings to tell {} apart, the best {} of them listed.",
+                         static_cast<std::size_t>(result.times) * count, what, count);
+  if (!result.never.empty())
+    advice = fmt::format("No posture can split {}; what would: {}.{}{}", neverText(result), firstMeans(result),
+                         advice.empty() ? "" : " ", advice);
+  else if (result.times == 0 && !result.alternative_measurements.empty())
+    advice = fmt::format("No further reading of this kind can be made; what would tell: {}.", firstMeans(result));
+  for (const auto& column : result.columns) advice += fmt::format("{}Also {}.", advice.empty() ? "" : " ", column);
+  return advice;
+}
+
+void addNextReadings(const DiscriminatingMeasurements& result, const std::vector<ReadingCandidate>& candidates,
+                     const deflection::Arm& arm, const Units& units, nlohmann::json& diagnosis) {
+  diagnosis["next_readings"] = nlohmann::json::array();
+  if (result.status == DiscriminationStatus::kNotRun) return;
+  for (std::size_t k = 0; result.times > 0 && k < result.readings.size(); ++k)
+    for (const auto& reading : readingsOf(candidates, result.readings[k]))
+      diagnosis["next_readings"].push_back(readingJson(result, result.readings[k], k, reading, arm, units));
+  nlohmann::json discrimination = {{"advice", discriminationAdvice(result)},
+                                   {"can_be_split", result.times > 0},
+                                   {"times_needed", result.times},
+                                   {"criterion_gap_expected", finiteJson(result.least_expected)},
+                                   {"probability_named", finiteJson(result.probability)},
+                                   {"columns_to_add", result.columns},
+                                   {"pairs", nlohmann::json::array()},
+                                   {"never_split", nlohmann::json::array()},
+                                   {"other_means", nlohmann::json::array()}};
+  for (const auto& pair : result.pairs) discrimination["pairs"].push_back(pairJson(result, pair));
+  for (const auto& pair : result.never)
+    discrimination["never_split"].push_back({explanationName(result, pair.truth), explanationName(result, pair.other)});
+  for (const auto& means : result.alternative_measurements)
+    discrimination["other_means"].push_back(
+        {{"what", means.what}, {"criterion_gap_expected", finiteJson(means.least_expected)}});
+  if (!discriminationAdvice(result).empty())
+    diagnosis["sentence"] = diagnosis["sentence"].get<std::string>() + " " + discriminationAdvice(result);
+  diagnosis["splitting"] = std::move(discrimination);
+}
+
+std::string runSheetCsv(const DiscriminatingMeasurements& result, const std::vector<ReadingCandidate>& candidates,
+                        const std::vector<Measurement>& taken, const deflection::Arm& arm, const Units& units) {
+  if (result.times == 0) return "";
+  std::set<std::string> used;
+  for (const auto& reading : taken) used.insert(reading.id), used.insert(reading.point);
+  std::vector<Measurement> sheet;
+  int number = 0;
+  const auto fresh = [&] {
+    std::string name = fmt::format("N{}", ++number);
+    while (used.contains(name)) name = fmt::format("N{}", ++number);
+    return name;
+  };
+  for (const auto& chosen : result.readings) {
+    const std::string point = fresh();
+    const auto& readings = readingsOf(candidates, chosen);
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      Measurement reading = readings[k];
+      reading.id = k == 0 ? point : fresh();
+      const bool is_hole = touchesKnownPoint(reading);
+      if (!is_hole && !kindOf(reading).has_anchor) reading.p_W.reset();
+      if (!is_hole && isTouch(reading)) reading.point = point;
+      sheet.push_back(std::move(reading));
+    }
+  }
+  return measurementsCsv(sheet, arm, units);
+}
+
+std::string discriminationText(const DiscriminatingMeasurements& result,
+                               const std::vector<ReadingCandidate>& candidates, const deflection::Arm& arm,
+                               const Units& units) {
+  const std::string advice = discriminationAdvice(result);
+  std::string text = advice.empty() ? "" : "next: " + advice + "\n";
+  if (result.times == 0) return text;
+  text += fmt::format("  {:<10} {:>8}", "point", units.force().name);
+  for (const auto& name : jointNames(arm)) text += fmt::format(" {:>10}", name);
+  text += "   splits, by so many sigmas\n";
+  for (std::size_t k = 0; k < result.readings.size(); ++k)
+    for (const auto& reading : readingsOf(candidates, result.readings[k]))
+      text += fmt::format("  {:<10} {:8.4g}{}   {} from {}: {:.1f}\n",
+                          touchesKnownPoint(reading) ? reading.point : "N" + std::to_string(k + 1),
+                          units.toFile(reading.load, dimension::kForce), jointsText(reading, arm, units),
+                          explanationName(result, result.readings[k].a), explanationName(result, result.readings[k].b),
+                          result.readings[k].separation);
+  return text;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,34 @@
+// Readings that would split what a diagnosis leaves open, as JSON and in words.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/files/units.hpp"
+#include "calibration/diagnosis/discriminating_measurements.hpp"
+
+namespace tubeplan::app {
+
+/// Puts `next_readings` (a list), and `discrimination` (what they would do, what else to do) into a diagnosis; its
+/// sentence gets the advice.
+void addNextReadings(const calibration::DiscriminatingMeasurements& result,
+                     const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
+                     const Units& units, nlohmann::json& diagnosis);
+
+/// One plain sentence; empty where there is nothing to split.
+[[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
+
+/// The proposed readings as a measurement table, each with an id that the readings taken do not have, coordinates left
+/// to be filled in. Empty where nothing is proposed.
+[[nodiscard]] std::string runSheetCsv(const calibration::DiscriminatingMeasurements& result,
+                                      const std::vector<calibration::ReadingCandidate>& candidates,
+                                      const std::vector<calibration::Measurement>& taken, const deflection::Arm& arm,
+                                      const Units& units);
+
+/// A few lines for people.
+[[nodiscard]] std::string discriminationText(const calibration::DiscriminatingMeasurements& result,
+                                             const std::vector<calibration::ReadingCandidate>& candidates,
+                                             const deflection::Arm& arm, const Units& units);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,83 @@
+#include "app/documents/model_comparison_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+#include "app/documents/step_table_json.hpp"
+#include "app/files/units_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+std::string stepsText(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
+  std::string text;
+  for (const auto& compared : comparison) {
+    if (!compared.steps) continue;
+    text += fmt::format("{:<34}", compared.name);
+    for (const int count : compared.steps->counts) text += fmt::format(" {:>9}", count);
+    if (compared.steps->holes > 0)
+      text += fmt::format(" {:>9.4g} {:>9.4g}", compared.steps->median_error / units.factor(dimension::kLength),
+                          compared.steps->p95_error / units.factor(dimension::kLength));
+    if (!compared.steps->reason.empty()) text += "  none: " + compared.steps->reason;
+    if (compared.steps->no_posture > 0) text += fmt::format("  ({} of them not reached)", compared.steps->no_posture);
+    text += "\n";
+  }
+  if (text.empty()) return "";
+  return fmt::format(
+             "{:<34} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   steps of the tool that go in, by holes; centring error in "
+             "{}\n",
+             "model", "0 steps", "1", "2", "3", "median", "95 %", units.length().name) +
+         text;
+}
+
+}  // namespace
+
+nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
+  nlohmann::json json = {{"units", unitsJson(units)}, {"rungs", nlohmann::json::array()}};
+  for (const auto& compared : comparison) {
+    json["rungs"].push_back({{"name", compared.name},
+                             {"fitted_numbers", compared.fitted_numbers},
+                             {"rms",
+                              {{"as_it_stands", lengthJson(compared.as_it_stands.rms, units)},
+                               {"fitted", lengthJson(compared.fitted.rms, units)},
+                               {"heldout", lengthJson(compared.heldout.rms, units)},
+                               {"noise_floor", lengthJson(compared.noise_floor, units)}}},
+                             {"mean",
+                              {{"as_it_stands", lengthJson(compared.as_it_stands.mean, units)},
+                               {"fitted", lengthJson(compared.fitted.mean, units)},
+                               {"heldout", lengthJson(compared.heldout.mean, units)}}},
+                             {"chi2_per_dof", compared.chi2_per_dof}});
+    if (!compared.steps) continue;
+    json["rungs"].back()["steps"] = stepTableJson(*compared.steps, units);
+    if (!compared.steps->reason.empty()) json["rungs"].back()["no_steps"] = compared.steps->reason;
+  }
+  return json;
+}
+
+std::string modelComparisonText(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
+  const auto figure = [](double value, int digits) {
+    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : std::string("none");
+  };
+  const auto length = [&](double metres) { return figure(metres / units.factor(dimension::kLength), 4); };
+  double largest = 0;
+  for (const auto& compared : comparison)
+    if (std::isfinite(compared.heldout.rms)) largest = std::max(largest, compared.heldout.rms);
+  std::string text = fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   rms in {}\n", "model", "stands", "fitted",
+                                 "held out", "noise", "chi2/dof", units.length().name);
+  for (const auto& compared : comparison) {
+    const int bar = largest > 0 && std::isfinite(compared.heldout.rms)
+                        ? static_cast<int>(std::lround(40 * compared.heldout.rms / largest))
+                        : 0;
+    text += fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   {}\n", compared.name, length(compared.as_it_stands.rms),
+                        length(compared.fitted.rms), length(compared.heldout.rms), length(compared.noise_floor),
+                        figure(compared.chi2_per_dof, 3), std::string(static_cast<std::size_t>(bar), '#'));
+  }
+  return text + stepsText(comparison, units);
+}
+
+}  // namespace tubeplan::app

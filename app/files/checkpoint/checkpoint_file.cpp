@@ -1,0 +1,49 @@
+#include "app/files/checkpoint/checkpoint_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/input_error.hpp"
+#include "app/files/text_file.hpp"
+
+namespace tubeplan::app {
+
+using nlohmann::json;
+
+void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path, const std::string& found) {
+  throw InputError(path.string(), found, format.expected, format.remedy);
+}
+
+CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path) {
+  const std::string text = readTextFile(path.string());
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  CheckpointFile file;
+  file.payload = text.substr(std::min(end + 1, text.size()));
+  if (file.payload.ends_with('\n')) file.payload.pop_back();
+  try {
+    const json head = json::parse(text.substr(0, end));
+    if (head.at("format") != format.name) refuseDamaged(format, path, "the format " + head.at("format").dump());
+    file.question = head.at("question").get<PlanKey>();
+    file.checksum = head.at("checksum");
+  } catch (const json::exception&) {
+    refuseDamaged(format, path, "a first line that is of nothing kept");
+  }
+  if (fingerprintOf(file.payload) != file.checksum)
+    refuseDamaged(format, path, "content that does not fit its checksum");
+  return file;
+}
+
+void readPayload(const CheckpointFormat& format, const std::filesystem::path& path, const CheckpointFile& file,
+                 const std::function<void(const json&)>& read) {
+  try {
+    read(json::parse(file.payload));
+  } catch (const json::exception& error) {
+    refuseDamaged(format, path, error.what());
+  }
+}
+
+std::string checkpointText(const CheckpointFormat& format, const PlanKey& question, const std::string& payload) {
+  const json head = {{"format", format.name}, {"question", question}, {"checksum", fingerprintOf(payload)}};
+  return head.dump() + "\n" + payload + "\n";
+}
+
+}  // namespace tubeplan::app

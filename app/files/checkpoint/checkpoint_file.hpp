@@ -1,0 +1,38 @@
+// Files that work is kept in until it goes on: a first line with the format, the question that was asked and a
+// checksum, then one line of JSON with what is done.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/files/checkpoint/plan_key.hpp"
+
+namespace tubeplan::app {
+
+/// What kind of file it is, and the words for one that is damaged.
+struct CheckpointFormat {
+  const char* name;      ///< "tubeplan plan memory 1"
+  const char* expected;  ///< "a file as tubeplan plan leaves it"
+  const char* remedy;    ///< "remove it and plan anew"
+};
+
+struct CheckpointFile {
+  PlanKey question;
+  std::string checksum, payload;
+};
+
+[[noreturn]] void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path,
+                                const std::string& found);
+
+/// Throws InputError where the file cannot be read, is of another format or does not fit its checksum.
+[[nodiscard]] CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path);
+
+/// `read` of the file's content; where that meets JSON it cannot use, the file is refused as damaged.
+void readPayload(const CheckpointFormat& format, const std::filesystem::path& path, const CheckpointFile& file,
+                 const std::function<void(const nlohmann::json&)>& read);
+
+[[nodiscard]] std::string checkpointText(const CheckpointFormat& format, const PlanKey& question,
+                                         const std::string& payload);
+
+}  // namespace tubeplan::app

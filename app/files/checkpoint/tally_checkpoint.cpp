@@ -1,0 +1,95 @@
+#include "app/files/checkpoint/tally_checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/atomic_file.hpp"
+#include "app/files/checkpoint/checkpoint_file.hpp"
+#include "app/files/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr CheckpointFormat kFormat{"tubeplan campaign tally 1", "a file as tubeplan campaign leaves it",
+                                   "remove it to begin anew"};
+constexpr int kLeastShareOfWriting = 20;  // pauses are so many times as long as a write
+
+RunSet runsFrom(const json& ranges, const fs::path& path) {
+  RunSet set;
+  std::uint64_t last = 0;
+  for (const auto& range : ranges) {
+    const RunRange runs{range.at(0), range.at(1)};
+    if (runs.first < last || runs.end <= runs.first) refuseDamaged(kFormat, path, "runs out of order");
+    set.insert(runs);
+    last = runs.end;
+  }
+  return set;
+}
+
+TallySoFar tallyOf(const CheckpointFile& file, const fs::path& path) {
+  TallySoFar tally;
+  readPayload(kFormat, path, file, [&](const json& payload) {
+    tally.done = runsFrom(payload.at("done"), path);
+    payload.at("total").get_to(tally.total);
+  });
+  return tally;
+}
+
+std::string tallyText(const PlanKey& question, const TallySoFar& tally) {
+  json done = json::array();
+  for (const auto& range : tally.done.ranges()) done.push_back({range.first, range.end});
+  return checkpointText(kFormat, question, json{{"done", done}, {"total", tally.total}}.dump());
+}
+
+void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
+
+}  // namespace
+
+TallyCheckpoint::TallyCheckpoint(fs::path folder, bool must_resume)
+    : folder_(std::move(folder)), must_resume_(must_resume) {
+  removeLeftovers(folder_, kTallyFile);
+}
+
+std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::uint64_t runs) {
+  question_ = question;
+  std::error_code error;
+  if (!fs::exists(path(), error)) {
+    if (must_resume_)
+      throw InputError("--resume", "no campaign in " + inQuotes(folder_.string()),
+                       std::string("a folder with ") + kTallyFile, "leave out --resume to begin anew");
+    return std::nullopt;
+  }
+  const CheckpointFile file = readCheckpoint(kFormat, path());
+  TallySoFar tally = tallyOf(file, path());
+  auto differences = findDifferences(file.question, question);
+  const auto& ranges = tally.done.ranges();
+  if (!ranges.empty() && ranges.back().end > runs)
+    differences.push_back(fmt::format("more runs (up to {}, now {})", ranges.back().end, runs));
+  if (differences.empty()) {
+    say(fmt::format("going on from {}: {} of {} runs are there", path().string(), tally.done.size(), runs));
+    return tally;
+  }
+  if (must_resume_)
+    throw InputError("--resume", fmt::format("{} with {}", path().string(), fmt::join(differences, ", ")),
+                     "the same question, with as many runs or more",
+                     "ask it again, or leave out --resume to begin anew");
+  say(fmt::format("begun anew: {} is of {}", path().string(), fmt::join(differences, ", ")));
+  return std::nullopt;
+}
+
+void TallyCheckpoint::save(const std::function<TallySoFar()>& tally, bool must) {
+  const auto start = Clock::now();
+  if (!must && start - saved_ < pause_) return;
+  writeFileAtomically(path(), tallyText(question_, tally()), "--out");
+  saved_ = Clock::now();
+  pause_ = std::max<Clock::duration>(pause_, kLeastShareOfWriting * (saved_ - start));
+}
+
+}  // namespace tubeplan::app

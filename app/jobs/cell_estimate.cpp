@@ -1,0 +1,31 @@
+#include "app/jobs/cell_estimate.hpp"
+
+#include "app/files/input_error.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/suggestion.hpp"
+
+namespace tubeplan::app {
+
+ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
+                                const std::vector<std::string>& assume) {
+  if (file.empty()) return {};
+  return readAndCheck({file}, cell, {sigma / cell.units.factor(dimension::kLength), {}, assume});
+}
+
+calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+                                 const calibration::FreeChoice& free, const std::string& where) {
+  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, readings, free);
+  if (estimate.problems.empty()) return estimate;
+  const auto& problem = estimate.problems.front();
+  const auto known = calibration::freeableNames(cell.arm);
+  throw InputError(where, problem.found, problem.expected, suggestion(problem.name, known));
+}
+
+Cell cellAsEstimated(Cell cell, const calibration::Estimate& estimate) {
+  const auto placed = calibration::placedAsEstimated(estimate);
+  cell.arm = placed.arm;
+  cell.X_WB = placed.base_poses.back().X_WB;
+  return cell;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,173 @@
+#include "app/studies/measurements/discrimination_candidates.hpp"
+
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "app/studies/measurements/measured_room.hpp"
+#include "app/studies/measurements/reading_candidates.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/statistics.hpp"
+#include "deflection/inverse/inverse_kinematics.hpp"
+#include "planner/collision/arm_clearance.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate;
+using Eigen::VectorXd;
+
+constexpr double kReached = 1e-7;  // m, of a point that is touched
+
+/// What the readings so far have in common: how the next ones are made.
+struct Custom {
+  MeasurementKind kind = MeasurementKind::kPosition;
+  bool has_known_points = false;
+  std::vector<double> loads;
+  double sigma = 0, temperature = 0, time = 0;
+  bool has_approach_directions = false;
+  std::optional<Eigen::Vector3d> anchor, direction;
+};
+
+MeasurementKind usualKind(const std::vector<Measurement>& readings) {
+  std::map<MeasurementKind, int> count;
+  for (const auto& reading : readings) ++count[reading.kind];
+  return std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+/// At most so many, the least and the largest among them.
+std::vector<double> thinnedOut(const std::set<double>& all, int most) {
+  const std::vector<double> sorted(all.begin(), all.end());
+  if (static_cast<int>(sorted.size()) <= most) return sorted;
+  std::vector<double> some;
+  for (int k = 0; k < most; ++k)
+    some.push_back(sorted[static_cast<std::size_t>(k) * (sorted.size() - 1) / static_cast<std::size_t>(most - 1)]);
+  return some;
+}
+
+Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
+  Custom custom;
+  custom.kind = usualKind(readings);
+  std::set<double> loads;
+  std::vector<double> sigmas, temperatures, times;
+  for (const auto& reading : readings) {
+    if (reading.kind != custom.kind) continue;
+    loads.insert(reading.load);
+    sigmas.push_back(reading.sigma);
+    if (std::isfinite(reading.temperature)) temperatures.push_back(reading.temperature);
+    if (std::isfinite(reading.time)) times.push_back(reading.time);
+    if (reading.p_W) custom.anchor = reading.p_W;
+    if (reading.direction_W) custom.direction = reading.direction_W;
+    custom.has_approach_directions |= std::any_of(reading.approach_directions.begin(),
+                                                  reading.approach_directions.end(), [](int s) { return s != 0; });
+  }
+  custom.has_known_points = kindOf(custom.kind).is_touch && custom.anchor;
+  custom.loads = thinnedOut(loads, most_loads);
+  custom.sigma = calibration::median(sigmas);
+  custom.temperature = calibration::median(temperatures);
+  custom.time =
+      times.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(times.begin(), times.end());
+  return custom;
+}
+
+/// The points touched so far and, of a cell with a sheet, holes spread over it.
+std::vector<Measurement> pointsToTouch(const CellModel& cell, const std::vector<Measurement>& readings,
+                                       std::size_t most) {
+  std::vector<Measurement> points;
+  std::set<std::string> seen;
+  for (const auto& reading : readings)
+    if (touchesKnownPoint(reading) && seen.insert(reading.point).second) points.push_back(reading);
+  if (cell.sheet) {
+    const auto& tubes = cell.sheet->tubes;
+    const std::size_t step = std::max<std::size_t>(1, tubes.size() / most);
+    for (std::size_t t = 0; t < tubes.size() && !points.empty(); t += step) {
+      Measurement hole = points.front();
+      hole.point = tubesheets::tubeName(tubes[t].row, tubes[t].column);
+      hole.p_W = planner::holeCentre(tubes[t]);
+      if (seen.insert(hole.point).second) points.push_back(hole);
+    }
+  }
+  return points;
+}
+
+/// The tip brought to a known point under a load, each way there is.
+void addTouches(const planner::Workcell& work, const planner::ArmClearance& clear, const Measurement& point,
+                std::vector<ReadingCandidate>& candidates) {
+  const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
+  const auto shape = deflection::solveFlexibleKinematics(work.arm, {point.q, work.load, gravity_B});
+  if (shape.status != deflection::KinematicsStatus::kConverged) return;
+  const deflection::ToolGoal goal{work.X_WB.inverse() * *point.p_W, shape.X_BD.R * work.arm.tool_axis_L};
+  auto starts =
+      deflection::isTurretArm(work.arm) ? deflection::turretBranches(work.arm, goal) : std::vector<VectorXd>{point.q};
+  for (const auto& start : starts) {
+    const auto branch = deflection::refineBranch(work.arm, goal, work.load, gravity_B, start);
+    if (branch.status != deflection::BranchStatus::kConverged || branch.position_error > kReached) continue;
+    if (!work.scene.bodies.empty() && !(clear.at(branch.q, planner::ContactRule::kApproach).margin >= 0)) continue;
+    Measurement reading = point;
+    reading.q = branch.q;
+    reading.load = work.load;
+    candidates.push_back({{reading}});
+  }
+}
+
+std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
+                                             const std::vector<Measurement>& readings, const Custom& custom,
+                                             const DiscriminationCandidateOptions& options) {
+  planner::Workcell work = armAndScene(cell);
+  const Eigen::Vector3d axis_L = work.arm.tool_axis_L;
+  work.arm = fitted.arm;
+  work.arm.tool_axis_L = axis_L;
+  work.X_WB = fitted.base_poses.back().X_WB;
+  std::vector<ReadingCandidate> candidates;
+  if (custom.has_known_points) {
+    const auto points = pointsToTouch(cell, readings, static_cast<std::size_t>(options.postures));
+    const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(options.postures));
+    for (const double load : custom.loads) {
+      work.load = load;
+      const planner::ArmClearance clear(work);
+      for (std::size_t k = 0; k < points.size(); k += step) addTouches(work, clear, points[k], candidates);
+    }
+    return candidates;
+  }
+  PostureQuestion has_room;
+  if (work.scene.bodies.empty())
+    has_room = [room = MeasuredRoom(fitted, readings)](const VectorXd& q, double load) { return room.holds(q, load); };
+  const auto postures = clearPostures(work, custom.loads, options.postures, options.seed, has_room);
+  if (kindOf(custom.kind).is_touch)
+    return custom.loads.size() < 2 ? candidates : pointTouches(work, postures, custom.loads, custom.sigma);
+  return positionReadings(postures, custom.loads, custom.sigma);
+}
+
+}  // namespace
+
+std::vector<ReadingCandidate> discriminationCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
+                                                       const std::vector<Measurement>& readings,
+                                                       const DiscriminationCandidateOptions& options) {
+  if (readings.empty()) return {};
+  const Custom custom = customOf(readings, options.most_loads);
+  auto candidates = bareCandidates(cell, fitted, readings, custom, options);
+  boost::random::mt19937_64 random(options.seed);
+  for (auto& candidate : candidates)
+    for (auto& reading : candidate.readings) {
+      reading.sigma = custom.sigma;
+      reading.temperature = custom.temperature;
+      reading.time = custom.time;
+      reading.is_held_out = false;
+      reading.approach_directions.clear();
+      if (const auto& kind = kindOf(custom.kind); !kind.is_touch) {
+        reading.kind = custom.kind;
+        reading.p_W = kind.has_anchor ? custom.anchor : std::nullopt;
+        reading.direction_W = custom.direction;
+      }
+      for (Eigen::Index j = 0; custom.has_approach_directions && j < reading.q.size(); ++j)
+        reading.approach_directions.push_back(random() >> 63 ? 1 : -1);
+    }
+  return candidates;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,49 @@
+// Touching holes with a true arm that is only simulated: which holes, what it reads, and the base that follows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "calibration/design/touch_choice.hpp"
+#include "calibration/estimation/base_calibration.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+/// Holes spread over the sheet that the arm reaches without collision, each with a posture: candidates for touching.
+[[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count);
+
+/// The same of given tubes.
+[[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell,
+                                                                  const std::vector<int>& tubes);
+
+/// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ... Those that
+/// could be out of reach from where the base really stands are taken only where there are too few others.
+struct BestTouches {
+  std::vector<calibration::TouchPlan> plans;
+  std::string reason;  ///< why there are none; empty where there are
+};
+[[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
+                                      const std::vector<calibration::TouchPlan>& candidates, int count);
+
+/// The tube whose hole a candidate names, by its index in the sheet.
+[[nodiscard]] int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet);
+
+/// The base by the flexible model and, for comparison, by the rigid one.
+struct BothCalibrations {
+  calibration::BaseCalibration flexible, rigid;
+};
+[[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& cell,
+                                             const std::vector<calibration::Measurement>& touches);
+
+/// The same with both arms at hand, for many calibrations of one model.
+[[nodiscard]] BothCalibrations calibrateBoth(
+    const deflection::Arm& flexible, const deflection::Arm& rigid, const Eigen::Isometry3d& X_WB_start,
+    const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches,
+    calibration::LeastSquaresMethod method = calibration::LeastSquaresMethod::kHybrid);
+
+/// The cell with its base as calibrated.
+[[nodiscard]] planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base);
+
+}  // namespace tubeplan::app

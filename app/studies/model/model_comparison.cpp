@@ -1,0 +1,62 @@
+#include "app/studies/model/model_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/held_out.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// A model that frees nothing: its error is what it is.
+ModelComparisonRow rowAsItStands(const std::string& name, const CellModel& cell,
+                                 const std::vector<calibration::Measurement>& readings) {
+  ModelComparisonRow compared;
+  compared.name = name;
+  compared.model = startOf(cell, readings);
+  const auto& placed = compared.model;
+  std::vector<calibration::Measurement> fitted, held_out;
+  for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
+  compared.as_it_stands = compared.fitted = calibration::judge(placed, fitted);
+  compared.heldout = held_out.empty() ? compared.fitted : calibration::judge(placed, held_out);
+  if (const auto weights = calibration::weighReadings(placed, fitted)) {
+    compared.noise_floor = calibration::noiseFloor(fitted, *weights);
+    const auto residual = calibration::whitenedResidual(placed, {}, fitted, *weights, {}, false);
+    compared.chi2_per_dof = residual.r.squaredNorm() / std::max(1, weights->degrees_of_freedom);
+  }
+  return compared;
+}
+
+}  // namespace
+
+ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit) {
+  ModelComparisonRow compared;
+  compared.name = name;
+  compared.model = fit.fitted;
+  compared.fitted_numbers = static_cast<int>(fit.numbers.size());
+  compared.as_it_stands = fit.before;
+  compared.fitted = fit.after;
+  compared.heldout = fit.heldout;
+  compared.noise_floor = fit.noise_floor;
+  compared.chi2_per_dof = fit.chi2 / std::max(1, fit.degrees_of_freedom);
+  return compared;
+}
+
+ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
+                                   const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
+                                   const WorkHooks& hooks) {
+  if (cell.identify.empty() && cell.base_known) return rowAsItStands(name, cell, readings);
+  calibration::IdentificationOptions options;
+  options.free = freeNumbersOf(cell);
+  options.seed = seed;
+  options.intervals_by_profile = false;
+  options.hooks = hooks;
+  const auto fit = calibration::identify(startOf(cell, readings), readings, options);
+  requireGoingOn(hooks);
+  return comparisonRowOf(name, fit);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,236 @@
+#include "calibration/diagnosis/rival_prediction.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/estimation/estimate.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+VectorXd zerosOf(const std::vector<Unknown>& unknowns) { return VectorXd::Zero(static_cast<Index>(unknowns.size())); }
+
+void scaleByTypical(const std::vector<Unknown>& unknowns, MatrixXd& jacobian) {
+  for (Index k = 0; k < jacobian.cols(); ++k) jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+}
+
+/// Covariance of the unknowns over their typical sizes, each known beforehand to that size.
+MatrixXd covarianceOf(const DiagnosisBasis& basis, const ExplanationModel& model) {
+  auto residual =
+      whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, zerosOf(model.unknowns), true);
+  MatrixXd information = weakInformation(model.unknowns);
+  if (residual.ok) {
+    scaleByTypical(model.unknowns, residual.jacobian);
+    information += residual.jacobian.transpose() * residual.jacobian;
+  }
+  const Index n = information.rows();
+  return information.ldlt().solve(MatrixXd::Identity(n, n));
+}
+
+/// A candidate's readings in the last set-up; touches of a place that nobody knows are kept apart by its name. A place
+/// to be measured is any: only differences of predictions matter.
+std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size_t index, const PlacedArm& placed) {
+  std::vector<Measurement> readings = candidate.readings;
+  for (auto& reading : readings) {
+    reading.setup = placed.base_poses.back().setup;
+    if (touchesUnknownPoint(reading)) reading.point = "candidate " + std::to_string(index);
+    if (!isTouch(reading) && !reading.p_W) reading.p_W = Eigen::Vector3d::Zero();
+  }
+  return readings;
+}
+
+RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::vector<Measurement>& readings,
+                             const StopQuestion& stop) {
+  RivalPrediction all;
+  const auto weights = weighReadings(rivals.front().model.placed, readings);
+  if (!weights) return all;
+  for (const RivalModel& rival : rivals) {
+    goOn(stop);
+    auto residual = whitenedResidual(rival.model.placed, rival.model.unknowns, readings, *weights,
+                                     zerosOf(rival.model.unknowns), true);
+    if (!residual.ok) return {};
+    scaleByTypical(rival.model.unknowns, residual.jacobian);
+    all.value.push_back(std::move(residual.r));
+    all.sensitivity.push_back(std::move(residual.jacobian));
+  }
+  return all;
+}
+
+/// Rows of one candidate out of those of all.
+RivalPrediction rowsOf(const RivalPrediction& all, Index first, Index count) {
+  RivalPrediction part;
+  for (std::size_t m = 0; m < all.value.size(); ++m) {
+    part.value.emplace_back(all.value[m].segment(first, count));
+    part.sensitivity.emplace_back(all.sensitivity[m].middleRows(first, count));
+  }
+  return part;
+}
+
+/// What is known of a rival's numbers, and how far each other's truth has moved them, as readings are chosen.
+class Race {
+ public:
+  Race(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions)
+      : rivals_(rivals), predictions_(predictions) {
+    const std::size_t n = rivals.size();
+    for (const RivalModel& rival : rivals) covariance_.push_back(rival.covariance);
+    moved_.resize(n, std::vector<VectorXd>(n));
+    rise_.resize(n, std::vector<double>(n, 0));
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b) {
+        moved_[a][b] = VectorXd::Zero(covariance_[b].rows());
+        rise_[a][b] = rivals[b].criterion - rivals[a].criterion;
+      }
+  }
+
+  /// A smooth minimum of what the pairs would have risen to: less is better.
+  [[nodiscard]] double scoreWith(std::size_t candidate) const {
+    double score = 0;
+    forPairs(candidate,
+             [&](std::size_t a, std::size_t b, double rise) { score += std::exp(-(rise_[a][b] + rise) / 2); });
+    return score;
+  }
+
+  [[nodiscard]] DiscriminationStep describe(std::size_t candidate) const {
+    DiscriminationStep step;
+    step.candidate = static_cast<int>(candidate);
+    double most = -1;
+    forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
+      // Of one pair, the sense in which it is split less: the smaller rise is the one that counts.
+      const double both = std::min(rise, riseOf(candidate, b, a));
+      if (both <= most) return;
+      most = both;
+      step.a = static_cast<int>(std::min(a, b));
+      step.b = static_cast<int>(std::max(a, b));
+      step.separation = std::sqrt(both);
+    });
+    return step;
+  }
+
+  void take(std::size_t candidate) {
+    forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) { rise_[a][b] += rise; });
+    const RivalPrediction& at = predictions_[candidate];
+    for (std::size_t b = 0; b < rivals_.size(); ++b) {
+      const MatrixXd& H = at.sensitivity[b];
+      const MatrixXd PHt = covariance_[b] * H.transpose();
+      const Eigen::LDLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * PHt);
+      for (std::size_t a = 0; a < rivals_.size(); ++a)
+        if (a != b) moved_[a][b] += PHt * S.solve(at.value[a] - at.value[b] - H * moved_[a][b]);
+      covariance_[b] -= PHt * S.solve(PHt.transpose());
+    }
+  }
+
+ private:
+  [[nodiscard]] double riseOf(std::size_t candidate, std::size_t a, std::size_t b) const {
+    const RivalPrediction& at = predictions_[candidate];
+    const MatrixXd& H = at.sensitivity[b];
+    const MatrixXd S = MatrixXd::Identity(H.rows(), H.rows()) + H * covariance_[b] * H.transpose();
+    const VectorXd e = at.value[a] - at.value[b] - H * moved_[a][b];
+    return e.dot(S.ldlt().solve(e));
+  }
+
+  template <class Use>
+  void forPairs(std::size_t candidate, Use use) const {
+    for (std::size_t a = 0; a < rivals_.size(); ++a)
+      for (std::size_t b = 0; b < rivals_.size(); ++b)
+        if (a != b) use(a, b, riseOf(candidate, a, b));
+  }
+
+  const std::vector<RivalModel>& rivals_;
+  const std::vector<RivalPrediction>& predictions_;
+  std::vector<MatrixXd> covariance_;
+  std::vector<std::vector<VectorXd>> moved_;  ///< [truth][rival]
+  std::vector<std::vector<double>> rise_;     ///< [truth][rival]
+};
+
+}  // namespace
+
+std::vector<RivalModel> rivalModelsOf(const DiagnosisBasis& basis, const std::vector<Explanation>& explanations) {
+  std::vector<RivalModel> rivals;
+  for (const auto& explanation : explanations) {
+    RivalModel rival{modelOf(basis, explanation), explanation.criterion, {}};
+    rival.covariance = covarianceOf(basis, rival.model);
+    rivals.push_back(std::move(rival));
+  }
+  return rivals;
+}
+
+std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
+                                             const std::vector<ReadingCandidate>& candidates,
+                                             const StopQuestion& stop) {
+  std::vector<Measurement> all;
+  std::vector<Index> rows;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    rows.push_back(0);
+    for (const auto& reading : readingsOf(candidates[k], k, rivals.front().model.placed)) {
+      rows.back() += calibration::rowsOf(reading);
+      all.push_back(reading);
+    }
+  }
+  std::vector<RivalPrediction> each(candidates.size());
+  if (all.empty()) return each;
+  const RivalPrediction together = predictByAll(rivals, all, stop);
+  Index first = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    each[k] = together.value.empty()
+                  ? predictByAll(rivals, readingsOf(candidates[k], k, rivals.front().model.placed), stop)
+                  : rowsOf(together, first, rows[k]);
+    first += rows[k];
+  }
+  return each;
+}
+
+std::vector<DiscriminationStep> chooseDiscriminating(const std::vector<RivalModel>& rivals,
+                                                     const std::vector<RivalPrediction>& predictions, int count,
+                                                     const StopQuestion& stop) {
+  Race race(rivals, predictions);
+  std::vector<bool> is_taken(predictions.size());
+  std::vector<DiscriminationStep> steps;
+  while (static_cast<int>(steps.size()) < count) {
+    std::size_t best = predictions.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < predictions.size(); ++k) {
+      if (is_taken[k] || predictions[k].value.empty()) continue;
+      goOn(stop);
+      if (const double score = race.scoreWith(k); score < least) least = score, best = k;
+    }
+    if (best == predictions.size()) break;
+    steps.push_back(race.describe(best));
+    race.take(best);
+    is_taken[best] = true;
+  }
+  return steps;
+}
+
+ExpectedRise expectedRise(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
+                          const std::vector<DiscriminationStep>& steps, int a, int b, int times) {
+  const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
+  Index rows = 0;
+  for (const auto& step : steps) rows += predictions[static_cast<std::size_t>(step.candidate)].value[first].size();
+  VectorXd d(rows * times);
+  MatrixXd H_a(rows * times, rivals[first].covariance.rows()), H_b(rows * times, rivals[second].covariance.rows());
+  Index at = 0;
+  for (int time = 0; time < times; ++time)
+    for (const auto& step : steps) {
+      const RivalPrediction& here = predictions[static_cast<std::size_t>(step.candidate)];
+      const Index n = here.value[first].size();
+      d.segment(at, n) = here.value[first] - here.value[second];
+      H_a.middleRows(at, n) = here.sensitivity[first];
+      H_b.middleRows(at, n) = here.sensitivity[second];
+      at += n;
+    }
+  const MatrixXd one = MatrixXd::Identity(d.size(), d.size());
+  const MatrixXd S_a = one + H_a * rivals[first].covariance * H_a.transpose();
+  const Eigen::LDLT<MatrixXd> S_b(MatrixXd(one + H_b * rivals[second].covariance * H_b.transpose()));
+  const MatrixXd excess = S_b.solve(S_a) - one;
+  const VectorXd whitened = S_b.solve(d);
+  return {d.dot(whitened) + excess.trace(),
+          std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,42 @@
+// Levenberg-Marquardt first, which is quickest where a fit is well posed; where it finds no rest soon, as in a long
+// bent valley, Ipopt goes another way from the same start, and the lower of the two ends is followed to its bottom.
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/estimation/least_squares.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr int kSoon = 30;  // iterations
+
+/// The work of both, for what one of them has found.
+LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
+  found.iterations += other.iterations;
+  found.evaluations += other.evaluations;
+  found.jacobian_evaluations += other.jacobian_evaluations;
+  return found;
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+  using Status = LeastSquaresStatus;
+  const int soon = std::min(kSoon, stop.max_iterations);
+  const LeastSquaresResult quick = minimizeByLevenbergMarquardt(problem, {stop.tolerance, soon});
+  if (quick.status == Status::kConverged || std::isnan(quick.chi2) || stop.max_iterations <= kSoon) return quick;
+
+  const int left = stop.max_iterations - soon;
+  const LeastSquaresResult other =
+      minimizeLeastSquares(problem, {.max_iterations = left, .method = LeastSquaresMethod::kInteriorPoint});
+  if (other.chi2 <= quick.chi2) return withWorkOf(other, quick);
+
+  const LeastSquaresResult first = withWorkOf(quick, other);
+  if (quick.status != Status::kIterationLimit) return first;
+  LeastSquaresProblem onward = problem;
+  onward.start = quick.x;
+  return withWorkOf(minimizeByLevenbergMarquardt(onward, {stop.tolerance, left - other.iterations}), first);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,23 @@
+// The kernels for this processor: the same shapes, bit for bit, some postures at a time.
+#pragma once
+
+#include <span>
+
+#include "deflection/revolute_chain/revolute_arm.hpp"
+
+namespace tubeplan::deflection::simd {
+
+struct Kernel {
+  const char* instructions;  ///< what the processor must have
+  int lanes;
+  SolveShapes solve;
+  MeetGoals meet;
+};
+
+/// Those that this processor can run, narrow ones first; the first has one lane, the last is the fastest.
+std::span<const Kernel> kernels();
+
+/// The narrowest that takes so many at once, or the widest.
+const Kernel& kernelFor(int count);
+
+}  // namespace tubeplan::deflection::simd

@@ -1,0 +1,52 @@
+// Arms that the kernels solve, the same kept from them, and random postures side by side.
+#pragma once
+
+#include <random>
+
+#include "deflection/posture_batch.hpp"
+#include "tests/deflection/effects/effect_arms.hpp"
+
+namespace tubeplan::deflection {
+
+/// An arm for the kernels with all that they know: beams in several pieces, one that twists, lumps, a leaning tool, a
+/// spring across a joint's axis, a beam that starts off its turn.
+inline Arm oddRevoluteArm() {
+  Arm arm = cobraArm(3);
+  arm.name = "odd";
+  arm.rows[2].joint_stiffness[1] = 3e5;
+  arm.rows[3].weight.lumps = {{70, {0.3, 0.05, 0.1}}};
+  arm.rows[4].beam = Beam<double>{7e10, {kRigid, 3e-7, kRigid}, kRigid, kRigid, 2};
+  arm.rows[4].weight.lumps = {{30, {0, 0.1, 0.05}}};
+  arm.rows[5].beam = Beam<double>{kRigid, Eigen::Vector3d::Constant(kRigid), 2.6e10, 4e-8, 1};
+  arm.rows[5].placement = Origin<double>{{0.49, 0.02, 0.03}, {0.2, -0.3, 0.1}};
+  arm.rows[5].joint.offset = 0.05;
+  return arm;
+}
+
+inline std::vector<Arm> kernelArms() { return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), oddRevoluteArm()}; }
+
+/// The arm solved by the general sweeps: a force at the tip, too small to move it, keeps the kernels off.
+inline Arm withoutKernel(const Arm& arm) { return withEffect(arm, "contact-force", "tip", {1e-200}); }
+
+inline Posture randomCase(const Arm& arm, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> load(0, 300);
+  return {randomJoints(arm, random), load(random), randomDirection(random)};
+}
+
+inline PostureBatch randomBatch(const Arm& arm, Eigen::Index count, std::mt19937_64& random) {
+  PostureBatch batch;
+  batch.resize(static_cast<Eigen::Index>(activeRows(arm).size()), count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Posture posture = randomCase(arm, random);
+    batch.q.col(k) = posture.q;
+    batch.load[k] = posture.load;
+    batch.gravity_B.col(k) = posture.gravity_B;
+  }
+  return batch;
+}
+
+inline Posture postureOf(const PostureBatch& batch, Eigen::Index k) {
+  return {batch.q.col(k), batch.load[k], batch.gravity_B.col(k)};
+}
+
+}  // namespace tubeplan::deflection

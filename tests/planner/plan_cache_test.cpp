@@ -1,0 +1,126 @@
+// Plans that were stopped and taken up again, and plans that begin from an earlier one.
+#include "planner/plan_cache.hpp"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <atomic>
+#include <set>
+
+#include "tests/planner/plan_bytes.hpp"
+#include "tests/planner/workcell.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+using testing::bytesOf;
+using testing::mockup;
+using testing::tubesOf;
+
+/// Stops a plan at its `call`-th sign of progress; gives what it had by then.
+PlanCache stoppedAt(const Workcell& cell, const std::vector<int>& tubes, int call, VisitPlanStatus& status) {
+  PlanCache cache;
+  std::atomic<int> calls = 0;
+  PlanHooks hooks;
+  hooks.progress = [&](std::string_view, std::size_t, std::size_t) { ++calls; };
+  hooks.stop = [&] { return calls >= call; };
+  status = planVisits(cell, tubes, {}, hooks, cache).status;
+  return cache;
+}
+
+TEST(PlanCache, APlanStoppedAnywhereGoesOnToTheSameBytes) {
+  const Workcell cell = mockup();
+  const auto tubes = tubesOf(cell, "spread:7");
+  const std::string expected = bytesOf(planVisits(cell, tubes));
+  for (const int call : {1, 4, 7, 8, 11, 14, 17, 20}) {
+    VisitPlanStatus status = VisitPlanStatus::kNotRun;
+    PlanCache cache = stoppedAt(cell, tubes, call, status);
+    ASSERT_EQ(status, VisitPlanStatus::kStopped) << call;
+    const std::size_t reach = cache.reach.size();
+    EXPECT_GE(reach, std::min<std::size_t>(static_cast<std::size_t>(call), tubes.size()));
+    const VisitPlan plan = planVisits(cell, tubes, {}, {}, cache);
+    EXPECT_EQ(bytesOf(plan), expected) << "stopped at " << call;
+    EXPECT_EQ(plan.kept.reach, static_cast<int>(reach));
+  }
+}
+
+TEST(PlanCache, OfAFinishedPlanAnswersTheSameQuestionWithoutWork) {
+  const Workcell cell = mockup();
+  const auto tubes = tubesOf(cell, "spread:6");
+  PlanCache cache;
+  const std::string expected = bytesOf(planVisits(cell, tubes, {}, {}, cache));
+  std::set<std::string> stages;
+  PlanHooks hooks;
+  hooks.progress = [&](std::string_view stage, std::size_t, std::size_t) { stages.emplace(stage); };
+  const VisitPlan again = planVisits(cell, tubes, {}, hooks, cache);
+  EXPECT_EQ(bytesOf(again), expected);
+  EXPECT_FALSE(stages.contains("reach") || stages.contains("proof"));
+  EXPECT_EQ(again.kept.reach, 6);
+  EXPECT_EQ(again.kept.travels, static_cast<int>(again.visits.size()) - 1);
+  EXPECT_EQ(again.kept.proofs, 2 * static_cast<int>(again.visits.size()) - 1);
+}
+
+TEST(PlanCache, AMotionDoesNotDependOnTheRestOfTheList) {
+  const Workcell cell = mockup();
+  PlanCache one, other;
+  (void)planVisits(cell, tubesOf(cell, "R10C30,R10C33,R20C40,R30C60"), {}, {}, one);
+  (void)planVisits(cell, tubesOf(cell, "R5C50,R10C30,R10C33,R20C40,R30C60"), {}, {}, other);
+  int shared = 0;
+  for (const auto& [ends, plan] : one.travels)
+    if (const auto found = other.travels.find(ends); found != other.travels.end()) {
+      ++shared;
+      EXPECT_EQ(found->second.waypoints, plan.waypoints);
+    }
+  EXPECT_GE(shared, 1);
+}
+
+TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
+  const Workcell cell = mockup();
+  auto tubes = tubesOf(cell, "spread:40");
+  PlanCache cache;
+  const VisitPlan before = planVisits(cell, tubes, {}, {}, cache);
+  ASSERT_EQ(before.status, VisitPlanStatus::kPlanned);
+  const int gone = before.visits[20].tube;
+  std::erase(tubes, gone);
+  const int come = tubesOf(cell, "R21C50").front();
+  ASSERT_EQ(std::count(tubes.begin(), tubes.end(), come), 0);
+  tubes.push_back(come);
+  std::sort(tubes.begin(), tubes.end());
+  cache.orders.clear();
+  const VisitPlan after = planVisits(cell, tubes, {}, {}, cache);
+  ASSERT_EQ(after.status, VisitPlanStatus::kPlanned);
+  EXPECT_EQ(after.kept.reach, 39);
+  // At each of the two places a few travels are new; the search may move a neighbour or two.
+  EXPECT_GE(after.kept.travels, static_cast<int>(after.visits.size()) - 1 - 10);
+  EXPECT_LT(after.kept.travels, static_cast<int>(after.visits.size()) - 1);
+  std::set<int> visited;
+  for (const auto& visit : after.visits) visited.insert(visit.tube);
+  EXPECT_TRUE(visited.contains(come));
+  EXPECT_FALSE(visited.contains(gone));
+  EXPECT_EQ(visited.size() + after.unreachable.size(), tubes.size());
+  // The bound is proved for any order: the kept one is held against it as a new one would be.
+  const VisitPlan anew = planVisits(cell, tubes);
+  EXPECT_LE(after.travel_time, 1.05 * anew.travel_time);
+  EXPECT_GE(after.travel_time, anew.lower_bound);
+  for (const auto& segment : after.segments) EXPECT_GE(segment.margin, 0);
+}
+
+TEST(PlanCache, AnOrderOfAnotherArmPlaceIsOnlyAStart) {
+  const Workcell cell = mockup();
+  const auto tubes = tubesOf(cell, "spread:20");
+  PlanCache cache;
+  (void)planVisits(cell, tubes, {}, {}, cache);
+  Workcell moved = cell;
+  moved.X_WB.translation().x() += 0.05 * testing::kInch;
+  PlanCache order_only;
+  order_only.visiting_order = cache.visiting_order;
+  const VisitPlan plan = planVisits(moved, tubes, {}, {}, order_only);
+  ASSERT_EQ(plan.status, VisitPlanStatus::kPlanned);
+  EXPECT_EQ(plan.kept.reach + plan.kept.travels + plan.kept.proofs, 0);
+  for (const auto& visit : plan.visits)
+    EXPECT_LT((testing::deflectedTip(moved, visit.branch.q) - testing::holeOf(moved, visit.tube)).norm(),
+              1e-6 * testing::kInch);
+}
+
+}  // namespace
+}  // namespace tubeplan::planner
