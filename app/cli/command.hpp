@@ -33,6 +33,7 @@ struct Command {
 
 // Declared here, defined in commands/<name>.cpp.
 Run configureAdd(CLI::App& cli);
+Run configureArm(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);
 Run configureCampaign(CLI::App& cli);
 Run configureCompare(CLI::App& cli);

@@ -58,6 +58,10 @@ constexpr Command kCommands[] = {
     {"serve", "the workbench: all of this in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},
+    {"arm", "arms from URDF and to it, and an arm's file shown for checking",
+     "tubeplan arm import robot.urdf --out robot-arm.yaml --cell robot.yaml\n"
+     "tubeplan arm show app/cells/cobra-arm.yaml --svg arm.svg",
+     configureArm},
     {"completion", "a script that makes the shell complete commands and options",
      "tubeplan completion bash > ~/.local/share/bash-completion/completions/tubeplan", configureCompletion},
     {"man", "the manual page, to be shown by man", "tubeplan man > tubeplan.1 && man ./tubeplan.1", configureMan},

@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -121,7 +122,7 @@ class PythonCell {
     request.robust = robust;
     request.folds = folds;
     request.seed = seed;
-    const auto outcome = run([&] {
+    return run([&] {
       const CellReadings input = readCellReadings(path_, files);
       auto identified = identifyModel(input, request, hooks());
       if (!out.empty() && identified.fit.status == calibration::IdentificationStatus::kDone)
@@ -129,19 +130,18 @@ class PythonCell {
           writeFileAtomically(written.path, written.text, "out");
       return identified.figures;
     });
-    return toPython(outcome);
   }
 
   [[nodiscard]] py::object diagnose(const ReadingFiles& files, std::uint64_t seed) const {
     DiagnosisRequest request;
     request.seed = seed;
-    return toPython(run([&] { return diagnoseModel(readCellReadings(path_, files), request, hooks()).figures; }));
+    return run([&] { return diagnoseModel(readCellReadings(path_, files), request, hooks()).figures; });
   }
 
   [[nodiscard]] py::object compare(const ReadingFiles& files, std::uint64_t seed) const {
     ComparisonRequest request;
     request.seed = seed;
-    return toPython(run([&] { return compareModel(readCellReadings(path_, files), request, hooks()).figures; }));
+    return run([&] { return compareModel(readCellReadings(path_, files), request, hooks()).figures; });
   }
 
   [[nodiscard]] py::object plan(const std::string& tubes, const std::string& compensation, double load,
@@ -154,7 +154,7 @@ class PythonCell {
     request.seed = seed;
     planner::PlanHooks asked;
     asked.stop = Interruption();
-    return toPython(run([&] { return planJson(request, planCell(cell_, request, asked)); }));
+    return run([&] { return planJson(request, planCell(cell_, request, asked)); });
   }
 
  private:
@@ -165,11 +165,10 @@ class PythonCell {
   }
 
   /// Work that Ctrl-C has ended leaves Python's own KeyboardInterrupt behind.
-  template <class Work>
-  static auto run(Work&& work) {
-    auto result = withoutLock(work);
+  static py::object run(const std::function<nlohmann::json()>& work) {
+    const nlohmann::json figures = withoutLock(work);
     if (PyErr_Occurred()) throw py::error_already_set();
-    return result;
+    return toPython(figures);
   }
 
   std::string path_;

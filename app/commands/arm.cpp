@@ -1,0 +1,120 @@
+// tubeplan arm: arms from URDF and to it, and an arm's file shown for checking.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/documents/arm_drawing.hpp"
+#include "app/documents/arm_figures.hpp"
+#include "app/files/arm_reader.hpp"
+#include "app/files/arm_writer.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/text_file.hpp"
+#include "app/files/urdf_reader.hpp"
+#include "app/files/yaml/strict_yaml.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct ArmOptions {
+  std::string action, file, tip, out, cell, svg, json;
+};
+
+/// What a file of an arm, or of a cell with one, holds.
+struct ShownArm {
+  deflection::Arm arm;
+  Units units;
+};
+
+ShownArm readAnyArm(const std::string& path) {
+  if (path.ends_with(".urdf") || path.ends_with(".xml")) return {parseUrdf(readTextFile(path), path).arm, Units()};
+  const YamlFile file = readYamlFile(path);
+  if (file.root.find("arm")) {
+    const Cell cell = readCell(path);
+    return {cell.arm, cell.units};
+  }
+  ArmSource source = readArm(file.root);
+  return {std::move(source.arm), source.units};
+}
+
+void tellLeftOut(const std::vector<std::string>& left_out) {
+  for (const auto& what : left_out) fmt::print(stderr, "left out: {}\n", what);
+}
+
+std::string cellText(const UrdfArm& read, const std::string& arm_file) {
+  std::string text = fmt::format("name: {}\narm: {}\nbase: {{position: [0, 0, 0], rpy: [0, 0, 0], known: true}}\n",
+                                 read.arm.name.empty() ? "robot" : read.arm.name, arm_file);
+  if (read.shapes.empty()) return text;
+  text += "link_shapes:\n";
+  for (const auto& row : read.arm.rows) {
+    std::string shapes;
+    for (const auto& shape : read.shapes)
+      if (shape.row == row.name) shapes += fmt::format("    - {}\n", shape.text);
+    if (!shapes.empty()) text += fmt::format("  {}:\n{}", row.name, shapes);
+  }
+  return text;
+}
+
+int import(const ArmOptions& options) {
+  const UrdfArm read = parseUrdf(readTextFile(options.file), options.file, options.tip);
+  static const Units kUrdfUnits(
+      parseYaml("units: {length: m, angle: deg, force: N, temperature: degC, time: s}", "units").at("units"));
+  const std::string text =
+      fmt::format("# From {}: rigid; add joint_stiffness and beam where it gives.\n{}",
+                  std::filesystem::path(options.file).filename().string(), armYaml(read.arm, kUrdfUnits));
+  writeFileAtomically(options.out, text, "--out");
+  const auto folder = std::filesystem::absolute(options.cell.empty() ? "." : options.cell).parent_path();
+  const auto beside = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
+  if (!options.cell.empty()) writeFileAtomically(options.cell, cellText(read, beside.string()), "--cell");
+  tellLeftOut(read.left_out);
+  fmt::print("{}", armText(read.arm, kUrdfUnits));
+  return kDone;
+}
+
+int exportUrdf(const ArmOptions& options) {
+  const UrdfText urdf = urdfOf(readAnyArm(options.file).arm);
+  writeFileAtomically(options.out, urdf.text, "--out");
+  tellLeftOut(urdf.left_out);
+  return kDone;
+}
+
+int show(const ArmOptions& options) {
+  const ShownArm shown = readAnyArm(options.file);
+  checkJsonTarget(options.json);
+  if (!options.svg.empty()) writeFileAtomically(options.svg, armDrawing(shown.arm, shown.units), "--svg");
+  writeJson(options.json, armJson(shown.arm, shown.units));
+  if (printsText(options.json)) fmt::print("{}", armText(shown.arm, shown.units));
+  return kDone;
+}
+
+int run(const ArmOptions& options) {
+  if (options.action == "show") return show(options);
+  if (options.out.empty())
+    throw InputError("--out", "nothing", fmt::format("the file that `arm {}` writes", options.action));
+  return options.action == "import" ? import(options) : exportUrdf(options);
+}
+
+}  // namespace
+
+Run configureArm(CLI::App& cli) {
+  const auto options = std::make_shared<ArmOptions>();
+  cli.add_option("ACTION", options->action, "import (from URDF), export (to URDF) or show")
+      ->required()
+      ->check(CLI::IsMember({"import", "export", "show"}));
+  cli.add_option("FILE", options->file, "a URDF file, an arm file or a cell")->required();
+  cli.add_option("--out", options->out, "the arm file that import writes, the URDF file that export writes");
+  cli.add_option("--tip", options->tip, "import: the link at the tool's tip, where chains end in several");
+  cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
+  cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
+  cli.add_option("--json", options->json, "show: write the figures as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

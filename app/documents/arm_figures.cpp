@@ -1,0 +1,105 @@
+#include "app/documents/arm_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+#include "app/files/units_json.hpp"
+#include "deflection/chain.hpp"
+#include "deflection/effects/rigid_frames.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::Arm, deflection::JointType;
+using Eigen::Vector3d, Eigen::VectorXd;
+
+deflection::RigidFrames<double> framesAtZero(const Arm& arm) {
+  const auto joints = static_cast<Eigen::Index>(deflection::activeRows(arm).size());
+  return deflection::rigidFramesOf<double>(arm, VectorXd::Zero(joints));
+}
+
+double weightOf(const Arm& arm, std::size_t k) {
+  const auto& weight = arm.rows[k].weight;
+  double sum = weight.end + weight.distributed * deflection::offsetToNext<double>(arm, k).norm();
+  for (const auto& lump : weight.lumps) sum += lump.weight;
+  return sum;
+}
+
+std::string typeOf(const deflection::Joint<double>& joint) {
+  if (!joint.follows.empty()) return "follows";
+  return joint.type == JointType::kPassive ? "fixed" : joint.type == JointType::kRevolute ? "revolute" : "prismatic";
+}
+
+/// "joint z, beam": where a row gives.
+std::string complianceOf(const deflection::Row<double>& row) {
+  std::string axes;
+  for (int k = 0; k < 3; ++k)
+    if (std::isfinite(row.joint_stiffness[k])) axes += "xyz"[k];
+  std::string text = axes.empty() ? "" : "joint " + axes;
+  if (row.beam) text += text.empty() ? "beam" : ", beam";
+  return text;
+}
+
+std::string limitsOf(const deflection::Joint<double>& joint, const Units& units) {
+  if (joint.type == JointType::kPassive || !std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return "";
+  const Dimension unit = joint.type == JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
+  return fmt::format("{} to {}", formatNumber(units.toFile(joint.lower, unit)),
+                     formatNumber(units.toFile(joint.upper, unit)));
+}
+
+}  // namespace
+
+nlohmann::json armJson(const Arm& arm, const Units& units) {
+  const auto frames = framesAtZero(arm);
+  nlohmann::json rows = nlohmann::json::array();
+  double total = 0;
+  for (std::size_t k = 0; k < arm.rows.size(); ++k) {
+    const auto& row = arm.rows[k];
+    const double weight = weightOf(arm, k);
+    total += weight;
+    const Vector3d z = frames.rows[k].R.col(2);
+    rows.push_back({{"name", row.name},
+                    {"joint", row.joint.name},
+                    {"type", typeOf(row.joint)},
+                    {"position", vectorJson(frames.rows[k].p, units, dimension::kLength)},
+                    {"z_axis", {rounded(z.x()), rounded(z.y()), rounded(z.z())}},
+                    {"limits", limitsOf(row.joint, units)},
+                    {"compliant", complianceOf(row)},
+                    {"weight", units.toFile(weight, dimension::kForce)}});
+  }
+  return {{"name", arm.name},
+          {"joints", deflection::activeRows(arm).size()},
+          {"reach", lengthOf(deflection::reachOf(arm), units)},
+          {"weight", units.toFile(total, dimension::kForce)},
+          {"rows", rows},
+          {"tip", vectorJson(frames.tip, units, dimension::kLength)},
+          {"units", unitsJson(units)}};
+}
+
+std::string armText(const Arm& arm, const Units& units) {
+  const nlohmann::json json = armJson(arm, units);
+  const auto length = units.length().name, force = units.force().name;
+  std::string text =
+      fmt::format("{}: {} joints, reaches {:.4g} {}, weighs {:.4g} {}\n", arm.name.empty() ? "arm" : arm.name,
+                  json["joints"].get<int>(), json["reach"].get<double>(), length, json["weight"].get<double>(), force);
+  text += fmt::format("  {:<22} {:<12} {:<9} {:>30} {:>20} {:>10}  {}\n", "row", "joint", "type",
+                      fmt::format("origin, joints at zero ({})", length),
+                      fmt::format("limits ({})", units.angle().name), fmt::format("weight ({})", force), "compliant");
+  for (const auto& row : json["rows"]) {
+    const auto& p = row["position"];
+    text +=
+        fmt::format("  {:<22} {:<12} {:<9} {:>30} {:>20} {:>10.4g}  {}\n", row["name"].get<std::string>(),
+                    row["joint"].get<std::string>(), row["type"].get<std::string>(),
+                    fmt::format("{:.4g}, {:.4g}, {:.4g}", p[0].get<double>(), p[1].get<double>(), p[2].get<double>()),
+                    row["limits"].get<std::string>(), row["weight"].get<double>(), row["compliant"].get<std::string>());
+  }
+  const auto& tip = json["tip"];
+  return text + fmt::format("  tip at {:.4g}, {:.4g}, {:.4g} {}\n", tip[0].get<double>(), tip[1].get<double>(),
+                            tip[2].get<double>(), length);
+}
+
+}  // namespace tubeplan::app

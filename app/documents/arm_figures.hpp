@@ -1,0 +1,18 @@
+// An arm as text and JSON, for checking: rows, joints, what is compliant and what weighs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "deflection/arm.hpp"
+
+namespace tubeplan::app {
+
+/// {name, reach, weight, joints, rows: [{name, joint, type, position, z_axis, limits, compliant, weight}], tip, units};
+/// places and axes in the base frame, all joints at zero.
+[[nodiscard]] nlohmann::json armJson(const deflection::Arm& arm, const Units& units);
+
+[[nodiscard]] std::string armText(const deflection::Arm& arm, const Units& units);
+
+}  // namespace tubeplan::app

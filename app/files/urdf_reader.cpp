@@ -1,0 +1,265 @@
+#include "app/files/urdf_reader.hpp"
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/files/units.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::JointType;
+using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Vector3d;
+
+constexpr double kGravity = 9.80665;  // m/s^2, standard: URDF has masses, an arm's file weights
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Takes what the parser has to say, in place of the terminal.
+class ParserMessages : public console_bridge::OutputHandler {
+ public:
+  ParserMessages() { console_bridge::useOutputHandler(this); }
+  ~ParserMessages() override { console_bridge::restorePreviousOutputHandler(); }
+  ParserMessages(const ParserMessages&) = delete;
+  ParserMessages& operator=(const ParserMessages&) = delete;
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first.empty()) first = text;
+  }
+  std::string first;
+};
+
+urdf::ModelInterfaceSharedPtr modelOf(const std::string& text, const std::string& file) {
+  ParserMessages messages;
+  auto model = urdf::parseURDF(text);
+  if (!model || !model->getRoot())
+    throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a robot as URDF has it",
+                     "xacro files are turned into URDF first");
+  return model;
+}
+
+Isometry3d poseOf(const urdf::Pose& pose) {
+  const Eigen::Quaterniond turn(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
+  Isometry3d X = Isometry3d::Identity();
+  X.linear() = turn.normalized().toRotationMatrix();
+  X.translation() << pose.position.x, pose.position.y, pose.position.z;
+  return X;
+}
+
+/// The smallest turn that takes z to the joint's axis.
+Isometry3d alignment(const urdf::Joint& joint) {
+  Isometry3d X = Isometry3d::Identity();
+  if (joint.type == urdf::Joint::FIXED) return X;
+  const Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  X.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+  return X;
+}
+
+bool isMoving(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+
+using Chain = std::vector<urdf::LinkConstSharedPtr>;
+
+/// The links from the first behind the root to this one. The parser lets links hang on each other in a circle.
+Chain chainTo(const urdf::ModelInterface& model, const urdf::LinkConstSharedPtr& tip, const std::string& file) {
+  Chain chain;
+  for (auto link = tip; link && link->parent_joint; link = link->getParent()) {
+    if (chain.size() == model.links_.size())
+      throw InputError(file, "links that hang on each other in a circle, " + inQuotes(tip->name) + " behind them",
+                       "a tree of links with one root");
+    chain.push_back(link);
+  }
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+urdf::LinkConstSharedPtr findTip(const urdf::ModelInterface& model, const std::string& name, const std::string& file) {
+  const auto depthOf = [&](const urdf::LinkConstSharedPtr& link) {
+    const Chain chain = chainTo(model, link, file);
+    return std::count_if(chain.begin(), chain.end(), [](const auto& at) { return isMoving(*at->parent_joint); });
+  };
+  std::vector<std::string> names;
+  for (const auto& [link_name, link] : model.links_) names.push_back(link_name);
+  if (!name.empty()) {
+    if (const auto link = model.getLink(name)) return link;
+    throw InputError(file, "no link " + inQuotes(name), "a link of the robot", suggestion(name, names));
+  }
+  std::vector<urdf::LinkConstSharedPtr> deepest;
+  for (const auto& [link_name, link] : model.links_) {
+    if (!link->child_links.empty()) continue;
+    const auto depth = depthOf(link), most = deepest.empty() ? -1 : depthOf(deepest.front());
+    if (depth > most) deepest.clear();
+    if (depth >= most) deepest.push_back(link);
+  }
+  if (deepest.size() == 1) return deepest.front();
+  std::vector<std::string> tips;
+  for (const auto& link : deepest) tips.push_back(link->name);
+  throw InputError(file, fmt::format("{} links at the end of equally long chains", tips.size()),
+                   "one, named by --tip: " + alternatives(tips));
+}
+
+/// The chain as rows; `X_LK` leads from a row's frame to its link's.
+class ChainReader {
+ public:
+  ChainReader(const urdf::ModelInterface& model, const urdf::LinkConstSharedPtr& tip, const std::string& file)
+      : model_(model), file_(file), links_(chainTo(model, tip, file)) {
+    last_moving_ = links_.size();
+    while (last_moving_ > 0 && !isMoving(*links_[last_moving_ - 1]->parent_joint)) --last_moving_;
+    if (last_moving_ == 0)
+      throw InputError(file_, "no moving joint between the root and " + inQuotes(tip->name), "one or more",
+                       "another link may be meant by --tip");
+  }
+
+  UrdfArm read() {
+    out_.arm.name = model_.getName();
+    for (std::size_t k = 0; k < last_moving_; ++k) addRow(*links_[k]);
+    for (std::size_t k = 0; k < last_moving_; ++k) addFollowing(k);
+    Isometry3d X_LT = X_LK_.back();
+    for (std::size_t k = last_moving_; k < links_.size(); ++k) {
+      X_LT = X_LT * poseOf(links_[k]->parent_joint->parent_to_joint_origin_transform);
+      addBody(last_moving_ - 1, *links_[k], X_LT);
+    }
+    out_.arm.p_LT = X_LT.translation();
+    out_.arm.tool_axis_L = X_LT.linear().col(2);
+    for (std::size_t k = 0; k < last_moving_; ++k) addAside(k, *links_[k], X_LK_[k]);
+    if (has_inertia_) out_.left_out.emplace_back("moments of inertia: an arm at rest has no use for them");
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] bool isOnChain(const urdf::Link& link) const {
+    return std::any_of(links_.begin(), links_.end(), [&](const auto& other) { return other->name == link.name; });
+  }
+
+  void addRow(const urdf::Link& link) {
+    const urdf::Joint& joint = *link.parent_joint;
+    const Isometry3d X_KL = alignment(joint), before = X_LK_.empty() ? Isometry3d::Identity() : X_LK_.back();
+    const Isometry3d X = before * poseOf(joint.parent_to_joint_origin_transform) * X_KL;
+    auto& row = out_.arm.rows.emplace_back();
+    row.name = link.name;
+    std::replace_if(
+        row.name.begin(), row.name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
+    row.placement = deflection::Origin<double>{X.translation(), deflection::fixedAnglesOf(X.linear())};
+    if (isMoving(joint)) row.joint = jointOf(joint);
+    X_LK_.push_back(X_KL.inverse());
+    addBody(out_.arm.rows.size() - 1, link, X_LK_.back());
+  }
+
+  deflection::Joint<double> jointOf(const urdf::Joint& from) {
+    deflection::Joint<double> joint;
+    joint.name = from.name;
+    switch (from.type) {
+      case urdf::Joint::REVOLUTE:
+      case urdf::Joint::CONTINUOUS:
+        joint.type = JointType::kRevolute;
+        break;
+      case urdf::Joint::PRISMATIC:
+        joint.type = JointType::kPrismatic;
+        break;
+      default:
+        throw InputError(fmt::format("{} (joint {})", file_, from.name), "a floating or planar joint",
+                         "joints that turn about or slide along one axis");
+    }
+    if (from.limits && from.type != urdf::Joint::CONTINUOUS && from.limits->lower < from.limits->upper) {
+      joint.lower = from.limits->lower;
+      joint.upper = from.limits->upper;
+    }
+    if (from.limits && from.limits->velocity > 0) joint.max_speed = from.limits->velocity;
+    return joint;
+  }
+
+  /// A joint that mimics another: a passive row that follows it.
+  void addFollowing(std::size_t k) {
+    const urdf::Joint& from = *links_[k]->parent_joint;
+    if (!from.mimic) return;
+    auto& joint = out_.arm.rows[k].joint;
+    const auto leader = std::find_if(links_.begin(), links_.end(), [&](const auto& link) {
+      return link->parent_joint->name == from.mimic->joint_name;
+    });
+    const auto row = static_cast<std::size_t>(leader - links_.begin());
+    if (row >= last_moving_ || joint.type != JointType::kRevolute ||
+        out_.arm.rows[row].joint.type != JointType::kRevolute)
+      throw InputError(fmt::format("{} (joint {})", file_, from.name),
+                       "a joint that mimics " + inQuotes(from.mimic->joint_name), "turning joints of the same chain");
+    joint = {.name = joint.name, .type = JointType::kPassive, .offset = from.mimic->offset};
+    joint.follows = {{static_cast<int>(row), from.mimic->multiplier}};
+  }
+
+  void addBody(std::size_t row, const urdf::Link& link, const Isometry3d& X_LK) {
+    if (link.inertial && link.inertial->mass > 0) {
+      const Vector3d centre = X_LK * poseOf(link.inertial->origin).translation();
+      out_.arm.rows[row].weight.lumps.push_back({kGravity * link.inertial->mass, centre});
+      has_inertia_ = has_inertia_ || link.inertial->ixx > 0;
+    }
+    for (const auto& collision : link.collision_array)
+      if (collision && collision->geometry) addShape(out_.arm.rows[row].name, *collision, X_LK);
+  }
+
+  /// What hangs on a link of the chain beside it: fixed parts with it, others not.
+  void addAside(std::size_t row, const urdf::Link& link, const Isometry3d& X_LK) {
+    for (const auto& child : link.child_links) {
+      if (isOnChain(*child)) continue;
+      if (isMoving(*child->parent_joint)) {
+        out_.left_out.push_back(fmt::format("link {} and what it carries: joint {} is not on the way to the tip",
+                                            child->name, child->parent_joint->name));
+        continue;
+      }
+      const Isometry3d X = X_LK * poseOf(child->parent_joint->parent_to_joint_origin_transform);
+      addBody(row, *child, X);
+      addAside(row, *child, X);
+    }
+  }
+
+  void addShape(const std::string& row, const urdf::Collision& collision, const Isometry3d& X_LK) {
+    const Isometry3d X = X_LK * poseOf(collision.origin);
+    const auto text = [](const Vector3d& v) {
+      return fmt::format("[{}, {}, {}]", formatNumber(v.x()), formatNumber(v.y()), formatNumber(v.z()));
+    };
+    const auto& geometry = *collision.geometry;
+    if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+      const Vector3d half = X.linear().col(2) * cylinder->length / 2;
+      out_.shapes.push_back(
+          {row, fmt::format("cylinder: {{from: {}, to: {}, radius: {}}}", text(X.translation() - half),
+                            text(X.translation() + half), formatNumber(cylinder->radius))});
+    } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
+      out_.shapes.push_back({row, fmt::format("sphere: {{center: {}, radius: {}}}", text(X.translation()),
+                                              formatNumber(sphere->radius))});
+    } else if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
+      out_.shapes.push_back({row, fmt::format("box: {{center: {}, size: {}, rpy: {}}}", text(X.translation()),
+                                              text({box->dim.x, box->dim.y, box->dim.z}),
+                                              text(deflection::fixedAnglesOf(X.linear()) / kDegree))});
+    } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
+      out_.left_out.push_back(
+          fmt::format("the mesh {} of row {}: write it into the cell's link_shapes", mesh->filename, row));
+    }
+  }
+
+  const urdf::ModelInterface& model_;
+  const std::string& file_;
+  Chain links_;
+  std::size_t last_moving_ = 0;   ///< rows: links up to the last one that a moving joint carries
+  std::vector<Isometry3d> X_LK_;  ///< of each row
+  bool has_inertia_ = false;
+  UrdfArm out_;
+};
+
+}  // namespace
+
+UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
+  const auto model = modelOf(text, file);
+  UrdfArm read = ChainReader(*model, findTip(*model, tip, file), file).read();
+  const auto problems = deflection::findProblems(read.arm);
+  if (!problems.empty())
+    throw InputError(fmt::format("{} ({})", file, problems.front().path), problems.front().found,
+                     problems.front().expected);
+  return read;
+}
+
+}  // namespace tubeplan::app
