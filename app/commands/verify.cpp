@@ -53,6 +53,8 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
           {"path_rows", check.rows},
           {"worst_centring", check.worst_centring / units.factor(dimension::kLength)},
           {"worst_approach_deviation", lengthOf(check.worst_approach, units)},
+          {"worst_statics_difference", lengthOf(check.worst_statics, units)},
+          {"statics_not_covered", check.statics_not_covered},
           {"worst_speed_share", check.worst_speed_share},
           {"worst_acceleration_share", check.worst_acceleration_share},
           {"least_margin_proved", lengthOf(check.least_margin, units)},
@@ -68,6 +70,11 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
   fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
   fmt::print("tip off a hole's centre by at most {:.1e} {}, off its axis on an approach by {:.5f} {}\n",
              check.worst_centring / length, units.length().name, check.worst_approach / length, units.length().name);
+  if (check.statics_not_covered.empty())
+    fmt::print("by members cut into pieces, statics of their own: the tip within {:.5f} {} of that\n",
+               check.worst_statics / length, units.length().name);
+  else
+    fmt::print("no second opinion on the statics: {}\n", check.statics_not_covered);
   fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n",
              check.worst_speed_share, check.worst_acceleration_share, check.least_margin / length, units.length().name);
   for (const auto& finding : check.findings) fmt::print("  {}\n", finding);

@@ -9,6 +9,7 @@
 
 #include "deflection/prepared_arm.hpp"
 #include "planner/verification/path_clearance_check.hpp"
+#include "planner/verification/segmented_statics.hpp"
 
 namespace tubeplan::planner {
 
@@ -87,6 +88,7 @@ class Checker {
       result_.worst_centring = std::max(result_.worst_centring, off);
       if (!(off <= options_.centring_tolerance))
         find(fmt::format("{}: the deflected tip is {:.3g} m off the hole's centre", name, off));
+      checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
     }
@@ -95,6 +97,22 @@ class Checker {
         find(tubesheets::tubeName(row, column) + ", said to be unreachable, is not on this sheet");
       if (seen.contains({row, column})) find(tubesheets::tubeName(row, column) + " is both visited and unreachable");
     }
+  }
+
+  /// The deflected shape once more, by a method that shares nothing with the first.
+  void checkStatics(const std::string& tube, const VectorXd& q, const Vector3d& tip) {
+    const auto other = solveSegmentedStatics(cell_.arm, {q, cell_.load, gravity_B_});
+    if (other.status == SegmentedStaticsStatus::kNotCovered) {
+      result_.statics_not_covered = other.reason;
+      return;
+    }
+    if (other.status != SegmentedStaticsStatus::kConverged) return find(tube + ": " + other.reason);
+    const double apart = (cell_.X_WB * other.p_BD - tip).norm();
+    result_.worst_statics = std::fmax(result_.worst_statics, apart);
+    if (!(apart <= options_.statics_tolerance))
+      find(fmt::format("{}: by members cut into pieces the tip is {:.3g} m from where the model has it: raise the "
+                       "beams' `segments`",
+                       tube, apart));
   }
 
   /// Travels before the first approach: the one from the start posture, or none.

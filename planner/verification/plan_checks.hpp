@@ -31,6 +31,7 @@ struct StatedPlan {
 struct PlanCheckOptions {
   double centring_tolerance = 2.54e-8;  ///< m (1e-6 in)
   double stated_tolerance = 2.54e-8;    ///< m, between stated numbers and those found again
+  double statics_tolerance = 5.08e-5;   ///< m (0.002 in), between the tip and that by segmented_statics.hpp
   double joint_tolerance = 1e-9;        ///< rad, between a tube's joints and the end of its approach
   double approach_tolerance =
       2.8e-5;              ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
@@ -50,6 +51,8 @@ struct PlanCheck {
   int tubes = 0, rows = 0;
   double worst_centring = 0;     ///< m
   double worst_approach = 0;     ///< m
+  double worst_statics = std::numeric_limits<double>::quiet_NaN();  ///< m, between the tips of both methods at tubes
+  std::string statics_not_covered;  ///< why the second method says nothing of this arm; empty where it does
   double worst_speed_share = 0;  ///< of the limit
   double worst_acceleration_share = 0;
   double least_margin = std::numeric_limits<double>::infinity();  ///< m, proved between rows

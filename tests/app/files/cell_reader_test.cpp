@@ -120,6 +120,25 @@ Eigen::Isometry3d randomPose(std::mt19937_64& random) {
   return X;
 }
 
+// What docs/files.md shows first, as it stands there: four blanks before every line, a blank line between the two.
+TEST_F(CellReader, readsTheSmallestFilesOfTheDocument) {
+  const std::string text = contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "docs/files.md");
+  const std::size_t from = text.find("    units: {length"), to = text.find("`geometry` frees", from);
+  ASSERT_NE(to, std::string::npos);
+  std::string files[2];
+  int file = 0;
+  std::istringstream lines(text.substr(from, to - from));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) file = 1;
+    if (!line.empty()) files[file] += line.substr(4) + "\n";
+  }
+  write("arm.yaml", files[0]);
+  write("cell.yaml", files[1]);
+  const Cell cell = readCell((folder / "cell.yaml").string());
+  EXPECT_EQ(deflection::activeRows(cell.arm).size(), 2u);
+  EXPECT_EQ(cell.identify.size(), 2u);
+}
+
 TEST_F(CellReader, readsRowsThatAreRigidInASetUp) {
   const std::string known = "known: false}";
   const auto with = [&](const std::string& setups) { return known + "\nsetups: " + setups; };
