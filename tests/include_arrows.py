@@ -1,0 +1,136 @@
+"""No include points back between folders. python3 tests/include_arrows.py [TREE]
+
+ARROWS is the one place that states which folder may include which. A file belongs to the longest entry that its path
+begins with; an arrow to a folder allows whatever that folder has no entry of its own for. Files of one entry may
+include one another."""
+import pathlib
+import re
+import sys
+
+LIBRARIES = 'planner calibration deflection tubesheets'.split()
+ARROWS = {
+    'tubesheets': '',
+    'deflection': '',
+    'deflection/inverse': 'deflection',
+    # What calibration has in common stands on top of its folders: measurement, placed_arm, hooks, statistics.
+    'calibration': 'deflection deflection/inverse tubesheets',
+    'calibration/measurements': 'calibration',
+    'calibration/simulation': 'calibration calibration/measurements',
+    'calibration/estimation': 'calibration calibration/measurements',
+    'calibration/design': 'calibration calibration/measurements calibration/estimation calibration/simulation',
+    'calibration/forecast': 'calibration calibration/measurements calibration/estimation',
+    'calibration/measurement_checks': 'calibration calibration/measurements calibration/estimation',
+    'calibration/diagnosis': 'calibration calibration/measurements calibration/estimation calibration/design',
+    'calibration/patterns': 'calibration calibration/measurements calibration/estimation calibration/diagnosis',
+    # A plan of visits stands on top of planner's folders, the cell that they all look at beneath most of them.
+    'planner/scene': 'deflection tubesheets',
+    'planner/workcell': 'planner/scene',
+    'planner/visit_conditions': '',
+    'planner/collision': 'planner/workcell planner/scene deflection/inverse',
+    'planner/timing': '',
+    'planner/motion': 'planner/collision planner/timing',
+    'planner/reach': 'planner/motion planner/collision planner/workcell planner/scene deflection/inverse',
+    'planner/order': 'planner/timing',
+    'planner': 'planner/order planner/reach planner/motion planner/collision planner/timing planner/workcell '
+               'planner/visit_conditions planner/scene',
+    'planner/verification': 'planner planner/collision planner/workcell',
+    'app/report': '',
+    'app/studies': 'LIBRARIES',
+    'app/studies/measurements': 'app/studies LIBRARIES',
+    'app/studies/positioning': 'app/studies app/studies/measurements LIBRARIES',
+    'app/studies/model': 'app/studies app/studies/positioning LIBRARIES',
+    'app/studies/monte_carlo': 'app/studies app/studies/measurements app/studies/positioning LIBRARIES',
+    'app/files': 'STUDIES LIBRARIES',
+    'app/documents': 'app/report app/files STUDIES LIBRARIES',
+    'app/jobs': 'app/documents app/report app/files STUDIES LIBRARIES',
+    'app/cli': 'app/files STUDIES LIBRARIES',
+    'app/workbench': 'app/jobs app/documents app/report app/files STUDIES LIBRARIES',
+    'app/commands': 'app/cli app/workbench app/jobs app/documents app/report app/files STUDIES LIBRARIES',
+    'app/python': 'app/jobs app/documents app/files STUDIES LIBRARIES',
+    'app/main.cpp': 'app/commands app/cli app/files STUDIES',
+}
+ANYWHERE = {'app/version.hpp'}  # generated
+# Headers of others that have their places.
+FOREIGN = {
+    'nlohmann/': ['app/'], 'yaml-cpp/': ['app/files/'], 'assimp/': ['app/files/'], 'CLI/': ['app/cli/', 'app/commands/'],
+    'httplib.h': ['app/workbench/'], 'ompl/': ['planner/motion/'], 'fcl/': ['planner/'], 'mpi.h': ['app/studies/monte_carlo/'],
+}
+NOT_IN_STUDIES = ['nlohmann/', 'yaml-cpp/', 'app/files/input_error.hpp']
+
+
+def allowed(entry):
+    """Entries that one may include, itself among them."""
+    names = {entry}
+    for name in ARROWS[entry].split():
+        if name == 'LIBRARIES':
+            names.update(e for e in ARROWS if e.split('/')[0] in LIBRARIES)
+        elif name == 'STUDIES':
+            names.update(e for e in ARROWS if e.startswith('app/studies'))
+        else:
+            names.add(name)
+    if entry.startswith(('calibration', 'planner')):
+        names.update(('deflection', 'deflection/inverse', 'tubesheets'))
+    return names
+
+
+def entry_of(path):
+    fits = [e for e in ARROWS if path == e or path.startswith((e + '/', e + '.'))]
+    return max(fits, key=len, default=None)
+
+
+def problems_of(path, included):
+    entry = entry_of(path)
+    if entry is None:
+        return [f'{path}: its folder has no entry in {pathlib.Path(__file__).name}']
+    found = []
+    for name in included:
+        target = entry_of(name)
+        if target is not None and name not in ANYWHERE and target not in allowed(entry):
+            found.append(f'{path} includes {name}: {entry} may not include {target}')
+        if path.startswith('app/studies/') and name.startswith(tuple(NOT_IN_STUDIES)):
+            found.append(f'{path} includes {name}: studies know no files and no JSON')
+        if name.startswith('tests/'):
+            found.append(f'{path} includes {name}: the program does not know its tests')
+        for header, places in FOREIGN.items():
+            if name.startswith(header) and not path.startswith(tuple(places)):
+                found.append(f'{path} includes {name}, which has its place in {", ".join(places)}')
+    return found
+
+
+def circle_in_arrows():
+    """An entry from which the arrows lead back to it, or nothing."""
+    def reaches(entry, seen):
+        for name in allowed(entry) - {entry}:
+            if name == start:
+                return True
+            if name not in seen and (seen.add(name) or reaches(name, seen)):
+                return True
+        return False
+    for start in ARROWS:
+        if reaches(start, set()):
+            return start
+    return None
+
+
+def main():
+    tree = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent)
+    if not problems_of('calibration/a.cpp', ['planner/b.hpp']) or problems_of('app/files/a.cpp', ['planner/workcell.hpp']):
+        sys.exit('the check itself is broken')
+    if circle := circle_in_arrows():
+        sys.exit(f'the arrows lead from {circle} back to it')
+    problems, count = [], 0
+    for folder in [*LIBRARIES, 'app']:
+        for path in sorted((tree / folder).rglob('*.[hc]pp')):
+            if 'node_modules' in path.parts:
+                continue
+            count += 1
+            included = re.findall(r'^[ \t]*#[ \t]*include [<"]([^">]+)[">]', path.read_text(), re.M)
+            problems += problems_of(str(path.relative_to(tree)), included)
+    if count < 100:
+        sys.exit(f'only {count} sources under {tree}')
+    print('\n'.join(problems) or f'{count} sources, no include that points back')
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == '__main__':
+    main()
