@@ -15,10 +15,10 @@ nlohmann::json momentsJson(const Cell& cell, const ReadingSet& set) {
   for (const auto& named : symbols) names.push_back(named.name);
   for (const auto& reading : set.readings) {
     const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
-    deflection::Session<double> session(cell.arm, posture);
+    deflection::EffectContext<double> context(cell.arm, posture);
     nlohmann::json moments = nlohmann::json::array();
     for (const auto& named : symbols)
-      moments.push_back(rounded(deflection::user_formula::valueOf(named.symbol, session)));
+      moments.push_back(rounded(deflection::user_formula::valueOf(named.symbol, context)));
     readings[reading.id] = std::move(moments);
   }
   return {{"unit", cell.units.nameOf(dimension::kTorque)}, {"names", names}, {"readings", readings}};
