@@ -44,7 +44,7 @@ class Table {
     addJoints();
     addCoordinates();
     if (anyHas(readings_, [](const auto& m) { return m.reference != nullptr; }))
-      add("from", [](const auto& m) { return m.reference ? quoted(m.reference->id) : std::string(); });
+      add("from", [](const auto& m) { return m.reference ? tubesheets::csvField(m.reference->id) : std::string(); });
     addConditions();
     std::vector<std::string> names;
     for (const Column& column : columns_) names.push_back(column.name);
