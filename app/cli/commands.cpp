@@ -55,6 +55,10 @@ constexpr Command kCommands[] = {
      "mpirun -n 64 tubeplan campaign app/cells/mockup.yaml --runs 10000000 --tubes all --out out/campaign\n"
      "tubeplan campaign app/cells/bench.yaml --kind diagnose --runs 200",
      configureCampaign},
+    {"report", "a project of the workbench as a page, with what is needed to have its figures again",
+     "tubeplan report bench.tubeplan --pdf bench.pdf\n"
+     "tubeplan report bench.tubeplan --files out/bench",
+     configureReport},
     {"serve", "the workbench: all of this in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},

@@ -29,11 +29,12 @@ struct LadderOptions {
 std::vector<LadderModel> modelsOf(const LadderOptions& options) {
   std::vector<LadderModel> models;
   for (const auto& path : options.cells)
-    models.push_back({path, readCellReadings(path, {options.measurements}, options.given)});
+    models.push_back({path, readCellReadings(path, {options.measurements}, options.given), nullptr});
   if (options.with_rigid)
     models.insert(models.begin(), {models.front().name + ", rigid",
                                    {rigidOf(models.front().input.cell), options.measurements,
-                                    models.front().input.readings, models.front().input.checks}});
+                                    models.front().input.readings, models.front().input.checks},
+                                   nullptr});
   return models;
 }
 

@@ -14,6 +14,7 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/files/input_error.hpp"
 #include "app/workbench/http_server.hpp"
+#include "app/workbench/live.hpp"
 
 namespace tubeplan::app {
 
@@ -22,11 +23,12 @@ namespace {
 struct ServeOptions {
   WorkbenchOptions workbench;
   DoorRules door;
-  std::string page;
+  std::string page, watch;
   bool open = false;
 };
 
 constexpr std::size_t kShortestToken = 12;
+constexpr auto kGlance = std::chrono::milliseconds(50);  // between looks at what a running arm has written
 
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;
@@ -57,7 +59,12 @@ int run(const ServeOptions& options) {
   std::fflush(stdout);
   if (options.open) openBrowser(server.address());
   std::thread serving([&server] { server.run(); });
-  while (!stopRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  WatchedFile watched(options.watch);
+  while (!stopRequested()) {
+    std::this_thread::sleep_for(kGlance);
+    if (!options.watch.empty()) watched.look(workbench);
+    joinArrived(workbench);
+  }
   server.stop();
   serving.join();
   return kDone;
@@ -83,6 +90,8 @@ Run configureServe(CLI::App& cli) {
       ->default_str("$XDG_STATE_HOME/tubeplan");
   cli.add_flag("--fresh", options->workbench.fresh, "begin anew; what is kept of this cell stays under Open, Recent");
   cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, to touch holes with");
+  cli.add_option("--watch", options->watch,
+                 "follow this file (CSV): readings that are added to it, or joint readings of a running arm");
   cli.add_option("--page", options->page, "serve the page from this folder instead of the program's own");
   cli.add_flag("--open", options->open, "open the page in a browser");
   return [options] { return run(*options); };

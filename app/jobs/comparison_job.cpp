@@ -39,7 +39,8 @@ void addPictures(const Cell& cell, nlohmann::json& json) {
 
 }  // namespace
 
-ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks) {
+ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks,
+                               const calibration::Identification* refitted) {
   const auto& cell = input.cell;
   const auto& readings = input.readings;
   calibration::ComparisonOptions comparison;
@@ -48,6 +49,7 @@ ComparisonOutcome compareModel(const CellReadings& input, const ComparisonReques
   comparison.refit.seed = request.seed;
   comparison.refit.intervals_by_profile = false;
   comparison.hooks = hooks;
+  comparison.refitted = refitted;
   ComparisonOutcome outcome;
   outcome.comparison = calibration::compare(startOf(cell, readings), readings, comparison);
   requireGoingOn(hooks);

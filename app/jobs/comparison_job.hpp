@@ -22,10 +22,11 @@ struct ComparisonOutcome {
   nlohmann::json figures;             ///< as `tubeplan compare --json` writes them
 };
 
-/// Throws InputError for a list `identify` that names no parameters and for readings that tell nothing,
-/// JobStopped.
+/// `refitted`: the refit, where it is made already. Throws InputError for a list `identify` that names no parameters
+/// and for readings that tell nothing, JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
-                                             const WorkHooks& hooks = {});
+                                             const WorkHooks& hooks = {},
+                                             const calibration::Identification* refitted = nullptr);
 
 /// The page of --report.
 [[nodiscard]] std::string comparisonPage(const CellReadings& input, const ComparisonRequest& request,

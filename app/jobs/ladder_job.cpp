@@ -16,10 +16,12 @@ LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderSt
                           const WorkHooks& hooks) {
   LadderOutcome outcome;
   std::vector<Cell> cells;
-  for (const auto& [name, input] : models) {
+  for (const auto& [name, input, fit] : models) {
     beginStep(hooks, "ladder: " + name, cells.size(), models.size());
+    const bool is_made = fit && fit->status != calibration::IdentificationStatus::kNotRun;
     outcome.comparison.push_back(
-        comparisonRowOf(name, input.cell, input.readings, options.seed, calibration::withoutProgress(hooks)));
+        is_made ? comparisonRowOf(name, *fit)
+                : comparisonRowOf(name, input.cell, input.readings, options.seed, calibration::withoutProgress(hooks)));
     cells.push_back(input.cell);
   }
   outcome.steps = addSteps(options, cells, outcome.comparison, within(hooks, "ladder"));

@@ -15,6 +15,7 @@ namespace tubeplan::app {
 struct LadderModel {
   std::string name;
   CellReadings input;
+  const calibration::Identification* fit = nullptr;  ///< as fitForLadder gives it, where it is made already
 };
 
 struct LadderOutcome {

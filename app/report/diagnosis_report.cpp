@@ -6,7 +6,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// One page's sources show all three kinds; the document says which.
+/// One page's sources show all these kinds; the document says which.
 std::string renderKind(const nlohmann::json& report, const char* kind) {
   nlohmann::json document = report.is_object() ? report : nlohmann::json::object();
   document["page"] = kind;
@@ -18,6 +18,8 @@ std::string renderKind(const nlohmann::json& report, const char* kind) {
 std::string renderDiagnosisReport(const nlohmann::json& report) { return renderKind(report, "diagnosis"); }
 
 std::string renderComparisonReport(const nlohmann::json& report) { return renderKind(report, "comparison"); }
+
+std::string renderProjectReport(const nlohmann::json& report) { return renderKind(report, "project"); }
 
 std::string renderLadderReport(const nlohmann::json& report) { return renderKind(report, "ladder"); }
 

@@ -24,4 +24,7 @@ namespace tubeplan::app {
 ///   units; noise_floor; models: [{name, rms, heldout_rms, chi2_per_dof, p_value, numbers}, ...], readings as above
 [[nodiscard]] std::string renderLadderReport(const nlohmann::json& report);
 
+/// The page of `tubeplan report`, likewise, from what projectReportJson() gives.
+[[nodiscard]] std::string renderProjectReport(const nlohmann::json& report);
+
 }  // namespace tubeplan::app

@@ -57,6 +57,21 @@ const PAGES = {
       {...MAPS, of: (report) => list(report.readings).length > 0}
     ]
   },
+  project: {
+    title: "Project",
+    sections: [
+      {...LADDER, of: (report) => list(report.models).length > 0},
+      {id: "history", title: "How the models came about", make: historySection},
+      {
+        id: "numbers",
+        title: "Numbers of the current model",
+        make: parametersSection,
+        of: (report) => list(report.parameters).length > 0
+      },
+      {id: "inputs", title: "What it is of", make: inputsSection},
+      {id: "commands", title: "The same figures again", make: commandsSection},
+    ]
+  },
 };
 
 function factsOf(report) {
@@ -66,13 +81,14 @@ function factsOf(report) {
                                                                  null;
   const isBetter = explanationsOf(report).some((entry) => entry.enough !== false) || report.page !== "diagnosis";
   const error = (value) => (errorOf(value) === null ? null : lengthText(errorOf(value), report));
+  const own = Array.isArray(report.facts) ? report.facts.filter((fact) => Array.isArray(fact) && fact.length === 2) : [];
   return [
-    ["Readings", list(report.readings).length > 0 ? whole(list(report.readings).length) : null],
+    ...own, ["Readings", list(report.readings).length > 0 ? whole(list(report.readings).length) : null],
     ["Held-out error before", error(rms.heldout_before)],
     ["Held-out error after", isBetter ? error(rms.heldout_after) : null], ["Noise floor", error(noiseFloorOf(report))],
     ["Chi-square per degree of freedom", chi2],
     ["Readings set aside", textList(report.set_aside).length > 0 ? whole(report.set_aside.length) : null]
-  ].filter(([, value]) => value !== null);
+  ].filter(([, value]) => value !== null && value !== "");
 }
 
 function showHead(report, page) {
@@ -89,7 +105,8 @@ function showHead(report, page) {
 
 function showFoot(report) {
   const facts = [
-    ["cell", report.cell], ["readings", report.measurements], ["seed", report.seed], ["tubeplan", report.version]
+    ["cell", report.cell], ["readings", report.measurements], ["seed", report.seed], ["tubeplan", report.version],
+    ["commit", report.commit]
   ].filter(([, value]) => textOf(value, "") !== "");
   append(document.getElementById("foot"), [facts.map(([name, value]) => `${name} ${textOf(value)}`).join(" \u00b7 ")]);
 }

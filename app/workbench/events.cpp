@@ -21,6 +21,13 @@ void Events::jobMoved(int id, std::string json) {
   changed_.notify_all();
 }
 
+void Events::liveMoved(std::string json) {
+  const std::lock_guard lock(mutex_);
+  live_ = std::move(json);
+  ++live_number_;
+  changed_.notify_all();
+}
+
 void Events::close() {
   const std::lock_guard lock(mutex_);
   closed_ = true;
@@ -29,13 +36,16 @@ void Events::close() {
 
 Events::News Events::wait(Seen& seen, std::chrono::milliseconds most) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, most, [&] { return closed_ || seen.state != state_ || seen.jobs != job_number_; });
+  changed_.wait_for(lock, most, [&] {
+    return closed_ || seen.state != state_ || seen.jobs != job_number_ || seen.live != live_number_;
+  });
   News news;
   news.closed = closed_;
   news.state_changed = seen.state != state_;
   for (const auto& [id, job] : jobs_)
     if (job.number > seen.jobs) news.jobs.push_back(job.json);
-  seen = {state_, job_number_};
+  if (seen.live != live_number_) news.live = live_;
+  seen = {state_, job_number_, live_number_};
   return news;
 }
 

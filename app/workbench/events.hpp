@@ -1,5 +1,5 @@
-// What all browsers are told: that the state has changed, and how far the jobs are. Each listener asks for what is
-// newer than what it has seen, so that a slow one holds up nobody and nothing is kept for it.
+// What all browsers are told: that the state has changed, how far the jobs are, and where a running arm is. Each
+// listener asks for what is newer than what it has seen, so that a slow one holds up nobody and nothing is kept for it.
 #pragma once
 
 #include <chrono>
@@ -16,12 +16,13 @@ class Events {
  public:
   /// How much a listener has seen.
   struct Seen {
-    std::uint64_t state = 0, jobs = 0;
+    std::uint64_t state = 0, jobs = 0, live = 0;
   };
 
   struct News {
     bool state_changed = false;
     std::vector<std::string> jobs;  ///< the newest of each job that has moved, as JSON
+    std::string live;               ///< the newest that a running arm has told, as JSON; empty: nothing new
     bool closed = false;
   };
 
@@ -30,6 +31,7 @@ class Events {
 
   void stateChanged();
   void jobMoved(int id, std::string json);
+  void liveMoved(std::string json);
 
   /// Wakes every listener for good.
   void close();
@@ -48,7 +50,8 @@ class Events {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::uint64_t state_ = 1, job_number_ = 0;
+  std::uint64_t state_ = 1, job_number_ = 0, live_number_ = 0;
+  std::string live_;
   std::map<int, JobNews> jobs_;
   bool closed_ = false;
   int listeners_ = 0, most_listeners_;

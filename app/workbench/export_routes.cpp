@@ -9,12 +9,12 @@
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/touch_input.hpp"
-#include "app/files/yaml/yaml_edit.hpp"
 #include "app/jobs/comparison_job.hpp"
 #include "app/jobs/diagnosis_job.hpp"
 #include "app/jobs/ladder_job.hpp"
 #include "app/report/plan_report.hpp"
 #include "app/workbench/job_routes.hpp"
+#include "app/workbench/model_files.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -22,19 +22,6 @@
 namespace tubeplan::app {
 
 namespace {
-
-/// The model as files at that place: its arm beside it, where that stands in a file of its own.
-std::vector<TextFile> cellFiles(const Cell& cell, const std::filesystem::path& out) {
-  std::vector<TextFile> files;
-  std::string text = cellTextAt(cell, out);
-  if (!cell.arm_source.text.empty()) {
-    const std::string name = out.stem().string() + "-arm.yaml";
-    files.push_back({std::filesystem::path(out).replace_filename(name), cell.arm_source.text});
-    text = withYamlValue(text, "arm", '"' + name + '"');
-  }
-  files.push_back({out, text});
-  return files;
-}
 
 const PlanOutcome& planOf(const Session& session) {
   if (!session.plan) throw InputError("export", "no plan", "one that was made");

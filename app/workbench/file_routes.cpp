@@ -17,7 +17,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kMostReadings = 20000;  // every look at them solves the arm's shape as often
+constexpr std::size_t kMostReadings = Arrivals::kMost;  // every look at them solves the arm's shape as often
 
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();
@@ -90,38 +90,63 @@ std::set<std::string> idsOf(const ReadingSet& set) {
   return ids;
 }
 
-/// The set with those ids set aside, or taken back. Throws InputError for ids that it does not have, and where nothing
-/// would be left.
-std::shared_ptr<const ReadingSet> withSetAside(const ReadingSet& set, const std::vector<std::string>& ids, bool aside) {
+void requireIds(const ReadingSet& set, const std::vector<std::string>& ids) {
   const auto known = idsOf(set);
-  auto changed = std::make_shared<ReadingSet>(set);
-  ++changed->change;
-  for (const auto& id : ids) {
+  for (const auto& id : ids)
     if (!known.contains(id)) throw InputError("ids", inQuotes(id), "ids of the readings");
-    if (aside)
-      changed->set_aside.insert(id);
-    else
-      changed->set_aside.erase(id);
-  }
-  if (changed->set_aside.size() >= set.readings.size())
-    throw InputError("ids", "all readings to be set aside", "some left");
-  return changed;
 }
 
-Answer setAside(Workbench& workbench, const Request& request) {
+/// The set with those ids set aside, or taken back. Throws InputError where nothing would be left.
+ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, bool aside) {
+  for (const auto& id : ids) {
+    if (aside)
+      set.set_aside.insert(id);
+    else
+      set.set_aside.erase(id);
+  }
+  if (set.set_aside.size() >= set.readings.size()) throw InputError("ids", "all readings to be set aside", "some left");
+  return set;
+}
+
+/// The set with those ids held out of fits, or taken into them. Throws InputError where nothing would be left to fit.
+ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool held_out) {
+  const std::set<std::string> chosen(ids.begin(), ids.end());
+  std::size_t fitted = 0;
+  for (auto& reading : set.readings) {
+    if (chosen.contains(reading.id)) reading.is_held_out = held_out;
+    fitted += !reading.is_held_out && !set.set_aside.contains(reading.id) ? 1 : 0;
+  }
+  if (fitted == 0) throw InputError("ids", "all readings to be held out", "some left to fit");
+  return set;
+}
+
+/// {"ids", and `word`: true or false}: readings are marked, and what was found out from them is gone.
+Answer mark(Workbench& workbench, const Request& request, const char* word,
+            ReadingSet (*marked)(ReadingSet, const std::vector<std::string>&, bool)) {
   const auto body = objectOf(request);
   const auto ids = textsOf(body, "ids");
-  const bool aside = booleanOf(body, "aside", true);
+  const bool is_on = booleanOf(body, word, true);
   if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
   bool has_readings = false;
   workbench.change([&](Session& session) {
     has_readings = session.readings != nullptr;
     if (!has_readings) return false;
-    session.readings = withSetAside(*session.readings, ids, aside);
+    requireIds(*session.readings, ids);
+    auto changed = std::make_shared<ReadingSet>(marked(*session.readings, ids, is_on));
+    ++changed->change;
+    session.readings = std::move(changed);
     forgetResultsOfReadings(session);
     return true;
   });
   return has_readings ? answerOf(stateJson(workbench)) : noReadings();
+}
+
+Answer setAside(Workbench& workbench, const Request& request) {
+  return mark(workbench, request, "aside", withSetAside);
+}
+
+Answer holdOut(Workbench& workbench, const Request& request) {
+  return mark(workbench, request, "held_out", withHeldOut);
 }
 
 /// Another cell or project instead of what is there; work that stands in no project is not dropped unasked.
@@ -176,6 +201,7 @@ constexpr Route kRoutes[] = {
     {"POST", "measurements", uploadReadings},
     {"POST", "measurements/open", openReadingsFile},
     {"POST", "measurements/set-aside", setAside},
+    {"POST", "measurements/hold-out", holdOut},
     {"POST", "cell/open", openCellFile},
     {"POST", "project/open", openProject},
     {"POST", "project/save", saveProject},

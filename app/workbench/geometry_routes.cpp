@@ -1,12 +1,14 @@
 // Sheet, scene, postures and the catalogue: what is answered at once.
 #include "app/documents/effect_catalogue.hpp"
 #include "app/files/input_error.hpp"
+#include "app/studies/model/cell_fit.hpp"
 #include "app/workbench/geometry_json.hpp"
 #include "app/workbench/posture_answer.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
+#include "calibration/diagnosis/twins.hpp"
 
 namespace tubeplan::app {
 
@@ -35,6 +37,28 @@ Answer catalogue(Workbench& workbench, const Request&) {
   return answerOf(catalogueJson(currentModel(workbench.session()).cell));
 }
 
+constexpr std::size_t kMostForTwins = 300;  // readings spread over all: what they share hangs little on how many
+
+/// Of the causes, by the readings in use and the numbers that are fitted: which hide behind which.
+Answer twins(Workbench& workbench, const Request&) {
+  const Session session = workbench.session();
+  if (!session.readings) return refusal(404, InputError("measurements", "none loaded", "some"));
+  const Cell& cell = currentModel(session).cell;
+  const auto all = readingsInUse(*session.readings);
+  std::vector<calibration::Measurement> some;
+  for (std::size_t k = 0; k < all.size(); k += (all.size() + kMostForTwins - 1) / kMostForTwins) some.push_back(all[k]);
+  auto placed = startOf(cell, all);
+  const auto fitted = calibration::chooseUnknowns(placed, freeNumbersOf(cell)).list;
+  nlohmann::json causes = nlohmann::json::array();
+  for (const auto& cause : calibration::findTwins(placed, some, fitted)) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const auto& twin : cause.twins)
+      list.push_back({{"effect", twin.effect}, {"at", twin.at}, {"share", twin.share}});
+    causes.push_back({{"effect", cause.effect}, {"at", cause.at}, {"kept", cause.kept}, {"twins", list}});
+  }
+  return answerOf({{"readings", some.size()}, {"causes", causes}});
+}
+
 Answer select(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session session = workbench.session();
@@ -45,8 +69,8 @@ Answer select(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kRoutes[] = {
-    {"GET", "sheet", sheet},         {"GET", "scene", scene},    {"POST", "pose", pose},
-    {"GET", "catalogue", catalogue}, {"POST", "select", select},
+    {"GET", "sheet", sheet},         {"GET", "scene", scene}, {"POST", "pose", pose},
+    {"GET", "catalogue", catalogue}, {"GET", "twins", twins}, {"POST", "select", select},
 };
 
 }  // namespace

@@ -243,6 +243,7 @@ class HttpServer::Implementation : public httplib::Server {
     if (news.state_changed)
       text += eventText("state", stateJson(workbench_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     for (const auto& job : news.jobs) text += eventText("job", job);
+    if (!news.live.empty()) text += eventText("live", news.live);
     const auto now = std::chrono::steady_clock::now();
     if (text.empty() && now - spoken > kHeartbeat) text = ": still here\n\n";
     if (text.empty()) return true;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/files/reading_input.hpp"
+#include "app/jobs/comparison_job.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/workbench.hpp"
@@ -20,6 +21,10 @@ namespace tubeplan::app {
 using ResultWork = std::function<nlohmann::json(const Session& began, JobContext&)>;
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     ResultWork work);
+
+/// The comparison of what is there as a job; with the ladder over the stack, which is told as soon as it is there: the
+/// current model is fitted once for both.
+[[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
 
 /// What work tells becomes the job's stages; a job asked to stop ends wherever it is.
 [[nodiscard]] WorkHooks hooksOf(JobContext& context);

@@ -24,15 +24,6 @@ namespace {
 
 constexpr int kMostSimulated = 5000;
 
-Answer compare(Workbench& workbench, const Request& request) {
-  const auto body = objectOf(request);
-  const ComparisonRequest asked{integerOf(body, "folds", 5, 0, 100), seedOf(body)};
-  return beginResultJob(workbench, "compare", "where the model fails",
-                        [asked](const Session& began, JobContext& context) {
-                          return compareModel(inputOf(began), asked, hooksOf(context)).figures;
-                        });
-}
-
 Answer diagnose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const DiagnosisRequest asked{integerOf(body, "effects", 3, 1, 4), integerOf(body, "next", 6, 1, 50), seedOf(body)};
@@ -62,13 +53,15 @@ std::vector<NamedCell> stackOf(const Session& session) {
   return stack;
 }
 
+/// `top`: the fit of the last, where it is made already.
 nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& began, std::uint64_t seed,
-                          const WorkHooks& hooks) {
+                          const WorkHooks& hooks, const calibration::Identification* top = nullptr) {
   std::vector<LadderModel> models;
   for (const auto& [label, cell] : stack) {
-    models.push_back({label, {cell, began.readings->name, readingsInUse(*began.readings)}});
+    models.push_back({label, {cell, began.readings->name, readingsInUse(*began.readings)}, nullptr});
     requireDefinedFormulas(models.back().input.readings, cell, models.back().input.file);
   }
+  models.back().fit = top;
   LadderStepOptions options;
   options.truth = began.truth;
   options.holes = 300;
@@ -83,6 +76,19 @@ Answer ladder(Workbench& workbench, const Request& request) {
                           (void)inputOf(began);
                           return ladderOver(stackOf(began), began, seed, hooksOf(context));
                         });
+}
+
+void tellLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const calibration::Identification& fit,
+                JobContext& context) {
+  const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), &fit);
+  finishJob(workbench, began, [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
+}
+
+/// {"folds"?, "ladder"?: true}
+Answer compare(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  return beginComparison(workbench, {integerOf(body, "folds", 5, 0, 100), seedOf(body)},
+                         booleanOf(body, "ladder", false));
 }
 
 /// Puts a fitted model on the stack with its figures, and the ladder over the stack with it.
@@ -236,6 +242,19 @@ constexpr Route kRoutes[] = {
 };
 
 }  // namespace
+
+Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder) {
+  return beginResultJob(workbench, "compare", "where the model fails",
+                        [=, &workbench](const Session& began, JobContext& context) {
+                          const CellReadings input = inputOf(began);
+                          if (!with_ladder) return compareModel(input, asked, hooksOf(context)).figures;
+                          beginStage(context, "fit");
+                          const auto fit = fitForLadder(input.cell, input.readings, asked.seed, hooksOf(context));
+                          tellLadder(workbench, began, asked.seed, fit, context);
+                          const bool is_made = fit.status == calibration::IdentificationStatus::kDone;
+                          return compareModel(input, asked, hooksOf(context), is_made ? &fit : nullptr).figures;
+                        });
+}
 
 std::span<const Route> loopRoutes() { return kRoutes; }
 

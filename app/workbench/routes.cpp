@@ -11,8 +11,8 @@ namespace tubeplan::app {
 namespace {
 
 using RouteTable = std::span<const Route> (*)();
-constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,  loopRoutes,
-                                  calibrateRoutes, planRoutes,     exportRoutes};
+constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,   loopRoutes,
+                                  calibrateRoutes, planRoutes,     exportRoutes, liveRoutes};
 
 bool fits(std::string_view path, const std::vector<std::string>& words) {
   std::size_t k = 0;

@@ -23,6 +23,7 @@ struct Route {
 [[nodiscard]] std::span<const Route> calibrateRoutes();
 [[nodiscard]] std::span<const Route> planRoutes();
 [[nodiscard]] std::span<const Route> exportRoutes();
+[[nodiscard]] std::span<const Route> liveRoutes();
 
 /// Finds the row and answers; every exception becomes an answer, and nothing is thrown.
 [[nodiscard]] Answer answer(Workbench& workbench, const Request& request);

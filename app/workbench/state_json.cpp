@@ -110,6 +110,8 @@ json measurementsJson(const Session& session) {
                    {"kinds", kinds},
                    {"setups", setups.size()},
                    {"set_aside", session.readings->set_aside.size()},
+                   {"held_out", std::count_if(session.readings->readings.begin(), session.readings->readings.end(),
+                                              [](const auto& reading) { return reading.is_held_out; })},
                    {"change", session.readings->change},
                    {"sigma", lengthOf(sigma, currentModel(session).cell.units)}};
   addChecks(session.readings->checks, currentModel(session).cell.units, document);

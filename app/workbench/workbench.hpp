@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/arrivals.hpp"
 #include "app/workbench/events.hpp"
 #include "app/workbench/jobs.hpp"
 #include "app/workbench/opened_folder.hpp"
@@ -42,6 +43,7 @@ class Workbench {
   [[nodiscard]] const SessionKeeper& keeper() const { return keeper_; }
   [[nodiscard]] const OpenedFolder& folder() const { return folder_; }
   [[nodiscard]] Events& events() { return events_; }
+  [[nodiscard]] Arrivals& arrivals() { return arrivals_; }
   [[nodiscard]] Jobs& jobs() { return jobs_; }
   [[nodiscard]] const Jobs& jobs() const { return jobs_; }
 
@@ -51,6 +53,7 @@ class Workbench {
   OpenedFolder folder_;
   SessionKeeper keeper_;
   Events events_;
+  Arrivals arrivals_;
   Jobs jobs_;  ///< last: its thread ends before what it works on
 };
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -130,11 +132,55 @@ ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unkn
                         const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
                         const std::vector<int>& folds, const FitOptions& options, const WorkHooks& hooks) {
   const auto fitted = [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+    if (unknowns.empty()) return start;
     const Fit fit = fitUnknowns(start, unknowns, kept, x, options);
     if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
     return applied(start, unknowns, fit.solution.x);
   };
   return judgeFolds(readings, folds, fitted, hooks);
+}
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// The rows of the whole fit that are of readings outside the fold.
+std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const std::vector<Measurement>& readings,
+                               const ReadingWeights& weights) {
+  std::vector<Index> rows;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    for (int row = 0; folds[k] != fold && row < rowsOf(readings[k]); ++row) rows.push_back(weights.first_row[k] + row);
+  return rows;
+}
+
+/// From the variables of the whole fit to those of a fit to these rows alone; nothing where it is far.
+std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
+  const VectorXd& x = whole.solution.x;
+  const MatrixXd jacobian = whole.residual.jacobian(rows, Eigen::all);
+  const VectorXd gradient =
+      jacobian.transpose() * whole.residual.r(rows) + priorSlopes(unknowns).cwiseProduct(priorResiduals(unknowns, x));
+  const VectorXd step = -(posteriorCovariance(jacobian, unknowns) * gradient);
+  const VectorXd sigma = whole.covariance.diagonal().cwiseSqrt();
+  if (!step.allFinite() || (step.cwiseAbs().array() > kFarthestFold * sigma.array()).any()) return {};
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    if (x[k] + step[k] <= unknown.lower || x[k] + step[k] >= unknown.upper) return {};
+  }
+  return step;
+}
+
+}  // namespace
+
+std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                                              const std::vector<Measurement>& readings, const Fit& whole,
+                                              const std::vector<int>& folds, const WorkHooks& hooks) {
+  int fold = 0;
+  const auto stepped = [&](const std::vector<Measurement>&) -> std::optional<PlacedArm> {
+    const auto step = stepTo(rowsOutside(fold++, folds, readings, whole.weights), whole, unknowns);
+    return step ? std::optional(applied(start, unknowns, whole.solution.x + *step)) : std::nullopt;
+  };
+  const ErrorSize size = judgeFolds(readings, folds, stepped, hooks);
+  return size.readings > 0 ? std::optional(size) : std::nullopt;
 }
 
 }  // namespace tubeplan::calibration

@@ -33,10 +33,19 @@ using FitToReadings = std::function<std::optional<PlacedArm>(const std::vector<M
 [[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
                                    const FitToReadings& fit, const WorkHooks& hooks = {});
 
-/// The same with the unknowns fitted from `x`.
+/// The same with the unknowns fitted from `x`; with none, the model as it is.
 [[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                       const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
                                       const std::vector<int>& folds, const FitOptions& options,
                                       const WorkHooks& hooks = {});
+
+/// Each fold's fit as one Gauss-Newton step from `whole`, the fit to all readings: without a robust loss, and off by
+/// the square of the step. Nothing where a fold is too far from the whole for that (kFarthestFold).
+[[nodiscard]] std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start,
+                                                            const std::vector<Unknown>& unknowns,
+                                                            const std::vector<Measurement>& readings, const Fit& whole,
+                                                            const std::vector<int>& folds, const WorkHooks& hooks = {});
+
+inline constexpr double kFarthestFold = 4;  ///< of a step, in standard deviations of the number by all readings
 
 }  // namespace tubeplan::calibration

@@ -22,6 +22,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kStrongCorrelation = 0.9;
+constexpr std::size_t kManyReadings = 1000;  // from which a fold's fit is a mere step from the fit to all
 
 std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
   std::vector<Measurement> some;
@@ -64,10 +65,17 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& held
   FitOptions options = fitOptions(model.options);
   options.model_error = result.model_error;
   const auto bases = basesOf(model.unknowns);
-  result.heldout_before =
-      crossValidate(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
-  result.heldout = crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds, options,
-                                 model.options.hooks);
+  const bool is_by_steps = model.fitted.size() >= kManyReadings && model.options.loss == RobustLoss::kNone;
+  const auto by_steps = is_by_steps ? crossValidateBySteps(model.start, model.unknowns, model.fitted, model.fit, folds,
+                                                           model.options.hooks)
+                                    : std::nullopt;
+  result.heldout = by_steps ? *by_steps
+                            : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
+                                            options, model.options.hooks);
+  const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // the same error for every fold
+  result.heldout_before = is_fixed ? result.after_base
+                                   : crossValidate(model.start, bases, model.fitted,
+                                                   VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
 }
 
 /// Singular values of the readings' Jacobian, each column by its number's typical size.
@@ -251,7 +259,10 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   measureStart(start, fitted, result.before, &result.chi2_before);
   fitBases(model, result);
   result.start = model.start;
-  measureStart(model.start, fitted, result.after_base, nullptr);
+  if (basesOf(model.unknowns).empty())
+    result.after_base = result.before;
+  else
+    measureStart(model.start, fitted, result.after_base, nullptr);
   if (!fitFromStarts(model, result)) {
     result.status = IdentificationStatus::kNotConverged;
     result.reason =

@@ -117,7 +117,7 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   if (options.refit.free.names.empty() && !has_base) return true;
   IdentificationOptions refit = options.refit;
   refit.hooks = options.hooks;
-  result.refit = identify(start, readings, refit);
+  result.refit = options.refitted ? *options.refitted : identify(start, readings, refit);
   goOn(options.hooks.stop);
   result.reason = result.refit.reason;
   result.problems = result.refit.problems;

@@ -15,6 +15,7 @@ struct ComparisonOptions {
   IdentificationOptions refit;  ///< what is free; nothing may be
   double level = 0.01;          ///< of each ground on which a model that is right may be said to fall short
   WorkHooks hooks;              ///< of the refit too
+  const Identification* refitted = nullptr;  ///< the refit, where it is made already
 };
 
 enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };

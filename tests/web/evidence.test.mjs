@@ -1,9 +1,10 @@
 // What says why: the plot opens on the variable of what was found, before and after stand in it together, and every
 // reading can be asked, shown and set aside.
 import assert from "node:assert/strict";
-import {after, before, describe, it} from "node:test";
+import {after, before, describe} from "node:test";
 import path from "node:path";
-import {launch, makeFolder, openTab, serve, simulate} from "./workbench.mjs";
+import {it} from "./limits.mjs";
+import {launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
@@ -21,9 +22,10 @@ async function compared(name, hide, more = {}) {
   simulate(made.folder, name, {hide, seed: 7, ...more});
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
   const tab = await openTab(browser, `${server.address}#error`);
-  if (await tab.locator(".next:has-text('Compare')").count()) await tab.click(".next:has-text('Compare')");
+  await tab.click(".next:has-text('Compare')"); // waits until the page is there
   await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000});
-  await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 2 && !document.querySelector(".job"));
+  await tab.waitForSelector(".rung >> text=as given, rigid"); // the ladder, not what the comparison shows before it
+  await tab.waitForFunction(() => !document.querySelector(".job"));
   return {
     tab,
     server,
@@ -152,7 +154,7 @@ describe("a reading", () => {
     for (const named of ["theta4", "load", "before", "σ"]) assert.ok(words.includes(named), named);
     await tab.click(".reading-space .reading-row >> nth=0 >> .link");
     await tab.waitForSelector(`.shown-errors >> text=reading ${worst}`);
-    await tab.waitForFunction(() => document.querySelector(".readout .figure b")?.textContent !== "–");
+    await tab.waitForFunction(() => /\d/.test(document.querySelector(".readout .figure b")?.textContent));
     await tab.click("text=Back to the errors");
     await tab.waitForSelector(".error-view");
 
@@ -162,7 +164,7 @@ describe("a reading", () => {
       const now = document.querySelector(".rung.now .bar-text")?.innerText;
       return now && now !== was && !document.querySelector(".job");
     }, before);
-    let state = await (await fetch(`${server.address}api/state`)).json();
+    let state = await stateOf(server);
     assert.equal(state.measurements.set_aside, 1);
     await tab.fill("input[aria-label='Filter the readings']", "aside");
     await tab.waitForFunction(() => document.querySelectorAll(".reading-space .reading-row").length === 1);
@@ -171,25 +173,115 @@ describe("a reading", () => {
       (was) => document.querySelector(".rung.now .bar-text")?.innerText === was && !document.querySelector(".job"),
       before,
     );
-    state = await (await fetch(`${server.address}api/state`)).json();
+    state = await stateOf(server);
     assert.equal(state.measurements.set_aside, 0);
     await close();
   });
 
-  it("is picked out with others by a rectangle in the plot", async () => {
-    const {tab, server, close} = await compared("rectangle", "hysteresis@theta4:0.06deg");
-    const box = await tab.locator(".residual-plot .u-over").boundingBox();
-    await tab.mouse.move(box.x + box.width / 2, box.y + 2);
+  /** A loop about a part of a picture, as a hand draws it: shares of its width and height. */
+  async function lasso(tab, selector, corners) {
+    const box = await tab.locator(selector).boundingBox();
+    const [first, ...others] = corners.map(([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
+    await tab.mouse.move(...first);
     await tab.mouse.down();
-    await tab.mouse.move(box.x + box.width - 2, box.y + box.height - 2, {steps: 4});
+    for (const corner of [...others, first]) await tab.mouse.move(...corner, {steps: 4});
     await tab.mouse.up();
-    const words = await tab.innerText(".selection-bar");
-    const picked = Number(/(\d+) readings/.exec(words)[1]);
-    assert.ok(picked > 20 && picked < 100, words);
+    return Number(/(\d+) readings? picked out/.exec(await tab.innerText(".selection-bar"))[1]);
+  }
+  const RIGHT = [
+    [0.5, 0.01],
+    [0.99, 0.01],
+    [0.99, 0.99],
+    [0.5, 0.99],
+  ];
+  const marked = async (server) => {
+    const {set_aside, held_out} = (await stateOf(server)).measurements;
+    return {set_aside, held_out};
+  };
+  const rest = (tab) =>
+    tab.waitForFunction(() => !document.querySelector(".job") && document.querySelectorAll(".rung").length >= 2);
+
+  it("is picked out with others by a loop in the plot, set aside, and taken back by undo", async () => {
+    const {tab, server, close} = await compared("loop", "hysteresis@theta4:0.06deg");
+    const before = await tab.innerText(".ladder");
+    const picked = await lasso(tab, ".residual-plot .u-over", RIGHT);
+    assert.ok(picked > 20 && picked < 100, `${picked} of 120`);
     await tab.click(".selection-bar >> text=Set aside");
-    await tab.waitForFunction(() => !document.querySelector(".selection-bar") && !document.querySelector(".job"));
-    const state = await (await fetch(`${server.address}api/state`)).json();
-    assert.equal(state.measurements.set_aside, picked);
+    await tab.waitForSelector(`.selection-bar >> text=${picked} readings set aside`);
+    await rest(tab);
+    assert.deepEqual(await marked(server), {set_aside: picked, held_out: 0});
+    await tab.waitForFunction(
+      (was) => ![undefined, was].includes(document.querySelector(".ladder")?.innerText),
+      before,
+    );
+    await tab.click("body", {position: {x: 640, y: 5}});
+    await tab.keyboard.press("Control+z");
+    await tab.waitForFunction(() => !document.querySelector(".selection-bar"));
+    await rest(tab);
+    assert.deepEqual(await marked(server), {set_aside: 0, held_out: 0});
+    await tab.waitForFunction((was) => document.querySelector(".ladder")?.innerText === was, before);
+    await close();
+  });
+
+  it("is held out by a loop in the places, more with Shift, and the ladder judges by it", async () => {
+    const {tab, server, close} = await compared("places", "hysteresis@theta4:0.06deg");
+    const before = await tab.innerText(".ladder");
+    const some = await lasso(tab, ".evidence canvas", [
+      [0.02, 0.02],
+      [0.5, 0.02],
+      [0.5, 0.5],
+      [0.02, 0.5],
+    ]);
+    await tab.keyboard.down("Shift");
+    const more = await lasso(tab, ".evidence canvas", [
+      [0.02, 0.5],
+      [0.5, 0.5],
+      [0.5, 0.98],
+      [0.02, 0.98],
+    ]);
+    await tab.keyboard.up("Shift");
+    assert.ok(some > 0 && more > some && more < 120, `${some}, then ${more}`);
+    await tab.click(".selection-bar >> text=Hold out");
+    await tab.waitForSelector(`.selection-bar >> text=${more} readings held out`);
+    await rest(tab);
+    assert.deepEqual(await marked(server), {set_aside: 0, held_out: more});
+    await tab.waitForFunction(
+      (was) => ![undefined, was].includes(document.querySelector(".ladder")?.innerText),
+      before,
+    );
+    await tab.click(".selection-bar >> text=Undo");
+    await tab.waitForFunction(() => !document.querySelector(".selection-bar"));
+    await rest(tab);
+    assert.deepEqual(await marked(server), {set_aside: 0, held_out: 0});
+    await close();
+  });
+
+  it("is picked out with all that the filter leaves by keys alone; Esc lets go of them", async () => {
+    const {tab, server, close} = await compared("keys", "hysteresis@theta4:0.06deg");
+    await tab.focus(".evidence [role=tab] >> nth=0");
+    await tab.keyboard.press("ArrowRight");
+    await tab.keyboard.press("ArrowRight");
+    await tab.waitForSelector(".reading-space .reading-row");
+    await tab.focus("input[aria-label='Filter the readings']");
+    await tab.keyboard.type("load=0");
+    const left = Number(/^(\d+) of 120/.exec(await tab.innerText(".reading-tools .muted"))[1]);
+    await tab.focus(".reading-rows");
+    await tab.keyboard.press("Control+a");
+    await tab.waitForSelector(`.selection-bar >> text=${left} readings picked out`);
+    await tab.keyboard.press("?"); // Esc closes the topmost alone
+    await tab.waitForSelector("dialog[open] kbd");
+    await tab.keyboard.press("Escape");
+    await tab.waitForSelector("dialog[open]", {state: "detached"});
+    await tab.waitForSelector(`.selection-bar >> text=${left} readings picked out`);
+    await tab.focus(".reading-rows");
+    await tab.keyboard.press("Escape");
+    await tab.waitForFunction(() => !document.querySelector(".selection-bar"));
+    await tab.keyboard.press("Control+a");
+    await tab.focus(".selection-bar >> text=Set aside");
+    await tab.keyboard.press("Enter");
+    await tab.waitForSelector(`.selection-bar >> text=${left} readings set aside`);
+    await rest(tab);
+    assert.deepEqual(await marked(server), {set_aside: left, held_out: 0});
     await close();
   });
 });

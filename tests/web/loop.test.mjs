@@ -1,10 +1,11 @@
 // From data to an error at the noise floor in four clicks, and what surrounds the loop: undo, reload, two browsers,
 // files that are wrong or hostile.
 import assert from "node:assert/strict";
-import {after, before, describe, it} from "node:test";
+import {after, before, describe} from "node:test";
 import {readFileSync} from "node:fs";
 import path from "node:path";
-import {launch, makeFolder, openTab, serve, simulate} from "./workbench.mjs";
+import {it} from "./limits.mjs";
+import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, server, browser;
 
@@ -114,7 +115,7 @@ describe("the loop", () => {
     await tab.waitForSelector(".job", {state: "detached", timeout: 30000});
     console.log(`a diagnosis of 1,500 readings is stopped ${Date.now() - start} ms after the click`);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])");
-    const state = await (await fetch(`${own.address}api/state`)).json();
+    const state = await stateOf(own);
     assert.equal(state.results.diagnose, null);
     assert.equal(state.jobs.at(-1).status, "cancelled");
     assert.deepEqual(tab.errors, []);
@@ -218,7 +219,69 @@ describe("practice readings", () => {
   });
 });
 
+describe("the catalogue", () => {
+  it("has every effect of this arm with its law, sizes and places, and what hides behind what by these readings", async () => {
+    const tab = await openTab(browser, `${server.address}#error`);
+    await tab.waitForSelector(".error-view");
+    await tab.keyboard.press("6");
+    const {effects} = (await ask(server, "catalogue")).body;
+    const kinds = [...new Set(effects.map(({effect}) => effect))];
+    await tab.waitForSelector(".effect-list [role=option]");
+    assert.deepEqual(await tab.locator(".effect-list b").allInnerTexts(), kinds);
+    await tab.fill("input[aria-label='Filter the effects']", "weight");
+    await tab.click(".effect-list >> text=link-weight");
+    await tab.waitForSelector(".place-table tbody tr >> text=hose-pull at forearm");
+    const places = await tab.locator(".place-table tbody td:first-child").allInnerTexts();
+    assert.deepEqual(
+      places,
+      effects.filter(({effect}) => effect === "link-weight").map(({at}) => at),
+    );
+    assert.match(await tab.innerText(".effect-kind .figures"), /weight\s+usually up to 22\.5 lbf/);
+    await tab.focus(".effect-list [aria-selected=true]");
+    await tab.keyboard.press("ArrowDown");
+    await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
+    // Twins of one number each are so both ways.
+    const {causes} = (await ask(server, "twins")).body;
+    const twinsOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).twins;
+    const has = (list, effect, at) => list.some((twin) => twin.effect === effect && twin.at === at);
+    assert.ok(has(twinsOf("link-length", "mezzanine-beam"), "link-length", "mezzanine-platform"));
+    assert.ok(has(twinsOf("link-length", "mezzanine-platform"), "link-length", "mezzanine-beam"));
+    assert.ok(
+      has(twinsOf("joint-offset", "theta4"), "tool-offset", "tool"),
+      "a turn of the tool is a shift of its tip",
+    );
+    assert.ok(!has(twinsOf("tool-offset", "tool"), "joint-offset", "theta4"), "but not the other way");
+    assert.deepEqual(twinsOf("joint-offset", "theta2"), []);
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+  });
+});
+
 describe("by keys alone", () => {
+  it("goes from tab to tab with the arrows, each row of tabs one stop", async () => {
+    const tab = await openTab(browser, `${server.address}#error`);
+    for (const [label, names] of [
+      ["What is missing", ["What is missing", "A or B", "Formula", "Numbers"]],
+      ["Errors", ["Places", "Joints", "Readings"]],
+    ]) {
+      const tabs = tab.locator(`[role=tablist][aria-label='${label}'] [role=tab]`);
+      await tabs.first().click();
+      assert.deepEqual(
+        (await tabs.allInnerTexts()).map((words) => words.replace(/ ·.*/, "")),
+        names,
+      );
+      for (let k = 1; k <= names.length; ++k) {
+        await tab.keyboard.press("ArrowRight");
+        const now = k % names.length;
+        assert.equal(await tabs.nth(now).getAttribute("aria-selected"), "true", `${label}: ${names[now]}`);
+        assert.ok(await tabs.nth(now).evaluate((button) => button === document.activeElement));
+        assert.equal(await tab.locator(`[role=tablist][aria-label='${label}'] [tabindex='0']`).count(), 1);
+      }
+    }
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+  });
+
   it("changes the view, opens and closes dialogs, and lists the keys", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".error-view");

@@ -1,9 +1,9 @@
 // Measures the page: frames per second with 15,529 holes, time to the first picture, slider latency, weight; with
-// --pictures DIR it also takes the screenshots. Figures are printed; nothing is asserted, machines differ.
+// --pictures DIR it also takes the screenshots, with --live SECONDS it sends twenty encoder readings a second. Figures are printed; nothing is asserted, machines differ.
 import {mkdirSync, readdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {gzipSync} from "node:zlib";
-import {launch, makeFolder, openTab, page as built, serve, simulate, writeDisc} from "./workbench.mjs";
+import {ask, launch, makeFolder, openTab, page as built, serve, simulate, writeDisc} from "./workbench.mjs";
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const at = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
@@ -148,6 +148,44 @@ async function sliderLatency(browser, address) {
   await tab.context().close();
 }
 
+async function settled(tab) {
+  await tab.waitForTimeout(500);
+  await tab.waitForFunction(() => !document.querySelector(".job"), null, {timeout: 120000});
+  await tab.waitForTimeout(500);
+}
+
+/** From *Set aside*, for what a loop in the plot picks out, to the new ladder, and to the new comparison. */
+async function newLadder(tab, what) {
+  const box = await tab.locator(".residual-plot .u-over").boundingBox();
+  await tab.mouse.move(box.x + 0.6 * box.width, box.y + 2);
+  await tab.mouse.down();
+  for (const [x, y] of [
+    [0.9, 0.01],
+    [0.9, 0.5],
+    [0.6, 0.5],
+    [0.6, 0.01],
+  ])
+    await tab.mouse.move(box.x + x * box.width, box.y + y * box.height, {steps: 5});
+  await tab.mouse.up();
+  const picked = (await tab.innerText(".selection-bar b")).split(" ")[0];
+  const before = await tab.innerText(".ladder-rungs");
+  const start = Date.now();
+  await tab.click(".selection-bar >> text=Set aside");
+  await tab.waitForFunction(
+    (was) => {
+      const now = document.querySelector(".ladder-rungs")?.innerText;
+      return now && now !== was && document.querySelectorAll(".rung-bars").length >= 2;
+    },
+    before,
+    {timeout: 60000, polling: 20},
+  );
+  const ladder = Date.now() - start;
+  await tab.waitForFunction(() => !document.querySelector(".job"), null, {timeout: 120000, polling: 20});
+  console.log(
+    `${what}: ${picked} of 10,000 set aside: new ladder after ${ladder} ms, all after ${Date.now() - start} ms`,
+  );
+}
+
 /** From a pointer's motion over the plot of 10,000 readings to the page's next frame, and from a click to a new ladder. */
 async function hoverLatency(browser, folder) {
   const file = simulate(folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 10000});
@@ -175,6 +213,60 @@ async function hoverLatency(browser, folder) {
   });
   console.log(
     `pointing at 10,000 readings: median ${median(times).toFixed(1)} ms, 95 % ${at(times, 0.95).toFixed(1)} ms to the next frame`,
+  );
+  await newLadder(tab, "a loop, no effect in the model");
+  await tab.click(".selection-bar >> text=Undo");
+  await settled(tab);
+  await ask(own, "add", {causes: ["hysteresis@theta4"]});
+  await tab.waitForSelector(".rung >> nth=2", {timeout: 120000});
+  await settled(tab);
+  await newLadder(tab, "a loop, one effect in the model");
+  await tab.context().close();
+  await own.stop();
+}
+
+/** Twenty encoder readings a second: how far behind the read-out is, and whether memory grows. */
+async function liveInput(browser, folder, seconds) {
+  const own = await serve(folder, "bench.yaml");
+  const tab = await openTab(browser, `${own.address}#arm`);
+  await tab.waitForFunction(() => /\d/.test(document.querySelector(".readout .figure b")?.textContent));
+  const devtools = await tab.context().newCDPSession(tab);
+  const memory = async () => {
+    await devtools.send("HeapProfiler.collectGarbage");
+    const heap = (await devtools.send("Runtime.getHeapUsage")).usedSize / 1048576;
+    const resident = Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${own.pid}/status`, "utf8"))[1]) / 1024;
+    return `server ${resident.toFixed(1)} MiB, page ${heap.toFixed(1)} MiB`;
+  };
+  await tab.evaluate(() => {
+    window.shown = [];
+    const figure = document.querySelector(".readout .figure b");
+    new MutationObserver(() => window.shown.push(Date.now())).observe(figure, {
+      characterData: true,
+      childList: true,
+      subtree: true,
+    });
+  });
+  const sent = [];
+  let answered = 0;
+  const begin = Date.now();
+  for (let k = 0; Date.now() - begin < 1000 * seconds; ++k) {
+    const wave = 20 * Math.sin(0.05 * k);
+    sent.push(Date.now());
+    await ask(own, "live/encoders", {joints: [10 + wave, 45, -35 - 0.5 * wave, 12], load: 20});
+    ++answered;
+    if (k === 200 || k % 600 === 599) console.log(`  after ${(k / 20).toFixed(0)} s: ${await memory()}`);
+    await new Promise((resolve) => setTimeout(resolve, Math.max(0, begin + 50 * (k + 1) - Date.now())));
+  }
+  const shown = await tab.evaluate(() => window.shown);
+  const behind = sent.map((at, k) => {
+    const next = shown.find((time) => time >= at);
+    return next === undefined || next >= (sent[k + 1] ?? Infinity) ? null : next - at;
+  });
+  const known = behind.filter((value) => value !== null);
+  console.log(
+    `live: ${answered} encoder readings in ${seconds} s, ${shown.length} changes of the read-out ` +
+      `(${(shown.length / seconds).toFixed(1)} a second); ${known.length} shown before the next came, ` +
+      `median ${median(known)} ms, 95 % ${at(known, 0.95)} ms behind`,
   );
   await tab.context().close();
   await own.stop();
@@ -292,6 +384,8 @@ try {
   await sliderLatency(browser, mockup.address);
   await mockup.stop();
   await hoverLatency(browser, folder);
+  if (process.argv.includes("--live"))
+    await liveInput(browser, folder, Number(process.argv[process.argv.indexOf("--live") + 1]));
   const into = process.argv[process.argv.indexOf("--pictures") + 1];
   if (process.argv.includes("--pictures")) {
     simulate(folder, "readings", {hide: "hysteresis@theta4:0.06deg"});

@@ -1,8 +1,9 @@
 // Sixty tubes of the mock-up: touched, calibrated, planned, played and taken away as files; a job is stopped on the way.
 import assert from "node:assert/strict";
-import {after, before, describe, it} from "node:test";
+import {after, before, describe} from "node:test";
 import path from "node:path";
-import {launch, makeFolder, openTab, serve} from "./workbench.mjs";
+import {it} from "./limits.mjs";
+import {ask, launch, makeFolder, openTab, serve} from "./workbench.mjs";
 
 let made, server, browser, tab;
 
@@ -21,7 +22,7 @@ after(async () => {
 describe("the mock-up", () => {
   it("shows its sheet, and what a hole is", async () => {
     await tab.waitForSelector(".sheet-words >> text=4,674 holes");
-    const {manway} = await (await fetch(`${server.address}api/sheet`)).json();
+    const {manway} = (await ask(server, "sheet")).body;
     assert.ok(manway.u > 0 && manway.v > 0, "the manway is to the right, seen from below");
     await tab.focus(".stage");
     await tab.keyboard.press("ArrowUp");
@@ -111,7 +112,10 @@ describe("the mock-up", () => {
     }
     assert.ok(figures.size > 4, `the cursor reads ${[...figures].join(", ")}`);
     await tab.click(".plan-view .menu summary");
-    const [download] = await Promise.all([tab.waitForEvent("download"), tab.click(".plan-view .menu a[download='worklist.csv']")]);
+    const [download] = await Promise.all([
+      tab.waitForEvent("download"),
+      tab.click(".plan-view .menu a[download='worklist.csv']"),
+    ]);
     assert.equal(download.suggestedFilename(), "worklist.csv");
     assert.deepEqual(tab.errors, []);
   });

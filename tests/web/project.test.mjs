@@ -1,9 +1,12 @@
 // Keeping the work: saved, exported, taken up after the program was killed, and never dropped unasked.
 import assert from "node:assert/strict";
-import {after, before, describe, it} from "node:test";
-import {existsSync} from "node:fs";
+import {after, before, describe} from "node:test";
+import {spawnSync} from "node:child_process";
+import {createHash} from "node:crypto";
+import {existsSync, readFileSync} from "node:fs";
 import path from "node:path";
-import {launch, makeFolder, openTab, serve, simulate} from "./workbench.mjs";
+import {it} from "./limits.mjs";
+import {ask, ended, launch, makeFolder, openTab, program, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
@@ -17,24 +20,7 @@ after(async () => {
   made?.remove();
 });
 
-const stateOf = async (server) => (await fetch(`${server.address}api/state`)).json();
-
-async function post(server, name, body = {}) {
-  const answer = await fetch(`${server.address}api/${name}`, {
-    method: "POST",
-    headers: {"Content-Type": "application/json"},
-    body: JSON.stringify(body),
-  });
-  return {status: answer.status, body: await answer.json()};
-}
-
-async function ended(server, id) {
-  for (;;) {
-    const job = (await stateOf(server)).jobs.find((entry) => entry.id === id);
-    if (job.status !== "running") return job.status;
-    await new Promise((resolve) => setTimeout(resolve, 30));
-  }
-}
+const post = (server, name, body = {}) => ask(server, name, body);
 
 /** A model with an effect added. */
 async function makeWork(server) {
@@ -154,5 +140,91 @@ describe("the work", () => {
       await next.kill();
     }
     console.log(`killed ${kills} times, ${steps} changes answered: none lost`);
+  });
+});
+
+describe("the report of a project", () => {
+  /** Runs the program; what it says on standard output and error, and its exit code. */
+  function run(words, environment = {}) {
+    const {status, stdout, stderr} = spawnSync(program, words, {
+      cwd: made.folder,
+      env: {...process.env, ...environment},
+      encoding: "utf8",
+      timeout: 120000,
+    });
+    return {status, said: stdout + stderr, out: stdout};
+  }
+
+  it("says what it is of, and its command lines give its figures again", async () => {
+    const server = await serve(made.folder, "bench.yaml", readings());
+    assert.equal((await post(server, "measurements/set-aside", {ids: ["4"]})).status, 200);
+    await makeWork(server);
+    assert.equal(await ended(server, (await post(server, "compare", {ladder: true})).body.id), "done");
+    assert.equal((await post(server, "project/save", {file: "reported"})).status, 200);
+    await server.stop();
+    const made_ = run(["report", "reported.tubeplan", "--files", "again", "--json", "-"]);
+    assert.equal(made_.status, 0, made_.said);
+    const report = JSON.parse(made_.out);
+
+    // The inputs are those of the files, by their hashes.
+    assert.deepEqual(report.set_aside, ["4"]);
+    assert.equal(report.inputs.length, 3);
+    for (const input of report.inputs) {
+      const bytes = readFileSync(path.join(made.folder, "again", input.name));
+      assert.equal(input.bytes, bytes.length);
+      assert.equal(input.sha256, createHash("sha256").update(bytes).digest("hex"));
+    }
+    const facts = new Map(report.facts);
+    assert.match(facts.get("Program"), /^tubeplan \d+\.\d+\.\d+ \(([0-9a-f]{12}\+?|unknown)\)$/);
+    assert.match(facts.get("Report made"), /^\d{4}-\d\d-\d\d \d\d:\d\d UTC$/);
+    assert.equal(facts.get("Readings in use"), "59");
+
+    // Every command line, word by word, and the figures that it gives.
+    const told = report.commands.map((line) => line.split(" "));
+    assert.equal(told[0][1], "report");
+    const figures = told.slice(1).map((words) => {
+      const {status, said, out} = run([...words.slice(1), "--json", "-"]);
+      assert.equal(status, words[1] === "compare" && /falls-short/.test(out) ? 1 : 0, said);
+      return {words, document: JSON.parse(out)};
+    });
+    const near = (one, other, what) => assert.ok(Math.abs(one / other - 1) < 1e-6, `${what}: ${one}, ${other}`);
+    for (const {name, file, rms, heldout_rms, chi2_per_dof} of report.history) {
+      const {document} = figures.find(({words}) => words[1] === "compare" && words[2].endsWith(file));
+      near(document.rms.after, rms, name);
+      near(document.rms.heldout_after, heldout_rms, name);
+      near(document.chi2_per_dof, chi2_per_dof, name);
+    }
+    const {document} = figures.find(({words}) => words[1] === "ladder");
+    assert.equal(document.rungs.length, report.models.length);
+    document.rungs.forEach((rung, k) => near(rung.rms.heldout, report.models[k].heldout_rms, rung.name));
+  });
+
+  it("is a page that draws itself, and a PDF where there is a Chromium", async () => {
+    const pdf = path.join(made.folder, "reported.pdf");
+    const done = run(["report", "reported.tubeplan", "--pdf", pdf]);
+    assert.equal(done.status, 0, done.said);
+    assert.equal(readFileSync(pdf).subarray(0, 5).toString(), "%PDF-");
+    const tab = await openTab(browser, `file://${path.join(made.folder, "reported.html")}`);
+    assert.deepEqual(await tab.locator("h2").allInnerTexts(), [
+      "1The error of each model",
+      "2How the models came about",
+      "3Numbers of the current model",
+      "4What it is of",
+      "5The same figures again",
+    ]);
+    assert.equal(await tab.locator(".missing").count(), 0);
+    assert.match(await tab.innerText("footer"), /commit/);
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+  });
+
+  it("says what is missing where there is no Chromium, and what is no project", () => {
+    const without = run(["report", "reported.tubeplan", "--pdf", "none.pdf"], {PATH: "", TUBEPLAN_CHROMIUM: ""});
+    assert.equal(without.status, 2);
+    assert.match(without.said, /found no Chromium on this machine.*install it/s);
+    assert.equal(existsSync(path.join(made.folder, "none.pdf")), false);
+    const other = run(["report", "bench.yaml"]);
+    assert.equal(other.status, 2);
+    assert.match(other.said, /bench\.yaml/);
   });
 });

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The page's own unit tests, among its packages in TUBEPLAN_WEB. Exit code 77 where npm or the packages are not there.
+# The page's own unit tests, among its packages in TUBEPLAN_WEB; those that ask the program itself ask TUBEPLAN. Exit code 77 where npm or the packages are not there.
 web=$(cd "$(dirname "$0")/../../app/web" && pwd)
+export TUBEPLAN_CELLS="${web%/web}/cells"
 skip() { echo "skipped: $1"; exit 77; }
 command -v npm > /dev/null || skip "npm is not installed (apt-get install npm)"
 if [ -d "${TUBEPLAN_WEB:-none}/node_modules/vitest" ]; then

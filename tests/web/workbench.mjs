@@ -15,6 +15,13 @@ const {chromium} = createRequire(path.join(web, "package.json"))("playwright-cor
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
 /** The built page as a folder; without one the server shows the page that it was built with. */
 export const page = process.env.TUBEPLAN_PAGE ?? "";
+// Milliseconds. What does not start is told in seconds.
+const SIMULATE_LIMIT = 120_000;
+const START_LIMIT = 20_000;
+const ANSWER_LIMIT = 20_000;
+const JOB_LIMIT = 120_000;
+const STOP_LIMIT = 3000;
+
 const browserPath = process.env.TUBEPLAN_CHROMIUM ?? "/usr/bin/chromium";
 
 /** A folder of its own with the shipped cells, gone at the end. */
@@ -47,7 +54,7 @@ export function simulate(folder, name, options) {
       "--out",
       out,
     ],
-    {stdio: "pipe"},
+    {stdio: "pipe", timeout: SIMULATE_LIMIT},
   );
   const file = path.join(folder, `${name}.csv`);
   cpSync(path.join(out, "measurements.csv"), file);
@@ -69,8 +76,64 @@ export function writeDisc(folder) {
 
 let states = 0;
 
+// A test that fails does not stop its servers: they must neither keep this process alive nor outlive it.
+const running = new Set();
+process.on("exit", () => running.forEach((child) => child.kill("SIGKILL")));
+
+function detach(child, isOn) {
+  for (const handle of [child, child.stdout, child.stderr]) isOn ? handle.unref() : handle.ref();
+}
+
+/** Resolves with the address that the program prints. */
+function addressOf(child, said, limit) {
+  return new Promise((resolve, reject) => {
+    const late = setTimeout(() => {
+      child.kill("SIGKILL");
+      reject(new Error(`tubeplan serve printed no address within ${limit / 1000} s: ${said.text}`));
+    }, limit);
+    const listen = (chunk) => {
+      said.text += chunk;
+      const found = /https?:\/\/[^\s]+/.exec(said.text);
+      if (!found) return;
+      clearTimeout(late);
+      resolve(found[0]);
+    };
+    child.stdout.on("data", listen);
+    child.stderr.on("data", listen);
+    child.on("error", reject);
+    child.on("exit", (code, signal) => {
+      clearTimeout(late);
+      running.delete(child);
+      reject(new Error(`tubeplan serve ended with ${code ?? signal}: ${said.text}`));
+    });
+  });
+}
+
+/** Ends a server; one that has ended already did so by itself, and that is a failure. */
+function end(child, signal, said) {
+  return new Promise((resolve, reject) => {
+    if (child.exitCode !== null || child.signalCode !== null) {
+      reject(new Error(`tubeplan serve had ended with ${child.exitCode ?? child.signalCode}: ${said.text}`));
+      return;
+    }
+    detach(child, false);
+    const late = setTimeout(() => child.kill("SIGKILL"), STOP_LIMIT);
+    child.on("exit", () => {
+      clearTimeout(late);
+      resolve();
+    });
+    child.kill(signal);
+  });
+}
+
 /** tubeplan serve on a free port, its session kept in `state`; resolves once it has printed its address. */
-export async function serve(folder, cell, more = [], state = path.join(folder, `state-${++states}`)) {
+export async function serve(
+  folder,
+  cell,
+  more = [],
+  state = path.join(folder, `state-${++states}`),
+  limit = START_LIMIT,
+) {
   const child = spawn(
     program,
     [
@@ -82,40 +145,51 @@ export async function serve(folder, cell, more = [], state = path.join(folder, `
     ],
     {stdio: ["ignore", "pipe", "pipe"]},
   );
-  let said = "";
-  const address = await new Promise((resolve, reject) => {
-    const listen = (chunk) => {
-      said += chunk;
-      const found = /https?:\/\/[^\s]+/.exec(said);
-      if (found) resolve(found[0]);
-    };
-    child.stdout.on("data", listen);
-    child.stderr.on("data", listen);
-    child.on("exit", (code) => reject(new Error(`tubeplan serve ended with ${code}: ${said}`)));
-    setTimeout(() => reject(new Error(`tubeplan serve printed no address: ${said}`)), 20000).unref();
-  });
-  child.removeAllListeners("exit");
+  running.add(child);
+  const said = {text: ""};
+  const address = await addressOf(child, said, limit);
+  detach(child, true);
   return {
     address,
+    pid: child.pid,
     /** As when the machine stops: no word to the program. */
-    kill: () =>
-      new Promise((resolve) => {
-        child.on("exit", resolve);
-        child.kill("SIGKILL");
-      }),
-    stop: () =>
-      new Promise((resolve) => {
-        child.on("exit", resolve);
-        child.kill("SIGINT");
-        setTimeout(() => child.kill("SIGKILL"), 3000).unref();
-      }),
+    kill: () => end(child, "SIGKILL", said),
+    stop: () => end(child, "SIGINT", said),
   };
 }
 
-export function launch() {
-  return chromium.launch({
+/** A document of the server, or its answer to an order; a server that says nothing is a failure. */
+export async function ask({address}, name, body) {
+  const signal = AbortSignal.timeout(ANSWER_LIMIT);
+  const order = {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)};
+  const answer = await fetch(`${address}api/${name}`, body === undefined ? {signal} : {...order, signal});
+  return {status: answer.status, body: await answer.json()};
+}
+
+export const stateOf = async (server) => (await ask(server, "state")).body;
+
+/** How a job ends, by its number. */
+export async function ended(server, id, limit = JOB_LIMIT) {
+  for (const start = Date.now(); Date.now() - start < limit;) {
+    const job = (await stateOf(server)).jobs.find((entry) => entry.id === id);
+    if (job.status !== "running") return job.status;
+    await new Promise((resolve) => setTimeout(resolve, 30));
+  }
+  throw new Error(`job ${id} was not done within ${limit / 1000} s`);
+}
+
+/** Chromium. Of one that does not start Playwright would itself tell only half a minute after its limit. */
+export function launch(limit = START_LIMIT) {
+  const launched = chromium.launch({
     executablePath: browserPath,
     args: ["--no-sandbox", "--enable-unsafe-swiftshader"],
+  });
+  return new Promise((resolve, reject) => {
+    const late = setTimeout(() => {
+      launched.then((browser) => browser.close()).catch(() => {});
+      reject(new Error(`${browserPath} did not start within ${limit / 1000} s`));
+    }, limit);
+    launched.then(resolve, reject).finally(() => clearTimeout(late));
   });
 }
 

@@ -45,17 +45,24 @@ ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::I
   return compared;
 }
 
-ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
-                                   const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
-                                   const WorkHooks& hooks) {
-  if (cell.identify.empty() && cell.base_known) return rowAsItStands(name, cell, readings);
+calibration::Identification fitForLadder(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
+                                         std::uint64_t seed, const WorkHooks& hooks) {
+  if (cell.identify.empty() && cell.base_known) return {};
   calibration::IdentificationOptions options;
   options.free = freeNumbersOf(cell);
   options.seed = seed;
   options.intervals_by_profile = false;
   options.hooks = hooks;
-  const auto fit = calibration::identify(startOf(cell, readings), readings, options);
+  auto fit = calibration::identify(startOf(cell, readings), readings, options);
   requireGoingOn(hooks);
+  return fit;
+}
+
+ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
+                                   const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
+                                   const WorkHooks& hooks) {
+  const auto fit = fitForLadder(cell, readings, seed, hooks);
+  if (fit.status == calibration::IdentificationStatus::kNotRun) return rowAsItStands(name, cell, readings);
   return comparisonRowOf(name, fit);
 }
 

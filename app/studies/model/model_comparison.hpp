@@ -33,4 +33,10 @@ struct ModelComparisonRow {
 /// The same of a model that a fit has left.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit);
 
+/// The fit that a row of the comparison is of: as `compare` refits. Not run where the cell frees nothing. Throws
+/// JobStopped.
+[[nodiscard]] calibration::Identification fitForLadder(const CellModel& cell,
+                                                       const std::vector<calibration::Measurement>& readings,
+                                                       std::uint64_t seed, const WorkHooks& hooks = {});
+
 }  // namespace tubeplan::app

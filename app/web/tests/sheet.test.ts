@@ -1,6 +1,7 @@
 import {describe, expect, it} from "vitest";
 import type {SheetDocument} from "../source/server/documents";
-import {fit, isInside, panned, toPixel, toSheet, zoomed} from "../source/sheet/sheet_camera";
+import {isInside} from "../source/drawing/lasso";
+import {fit, panned, toPixel, toSheet, zoomed} from "../source/sheet/sheet_camera";
 import {bandEdges} from "../source/sheet/colourings";
 import {makeSheetModel, neighbour} from "../source/sheet/sheet_model";
 

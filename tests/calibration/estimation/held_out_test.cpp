@@ -124,5 +124,33 @@ TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   EXPECT_GT(cross.rms, judge(applied(placed, unknowns, all.solution.x), maker.readings).rms);
 }
 
+// A step from the fit to all is as good as a fit of its own where the readings are many; a model that is far from one
+// of the folds is not judged by a step.
+TEST(HeldOut, CrossValidationByStepsIsThatByFits) {
+  PlacedArm placed = cobra();
+  ReadingMaker maker(placed, 12, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 300);
+  maker.addTouches(20, {0, 20 * kPound}, false);
+  const auto unknowns = chooseUnknowns(placed, {{"tool.tip", "forearm.joint_stiffness.z"}, false}).list;
+  const auto folds = foldsOf(maker.readings, 5, 1);
+  const auto count = static_cast<Eigen::Index>(unknowns.size());
+  const Fit all = fitUnknowns(placed, unknowns, maker.readings, Eigen::VectorXd::Zero(count), {});
+  FitOptions options;
+  options.model_error = all.weights.model_error;
+  const ErrorSize by_fits = crossValidate(placed, unknowns, maker.readings, all.solution.x, folds, options);
+  const auto by_steps = crossValidateBySteps(placed, unknowns, maker.readings, all, folds);
+  ASSERT_TRUE(by_steps);
+  EXPECT_EQ(by_steps->readings, by_fits.readings);
+  const double rise = by_fits.rms - judge(applied(placed, unknowns, all.solution.x), maker.readings).rms;
+  EXPECT_GT(rise, 0);
+  EXPECT_NEAR(by_steps->rms, by_fits.rms, 0.01 * rise);
+  for (std::size_t k = 0; k < maker.readings.size(); ++k)
+    if (folds[k] == 0 && maker.readings[k].p_W) *maker.readings[k].p_W += Eigen::Vector3d(0.05, 0, 0);
+  const Fit torn = fitUnknowns(placed, unknowns, maker.readings, Eigen::VectorXd::Zero(count), {});
+  Fit sure = torn;
+  sure.covariance *= 1e-6;
+  EXPECT_FALSE(crossValidateBySteps(placed, unknowns, maker.readings, sure, folds));
+}
+
 }  // namespace
 }  // namespace tubeplan::calibration

@@ -7,13 +7,14 @@ import type {JointInfo, TipPose} from "../server/documents";
 import {cell, report, units} from "../server/workbench";
 import {picked, sheet} from "../shell/page_state";
 import {ArmPicture} from "./arm_picture";
+import {isFollowing, isLive} from "./live";
 import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
 /** Begins under a hole in the middle of the sheet rather than with the arm stretched out through a wall. */
 function beginUnderHole(): void {
   const model = sheet.value;
-  if (!model || poseRequest.hole.peek() >= 0 || poseRequest.reading.peek()) return;
+  if (!model || poseRequest.hole.peek() >= 0 || poseRequest.reading.peek() || isLive.peek()) return;
   const middle = model.nearest(
     0.35 * model.radius,
     model.isOneLeg ? 0.5 * (model.extent.bottom + model.extent.top) : 0.35 * model.radius,
@@ -56,9 +57,7 @@ function ReadOut() {
     <section class="panel readout" aria-live="off">
       <header>
         <h2>Tip, deflected</h2>
-        <div class="end">
-          <span class="muted">in the base's frame</span>
-        </div>
+        <div class="end">{isLive.value ? <LiveSwitch /> : <span class="muted">in the base's frame</span>}</div>
       </header>
       <div class="panel-body">
         <div class="readout-grid">
@@ -83,6 +82,21 @@ function ReadOut() {
         </dl>
       </div>
     </section>
+  );
+}
+
+/** Whether this browser goes where the running arm goes. */
+function LiveSwitch() {
+  return (
+    <label class="live-switch" title="The arm goes where the encoders of the running arm say it is">
+      <i class={`live-sign ${isFollowing.value ? "on" : ""}`} /> live
+      <input
+        type="checkbox"
+        checked={isFollowing.value}
+        aria-label="Follow the running arm"
+        onChange={(event) => (isFollowing.value = event.currentTarget.checked)}
+      />
+    </label>
   );
 }
 
@@ -182,7 +196,10 @@ function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
         max={upper}
         step={(upper - lower) / 4000}
         value={value}
-        onInput={(event) => setJoint(index, Number(event.currentTarget.value))}
+        onInput={(event) => {
+          isFollowing.value = false; // a hand on the slider has it
+          setJoint(index, Number(event.currentTarget.value));
+        }}
       />
       <NumberBox
         value={value}

@@ -1,6 +1,7 @@
 // The error view: the verdict and the next thing to do on top; the ladder, the effects, and the errors themselves below.
-import {rove} from "../drawing/segments";
 import {computed, signal} from "@preact/signals";
+import {choicesOf} from "../drawing/segments";
+import {Tabs} from "../drawing/tabs";
 import {MarkIcon} from "../drawing/marks";
 import {isNumber, plural, short} from "../drawing/numbers";
 import type {DiagnoseDocument} from "../server/documents";
@@ -26,6 +27,7 @@ import {
 import {ParameterTable} from "./parameter_table";
 import {ReadingChecks} from "./reading_checks";
 import {ResidualPlot} from "./residual_plot";
+import {SelectionBar} from "./selection_bar";
 import {Splitting} from "./splitting";
 import {comparisonItems, sentencesOf, verdictItems} from "./verdict_words";
 import {explanationTitle, verdictOf, type Verdict} from "./words";
@@ -105,6 +107,7 @@ export function ErrorView() {
       <EffectsPanel />
       <EvidencePanel />
       <ResidualPlot />
+      <SelectionBar />
     </div>
   );
 }
@@ -221,27 +224,16 @@ function NextStep({isBusy}: {isBusy: boolean}) {
 function EffectsPanel() {
   const document = diagnose.value.document;
   const splits = document ? document.next_readings.length : 0;
-  const tabs: [Tab, string][] = [
+  const tabs = choicesOf<Tab>([
     ["effects", "What is missing"],
     ["split", document && document.explanations.length > 1 ? `A or B${splits > 0 ? ` · ${splits}` : ""}` : "A or B"],
     ["formula", "Formula"],
     ["numbers", "Numbers"],
-  ];
+  ]);
   return (
     <section class="panel">
       <header>
-        <div class="tabs" role="tablist" onKeyDown={rove}>
-          {tabs.map(([key, words]) => (
-            <button
-              role="tab"
-              aria-selected={tab.value === key}
-              tabIndex={tab.value === key ? 0 : -1}
-              onClick={() => (tab.value = key)}
-            >
-              {words}
-            </button>
-          ))}
-        </div>
+        <Tabs label="What is missing" tabs={tabs} value={tab.value} onChoose={(next) => (tab.value = next)} />
         {document && document.model !== state.value?.model ? (
           <div class="end">
             <span class="muted">of the model before</span>

@@ -1,7 +1,7 @@
 // The loop as orders to the program: compare, diagnose, add, and what the page does of itself in between.
 import {computed} from "@preact/signals";
 import type {CompareDocument, DiagnoseDocument, EffectAt, IdentifyDocument, LadderDocument} from "../server/documents";
-import {order, result, runJob, state} from "../server/workbench";
+import {result, runJob, state} from "../server/workbench";
 
 export const compare = result<CompareDocument>("compare");
 export const diagnose = result<DiagnoseDocument>("diagnose");
@@ -18,10 +18,10 @@ export const currentComparison = computed(() => {
   return document && document.model === state.value?.model ? document : null;
 });
 
-/** Compares, and climbs the ladder where it does not yet end at this model. */
+/** Compares; the ladder, where it does not yet end at this model, comes first. */
 export async function startCompare(): Promise<void> {
-  if (!(await runJob("Compare", "/api/compare"))) return;
-  if (state.value?.results.ladder?.model !== state.value?.model) await runJob("Errors of the models", "/api/ladder");
+  const hasLadder = state.value?.results.ladder?.model === state.value?.model;
+  await runJob("Compare", "/api/compare", {ladder: !hasLadder});
 }
 
 export function startDiagnose(): Promise<boolean> {
@@ -32,11 +32,6 @@ export function startDiagnose(): Promise<boolean> {
 export async function addEffects(effects: EffectAt[]): Promise<void> {
   const causes = effects.map(({effect, at, add}) => add ?? `${effect}@${at}`);
   if (await runJob("Add", "/api/add", {causes})) await startCompare();
-}
-
-/** Sets readings aside, or takes them back, and looks at what is left. */
-export async function setAside(ids: string[], aside: boolean): Promise<void> {
-  if (await order("Readings set aside", "/api/measurements/set-aside", {ids, aside})) await startCompare();
 }
 
 export async function addFormula(formula: string): Promise<boolean> {

@@ -29,7 +29,7 @@ export const LIVES_ON: Record<string, VariableKind[]> = {
   stiffening: ["moment"],
   backlash: ["moment"],
   "cable-stretch": ["moment", "sense"],
-  "slide-bending": ["joint", "moment"],
+  "slide-bending": ["moment", "joint"],
   "thermal-growth": ["temperature"],
   "base-slip": ["time"],
   "base-drift": ["time"],
@@ -84,6 +84,12 @@ export function turnedBy(effect: EffectAt): string {
   return effect.at.split("<-")[0];
 }
 
+/** Moments at the effect's own place: about its axis, "forearm.z", or any of its member's, "forearm". */
+function ownMoments({at}: EffectAt, variables: readonly Variable[]): Variable[] {
+  const key = `moment_${at.replace(/\W/g, "_")}`;
+  return variables.filter((variable) => variable.key === key || new RegExp(`^${key}_[xyz]$`).test(variable.key));
+}
+
 /** The variables that a cause's law may hang on, the named ones of a formula or a coupling first. */
 function candidates(effect: EffectAt, variables: readonly Variable[]): Variable[] {
   const driver = effect.at.split("<-")[1];
@@ -95,6 +101,8 @@ function candidates(effect: EffectAt, variables: readonly Variable[]): Variable[
   const kinds = LIVES_ON[effect.effect] ?? [];
   const own = variables.find((variable) => variable.key === effect.at);
   if (own && kinds.includes(own.kind)) return [own];
+  const moments = kinds[0] === "moment" ? ownMoments(effect, variables) : [];
+  if (moments.length > 0) return moments;
   return kinds.flatMap((kind) => variables.filter((variable) => variable.kind === kind));
 }
 

@@ -1,12 +1,14 @@
 // Pointing at readings in the plot: the nearest point under the pointer names its reading, a click brings the arm there,
-// a rectangle picks readings out. Nothing of the plot is drawn anew for it.
+// a loop picks readings out. Nothing of the plot is drawn anew for pointing.
 import {useEffect, useRef} from "preact/hooks";
 import {effect as follow, signal, type Signal} from "@preact/signals";
 import type {RefObject} from "preact";
 import type uPlot from "uplot";
+import {palette} from "../drawing/colours";
 import {exact, fixed, isNumber, short} from "../drawing/numbers";
 import {cell, units} from "../server/workbench";
-import {pickedOut, pointed} from "./linked";
+import {followLasso, isInside, type Loop} from "../drawing/lasso";
+import {pickOut, pickedOut, pointed} from "./linked";
 import type {PlotRow} from "./residual_plot";
 import type {ReadingErrors} from "./residuals";
 import {showReading} from "./show_reading";
@@ -61,8 +63,9 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
     own.points = null;
     place.value = null;
     plot.hooks.draw = [...(plot.hooks.draw ?? []), () => (own.points = null)];
-    plot.hooks.setSelect = [() => pickWithin(plot, own.rows)];
+    plot.hooks.draw.push(() => paintPicked(plot, own.rows));
     const over = plot.over;
+    plot.hooks.destroy = [followLasso(over, over, (loop, isMore) => pickWithin(plot, own.rows, loop, isMore))];
     over.addEventListener("pointermove", (event) => {
       own.points ??= pointsOf(plot);
       const found = nearest(own.points, event.offsetX, event.offsetY);
@@ -87,7 +90,38 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
       }),
     [],
   );
+  useEffect(
+    () =>
+      follow(() => {
+        void pickedOut.value;
+        now.current.plot?.redraw(false);
+      }),
+    [],
+  );
   return {place, onReady};
+}
+
+/** Readings that are picked out have a ring. */
+function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
+  if (!rows || pickedOut.peek().size === 0) return;
+  const {ctx: context, bbox} = plot,
+    ratio = devicePixelRatio || 1;
+  context.save();
+  context.beginPath();
+  context.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  context.clip();
+  context.beginPath();
+  rows.forEach(({id}, row) => {
+    const value = plot.data[1][row] ?? plot.data[2]?.[row];
+    if (!isNumber(value) || !pickedOut.peek().has(id)) return;
+    const [x, y] = [plot.valToPos(plot.data[0][row], "x", true), plot.valToPos(value, "y", true)];
+    context.moveTo(x + 5 * ratio, y);
+    context.arc(x, y, 5 * ratio, 0, 2 * Math.PI);
+  });
+  context.strokeStyle = palette.peek().ink;
+  context.lineWidth = ratio;
+  context.stroke();
+  context.restore();
 }
 
 /** Where the first series has the reading's point. */
@@ -103,15 +137,12 @@ function placeOf(plot: uPlot, row: number, box: HTMLElement): Place {
   };
 }
 
-function pickWithin(plot: uPlot, rows: PlotRow[] | null): void {
-  const {left, top, width, height} = plot.select;
-  if (!rows || width < 2 || height < 2) return;
-  const picked = new Set<string>();
+function pickWithin(plot: uPlot, rows: PlotRow[] | null, loop: Loop, isMore: boolean): void {
+  if (!rows) return;
+  const picked: string[] = [];
   const {xs, ys, rows: of} = pointsOf(plot);
-  for (let i = 0; i < xs.length; ++i)
-    if (xs[i] >= left && xs[i] <= left + width && ys[i] >= top && ys[i] <= top + height) picked.add(rows[of[i]].id);
-  pickedOut.value = picked;
-  plot.setSelect({left: 0, top: 0, width: 0, height: 0}, false);
+  for (let i = 0; i < xs.length; ++i) if (isInside(loop, xs[i], ys[i])) picked.push(rows[of[i]].id);
+  pickOut(picked, isMore);
 }
 
 /** A ring about the point and what its reading says of itself. */
@@ -147,6 +178,7 @@ export function ReadingWords({errors, index}: {errors: ReadingErrors; index: num
       <b>
         reading {reading.id}
         {reading.point ? ` at ${reading.point}` : ""}
+        {reading.held_out ? ", held out" : ""}
       </b>
       <dl>
         {errors.joints.map((name, k) => (

@@ -13,6 +13,7 @@ export interface ReadingRow {
   after: number | null;
   sigmas: number | null;
   isAside: boolean;
+  isHeldOut: boolean;
 }
 
 export interface Column {
@@ -43,6 +44,7 @@ export function rowsOf(measured: readonly MeasurementRow[], errors: ReadingError
       after: own && last > 0 ? sizeOf(own.series[last].errors[index!]) : null,
       sigmas: own ? (own.sigmas[last]?.[index!] ?? own.sigmas[0]?.[index!] ?? null) : null,
       isAside: row.set_aside,
+      isHeldOut: row.held_out === true,
     };
   });
 }
@@ -73,7 +75,7 @@ export function sorted(rows: readonly ReadingRow[], column: Column, isDown: bool
   });
 }
 
-/** Words are looked for in id and point; "sigma>3", "theta3<=40" and "aside" ask for more; all must hold. */
+/** Words are looked for in id and point; "sigma>3", "theta3<=40", "aside" and "held-out" ask for more; all must hold. */
 export function filtered(rows: readonly ReadingRow[], text: string, columns: readonly Column[]): ReadingRow[] {
   const tests = text
     .trim()
@@ -85,6 +87,7 @@ export function filtered(rows: readonly ReadingRow[], text: string, columns: rea
 
 function testOf(word: string, columns: readonly Column[]): (row: ReadingRow) => boolean {
   if (word === "aside") return (row) => row.isAside;
+  if (word === "held-out") return (row) => row.isHeldOut;
   const found = /^([A-Za-zσ]\w*)(<=|>=|<|>|=)(-?[\d.]+)$/.exec(word);
   const column = found && columns.find(({key, words}) => key === found[1] || words === found[1]);
   if (!found || !column) return (row) => `${row.id} ${row.name}`.toLowerCase().includes(word.toLowerCase());

@@ -5,9 +5,9 @@ import {useEffect, useMemo, useRef} from "preact/hooks";
 import {exact, fixed, isNumber, plural, short} from "../drawing/numbers";
 import type {MeasurementsDocument} from "../server/documents";
 import {get} from "../server/requests";
-import {report, runningJobs, state, units} from "../server/workbench";
-import {pickedOut, pointed} from "./linked";
-import {setAside} from "./loop";
+import {report, state, units} from "../server/workbench";
+import {pickOut, pickedOut, pointed} from "./linked";
+import {isMarkable, markReadings} from "./reading_marks";
 import {columnsOf, filtered, rowsOf, sorted, type ReadingRow} from "./reading_rows";
 import {readingErrors} from "./residuals";
 import {showReading} from "./show_reading";
@@ -53,13 +53,13 @@ export function ReadingTable() {
     return sorted(filtered(all, filter.value, columns), column, order.value.isDown);
   }, [all, columns, filter.value, order.value]);
   const aside = all.filter((row) => row.isAside).map((row) => row.id);
-  const isBusy = runningJobs.value.length > 0;
+  const isBusy = !isMarkable.value;
   return (
     <div class="reading-table">
       <div class="reading-tools">
         <input
           aria-label="Filter the readings"
-          placeholder="P12   sigma>3   theta3<40   aside"
+          placeholder="P12   sigma>3   theta3<40   aside   held-out"
           value={filter.value}
           spellcheck={false}
           onInput={(event) => (filter.value = event.currentTarget.value)}
@@ -67,28 +67,25 @@ export function ReadingTable() {
         <span class="muted">
           {rows.length === all.length ? plural(all.length, "reading") : `${rows.length} of ${all.length}`}
         </span>
-        {filter.value.trim() !== "" && rows.some((row) => !row.isAside) ? (
-          <button
-            class="button small"
-            disabled={isBusy || rows.length === all.length}
-            onClick={() =>
-              void setAside(
-                rows.filter((row) => !row.isAside).map((row) => row.id),
-                true,
-              )
-            }
-          >
-            Set these aside
-          </button>
-        ) : null}
+        <button class="button small" title="Ctrl+A in the table" disabled={isBusy} onClick={() => pickRows(rows)}>
+          Pick these out
+        </button>
         {aside.length > 0 ? (
-          <button class="button small" disabled={isBusy} onClick={() => void setAside(aside, false)}>
+          <button class="button small" disabled={isBusy} onClick={() => void markReadings("aside", aside, false)}>
             Take all {aside.length} back
           </button>
         ) : null}
       </div>
       <Rows rows={rows} joints={joints} columns={columns} isBusy={isBusy} />
     </div>
+  );
+}
+
+/** All that the filter leaves and that are not set aside. */
+function pickRows(rows: ReadingRow[]): void {
+  pickOut(
+    rows.filter((row) => !row.isAside).map((row) => row.id),
+    false,
   );
 }
 
@@ -119,7 +116,19 @@ function Rows({
     gridTemplateColumns: `26px 44px 60px 58px 58px minmax(56px,1fr) 46px ${joints.map(() => "62px").join(" ")}`,
   };
   return (
-    <div class="reading-rows" ref={box} tabIndex={0} role="table" aria-label="Readings" aria-rowcount={rows.length}>
+    <div
+      class="reading-rows"
+      ref={box}
+      tabIndex={0}
+      role="table"
+      aria-label="Readings"
+      aria-rowcount={rows.length}
+      onKeyDown={(event) => {
+        if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "a") return;
+        event.preventDefault();
+        pickRows(rows);
+      }}
+    >
       <div class="reading-row head" role="row" style={layout}>
         <span title="In use">use</span>
         {columns.map((column) => (
@@ -166,7 +175,7 @@ function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: 
         checked={!row.isAside}
         disabled={isBusy}
         aria-label={`Use reading ${row.id}`}
-        onChange={() => void setAside([row.id], !row.isAside)}
+        onChange={() => void markReadings("aside", [row.id], !row.isAside)}
       />
       <button
         class="link"
@@ -175,13 +184,14 @@ function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: 
         onClick={() => showReading(row.id)}
       >
         {row.id}
+        {row.isHeldOut ? <small title="held out: no fit sees it"> ◇</small> : null}
       </button>
       <span class={`number ${isBad ? "bad" : ""}`}>
         {row.isAside ? "aside" : `${isBad ? "▲ " : ""}${isNumber(row.sigmas) ? fixed(row.sigmas, 1) : "–"}`}
       </span>
       <span class="number">{short(row.before)}</span>
       <span class="number">{short(row.after)}</span>
-      <span>{row.name}</span>
+      <span class="reading-point">{row.name}</span>
       <span class="number" title={`${exact(row.load)} ${units.value.force}`}>
         {exact(row.load)}
       </span>

@@ -3,13 +3,14 @@ import {Segments} from "../drawing/segments";
 import {effect as follow, signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
+import {followLasso, isInside} from "../drawing/lasso";
 import {short, roundDown125} from "../drawing/numbers";
 import type {Vector3} from "../server/documents";
 import {units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import type {SheetModel} from "../sheet/sheet_model";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {pointed} from "./linked";
+import {pickOut, pickedOut, pointed} from "./linked";
 import {SeriesLegend} from "./residual_plot";
 import {showReading} from "./show_reading";
 
@@ -50,12 +51,25 @@ export function ResidualArrows() {
     const element = canvas.current!;
     const draw = () => {
       places.current = drawArrows(element, errors, plane.value, palette.value);
+      drawPicked(element, errors, places.current, palette.value);
     };
     const observer = new ResizeObserver(draw);
     observer.observe(element.parentElement!);
     draw();
     return () => observer.disconnect();
-  }, [errors, plane.value, palette.value, sheet.value, units.value]);
+  }, [errors, plane.value, palette.value, sheet.value, units.value, pickedOut.value]);
+  useEffect(() => {
+    const element = canvas.current!;
+    return followLasso(element, element.parentElement!, (loop, isMore) =>
+      pickOut(
+        (errors?.readings ?? []).flatMap(({id}, i) => {
+          const place = places.current[i];
+          return place && isInside(loop, ...place) ? [id] : [];
+        }),
+        isMore,
+      ),
+    );
+  }, [errors]);
   useEffect(
     () =>
       follow(() => {
@@ -86,6 +100,26 @@ export function ResidualArrows() {
       <SeriesLegend errors={errors} />
     </div>
   );
+}
+
+/** Readings that are picked out have a ring. */
+function drawPicked(
+  canvas: HTMLCanvasElement,
+  errors: ReadingErrors | null,
+  places: ([number, number] | null)[],
+  colours: Palette,
+): void {
+  const context = canvas.getContext("2d")!;
+  context.strokeStyle = colours.ink;
+  context.lineWidth = 1;
+  context.beginPath();
+  errors?.readings.forEach(({id}, i) => {
+    const place = pickedOut.peek().has(id) ? places[i] : null;
+    if (!place) return;
+    context.moveTo(place[0] + 5, place[1]);
+    context.arc(...place, 5, 0, 2 * Math.PI);
+  });
+  context.stroke();
 }
 
 function nearestPlace(places: ([number, number] | null)[], x: number, y: number): number {

@@ -10,12 +10,10 @@ import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
 import {binnedMeans, lawAlong, type Bin} from "./binned";
 import {chosenPart, chosenVariable, doneBy, parts, shownView, variables} from "./focus";
-import {pickedOut} from "./linked";
 import type {View} from "./own_variable";
 import {paintLaw, paintMeans} from "./plot_painting";
 import {PointedReading, usePointing} from "./pointing";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {SelectionBar} from "./selection_bar";
 
 export function ResidualPlot() {
   const errors = readingErrors.value,
@@ -58,11 +56,7 @@ export function ResidualPlot() {
           <p class="muted pad">Readings are drawn here once they are compared.</p>
         )}
         <PointedReading place={pointing.place} errors={errors} />
-        {pickedOut.value.size > 0 ? (
-          <SelectionBar />
-        ) : (
-          <PlotLegend errors={errors} hasLaw={(plot?.law.length ?? 0) > 0} />
-        )}
+        <PlotLegend errors={errors} hasLaw={(plot?.law.length ?? 0) > 0} />
       </div>
     </section>
   );
@@ -147,7 +141,7 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot
         x: false,
         y: false,
         points: {show: false},
-        drag: {x: true, y: true, setScale: false, dist: 5},
+        drag: {x: false, y: false},
       },
       scales: {
         x: {

@@ -1,24 +1,64 @@
-// What can be done with readings that were picked out of a picture: they are set aside, and the ladder follows.
+// What can be done with readings that were picked out of a picture or the table: they are set aside or held out, and the
+// ladder follows; what was done last can be taken back.
 import {plural} from "../drawing/numbers";
-import {runningJobs} from "../server/workbench";
 import {pickedOut} from "./linked";
-import {setAside} from "./loop";
+import {isMarkable, lastMarking, markReadings, markingWords, undoMarking} from "./reading_marks";
+import {readingErrors} from "./residuals";
 
 export function SelectionBar() {
-  const ids = [...pickedOut.value];
+  const last = lastMarking.value;
+  if (pickedOut.value.size === 0 && !last) return null;
   return (
-    <p class="selection-bar" role="status">
+    <div class="selection-bar" role="status">
+      {pickedOut.value.size > 0 ? <PickedOut ids={[...pickedOut.value]} /> : null}
+      {pickedOut.value.size === 0 && last ? (
+        <>
+          <b>{markingWords(last)}</b>
+          <button
+            class="button small"
+            title="Undo (Ctrl+Z)"
+            disabled={!isMarkable.value}
+            onClick={() => void undoMarking()}
+          >
+            Undo
+          </button>
+        </>
+      ) : null}
+    </div>
+  );
+}
+
+function PickedOut({ids}: {ids: string[]}) {
+  const isBusy = !isMarkable.value;
+  const heldOut = new Set(
+    (readingErrors.value?.readings ?? []).filter((reading) => reading.held_out).map((reading) => reading.id),
+  );
+  const fitted = ids.filter((id) => !heldOut.has(id)),
+    kept = ids.filter((id) => heldOut.has(id));
+  return (
+    <>
       <b>{plural(ids.length, "reading")} picked out</b>
-      <button
-        class="button small first"
-        disabled={runningJobs.value.length > 0}
-        onClick={() => void setAside(ids, true)}
-      >
+      <button class="button small first" disabled={isBusy} onClick={() => void markReadings("aside", ids, true)}>
         Set aside
       </button>
-      <button class="button small" onClick={() => (pickedOut.value = new Set())}>
+      {fitted.length > 0 ? (
+        <button
+          class="button small"
+          disabled={isBusy}
+          title="No fit sees them: they judge it"
+          onClick={() => void markReadings("held_out", fitted, true)}
+        >
+          Hold out{kept.length > 0 ? ` ${fitted.length}` : ""}
+        </button>
+      ) : null}
+      {kept.length > 0 ? (
+        <button class="button small" disabled={isBusy} onClick={() => void markReadings("held_out", kept, false)}>
+          Take {fitted.length > 0 ? `${kept.length} ` : ""}into the fit
+        </button>
+      ) : null}
+      <button class="button small" title="Esc" onClick={() => (pickedOut.value = new Set())}>
         Leave them
       </button>
-    </p>
+    </>
   );
 }

@@ -227,13 +227,8 @@ function PlanButton() {
         <option value="none">no compensation</option>
       </select>
       {cell.value?.has_park ? (
-        <label title="set out from the park posture and come back to it">
-          <input
-            type="checkbox"
-            checked={isParked.value}
-            onChange={() => (isParked.value = !isParked.value)}
-          />{" "}
-          park
+        <label class="check" title="set out from the park posture and come back to it">
+          <input type="checkbox" checked={isParked.value} onChange={() => (isParked.value = !isParked.value)} /> park
         </label>
       ) : null}
       <button

@@ -125,6 +125,15 @@ export interface DiagnoseDocument {
   };
   warnings: (string | {sentence: string})[];
   set_aside: string[];
+  /** The least of each effect that would have been seen. */
+  detectable?: {
+    effect: string;
+    at: string;
+    number: string;
+    size: number | null;
+    unit: string;
+    beyond_plausible: boolean;
+  }[];
   /** What is left that no known effect explains. */
   remainder?: {size: number | null; follows: {variable: string; share: number}[]};
   alternatives: EffectAt[][];
@@ -172,8 +181,14 @@ export interface CatalogueDocument {
     law: string;
     validity: string;
     source: string;
-    parameters: {name: string; unit: string; neutral: number; low: number; high: number}[];
+    parameters: {name: string; unit: string; neutral: number; low: number; high: number; plausible?: number | null}[];
   }[];
+}
+
+/** Which causes the readings can hardly tell from one another. */
+export interface TwinsDocument {
+  readings: number;
+  causes: {effect: string; at: string; kept: number; twins: {effect: string; at: string; share: number}[]}[];
 }
 
 /** How far joints and axes take the tip at each reading, three numbers for each name; where base and tool stand. */

@@ -1,5 +1,5 @@
 // The state that all browsers share.
-import type {Problem, Units} from "./common_documents";
+import type {Problem, Units, Vector3} from "./common_documents";
 
 export interface JointInfo {
   name: string;
@@ -58,6 +58,7 @@ export interface ReadingsInfo {
   sigma: number | null;
   /** How many are set aside, and how often that was changed. */
   set_aside: number;
+  held_out: number;
   change: number;
   checks: ReadingCheck[];
   missing_columns: MissingColumn[];
@@ -98,6 +99,15 @@ export interface ResultMark {
   revision: number;
   /** All that have one. */
   models: number[];
+}
+
+/** Where the encoders of a running arm say it is, or what is wrong with what came. */
+export interface LiveNews {
+  source: string;
+  joints?: number[];
+  load?: number;
+  tip?: Vector3;
+  problem?: Problem;
 }
 
 export interface WorkbenchState {

@@ -1,11 +1,14 @@
 // The server's state as signals: told by /api/events, the same in every browser; results fetched when they change.
 import {computed, effect, signal, type Signal} from "@preact/signals";
-import type {Job, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
+import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {asProblem, get, isMissing, post} from "./requests";
 
 export const state = signal<WorkbenchState | null>(null);
 export const connection = signal<"connecting" | "live" | "lost">("connecting");
 export const jobs = signal<ReadonlyMap<string, Job>>(new Map());
+
+/** The newest from a running arm; null until there is one. */
+export const liveNews = signal<LiveNews | null>(null);
 
 export const cell = computed(() => state.value?.cell ?? null);
 export const units = computed<Units>(() => cell.value?.units ?? {length: "", angle: "", force: ""});
@@ -59,6 +62,9 @@ export function followServer(): void {
     takeState(JSON.parse(event.data) as WorkbenchState);
   });
   events.addEventListener("job", (event) => noteJob(JSON.parse(event.data) as Job));
+  events.addEventListener("live", (event) => {
+    liveNews.value = JSON.parse(event.data) as LiveNews;
+  });
   events.addEventListener("error", () => {
     connection.value = "lost";
     if (events.readyState === EventSource.CLOSED) setTimeout(followServer, 2000);
@@ -153,7 +159,7 @@ let nextNotice = 1;
 
 export function report(title: string, error: unknown): void {
   const problem = error instanceof Error ? asProblem(error) : (error as Problem);
-  notices.value = [...notices.value.slice(-2), {id: nextNotice++, title, problem}];
+  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // effects report too
 }
 
 export function dismiss(id: number): void {
@@ -171,15 +177,27 @@ export async function order(title: string, path: string, body: unknown = {}): Pr
   }
 }
 
+/** Orders for jobs that the program has not answered yet. */
+const starting = signal(0);
+
 /** Starts a job and waits for its end, as the events tell it; false where it failed or was stopped. */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
   try {
-    const job = await post<Job>(path, body);
-    noteStarted(job);
-    return await ended(String(job.id));
+    return await ended(String((await start(path, body)).id));
   } catch (error) {
     report(title, error);
     return false;
+  }
+}
+
+async function start(path: string, body: unknown): Promise<Job> {
+  ++starting.value;
+  try {
+    const job = await post<Job>(path, body);
+    noteStarted(job);
+    return job;
+  } finally {
+    --starting.value;
   }
 }
 
@@ -188,20 +206,34 @@ function noteStarted(job: Job): void {
   if (!jobs.value.has(String(job.id))) noteJob(job);
 }
 
-function ended(id: string): Promise<boolean> {
+function until(holds: () => boolean): Promise<void> {
   return new Promise((resolve) => {
-    let wasSeen = false;
     const stop = effect(() => {
-      const job = jobs.value.get(id);
-      if (job) wasSeen = true;
-      const isOver = job ? job.status !== "running" : wasSeen;
-      if (isOver)
-        queueMicrotask(() => {
-          stop();
-          resolve(job === undefined || job.status === "done");
-        });
+      if (!holds()) return;
+      queueMicrotask(() => {
+        stop();
+        resolve();
+      });
     });
   });
+}
+
+async function ended(id: string): Promise<boolean> {
+  let wasSeen = false;
+  await until(() => {
+    const job = jobs.value.get(id);
+    if (job) wasSeen = true;
+    return job ? job.status !== "running" : wasSeen;
+  });
+  const job = jobs.peek().get(id);
+  return job === undefined || job.status === "done";
+}
+
+/** Stops the running job of a kind, also one that is just being started, and waits for its end. */
+export async function stopJob(kind: string): Promise<void> {
+  await until(() => starting.value === 0);
+  const job = runningJob(kind);
+  if (job && (await order("Stop", `/api/jobs/${job.id}/cancel`))) await ended(String(job.id));
 }
 
 // Failures of jobs are told wherever the job was started.
@@ -215,4 +247,10 @@ effect(() => {
     if (!isFirst && job.error) report(`${job.label || job.kind} failed`, job.error);
   }
   if (state.value !== null) isFirst = false;
+});
+
+// What a running arm sends may be wrong: told once, wherever one looks.
+effect(() => {
+  const {problem, source} = liveNews.value ?? {};
+  if (problem) report(`${source}: not taken`, problem);
 });

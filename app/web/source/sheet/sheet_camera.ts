@@ -57,14 +57,3 @@ export function zoomed(
 export function panned(camera: Camera, dx: number, dy: number): Camera {
   return {...camera, u: camera.u - dx / camera.scale, v: camera.v + dy / camera.scale};
 }
-
-/** Whether a point lies inside a closed polygon (even-odd). */
-export function isInside(polygon: readonly [number, number][], x: number, y: number): boolean {
-  let inside = false;
-  for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
-    const [xi, yi] = polygon[i],
-      [xj, yj] = polygon[j];
-    if (yi > y !== yj > y && x < ((xj - xi) * (y - yi)) / (yj - yi) + xi) inside = !inside;
-  }
-  return inside;
-}

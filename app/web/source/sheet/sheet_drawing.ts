@@ -4,7 +4,8 @@ import {palette, type Palette} from "../drawing/colours";
 import type {Colouring} from "./colourings";
 import {drawGround, drawTicks} from "./ground_layer";
 import {HoleLayer} from "./hole_layer";
-import {fit, isInside, panned, toPixel, toSheet, zoomed, type Camera, type Size} from "./sheet_camera";
+import {isInside} from "../drawing/lasso";
+import {fit, panned, toPixel, toSheet, zoomed, type Camera, type Size} from "./sheet_camera";
 import type {SheetModel} from "./sheet_model";
 
 /** What a view draws over the holes. */

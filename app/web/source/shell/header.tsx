@@ -6,6 +6,7 @@ import type {Job} from "../server/documents";
 import {cell, connection, order, runningJobs, state} from "../server/workbench";
 import {dialog} from "./page_state";
 import {ProjectTools} from "./project";
+import {canUndo, undo} from "./undo";
 
 function ModelStack() {
   const now = state.value;
@@ -14,7 +15,7 @@ function ModelStack() {
     current = models.find((model) => model.id === now.model);
   return (
     <div class="models" title={models.map((model) => model.label).join(" → ")}>
-      <button class="tool" title="Undo (Ctrl+Z)" disabled={!now.can_undo} onClick={() => order("Undo", "/api/undo")}>
+      <button class="tool" title="Undo (Ctrl+Z)" disabled={!canUndo.value} onClick={() => void undo()}>
         <Icon name="undo" />
       </button>
       <button

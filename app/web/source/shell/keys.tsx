@@ -1,22 +1,24 @@
 // The keys that work everywhere, and the list of all of them.
 import {chooseScheme, isDark} from "../drawing/colours";
+import {pickedOut} from "../error/linked";
 import {dismiss, notices, order, state} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {closeDialog, dialog, view, VIEWS} from "./page_state";
 import {save} from "./project";
+import {canUndo, undo} from "./undo";
 
 const LIST: [string, [string, string][]][] = [
   [
     "Everywhere",
     [
-      ["1 … 5", "sheet, arm, error, plan, calibrate"],
+      ["1 … 6", "sheet, arm, error, plan, calibrate, effects"],
       ["O", "open a cell or readings"],
-      ["Ctrl Z", "undo the last change of the model"],
+      ["Ctrl Z", "undo the last change of the model or of the readings"],
       ["Ctrl Shift Z", "redo"],
       ["Ctrl S", "save as a project"],
       ["D", "dark or light"],
       ["?", "this list"],
-      ["Esc", "close, or put a message away"],
+      ["Esc", "close, put a message away, or let go of what is picked out"],
     ],
   ],
   [
@@ -28,6 +30,13 @@ const LIST: [string, [string, string][]][] = [
       ["+  −  wheel, pinch", "larger, smaller"],
       ["0", "whole sheet"],
       ["L, Shift drag", "lasso (with Ctrl: add to the selection)"],
+    ],
+  ],
+  [
+    "On readings",
+    [
+      ["drag", "a loop in the plot or the places picks readings out (with Shift: more)"],
+      ["Ctrl A", "in the table: pick out all that the filter leaves"],
     ],
   ],
   [
@@ -61,8 +70,8 @@ function onKey(event: KeyboardEvent): void {
   const key = event.key.toLowerCase();
   if ((event.ctrlKey || event.metaKey) && key === "z") {
     event.preventDefault();
-    if (event.shiftKey ? state.value?.can_redo : state.value?.can_undo)
-      void order("Undo", event.shiftKey ? "/api/redo" : "/api/undo");
+    if (event.shiftKey && state.value?.can_redo) void order("Redo", "/api/redo");
+    if (!event.shiftKey && canUndo.value) void undo();
     return;
   }
   if ((event.ctrlKey || event.metaKey) && key === "s") {
@@ -71,11 +80,12 @@ function onKey(event: KeyboardEvent): void {
     return;
   }
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (key >= "1" && key <= "5") view.value = VIEWS[Number(key) - 1];
+  if (key >= "1" && key <= String(VIEWS.length)) view.value = VIEWS[Number(key) - 1];
   else if (key === "o") dialog.value = "open";
   else if (key === "?") dialog.value = "keys";
   else if (key === "d") chooseScheme(isDark() ? "light" : "dark");
   else if (key === "escape" && notices.value.length > 0) dismiss(notices.value[notices.value.length - 1].id);
+  else if (key === "escape" && dialog.value === "" && pickedOut.value.size > 0) pickedOut.value = new Set();
   else return;
   event.preventDefault();
 }

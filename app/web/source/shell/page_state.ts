@@ -3,7 +3,7 @@ import {computed, effect, signal} from "@preact/signals";
 import {sheetDocument} from "../server/workbench";
 import {makeSheetModel} from "../sheet/sheet_model";
 
-export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate"] as const;
+export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects"] as const;
 export type ViewName = (typeof VIEWS)[number];
 
 function viewOfAddress(): ViewName {

@@ -8,6 +8,7 @@ const WORDS: Record<ViewName, string> = {
   error: "Error",
   plan: "Plan",
   calibrate: "Calibrate",
+  effects: "Effects",
 };
 
 function step(event: KeyboardEvent): void {

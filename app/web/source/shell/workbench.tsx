@@ -1,9 +1,10 @@
-// The workbench: header, the five views on a rail, dialogs, and what must be seen in any of them.
+// The workbench: header, the views on a rail, dialogs, and what must be seen in any of them.
 import {lazy, Suspense} from "preact/compat";
 import {useEffect} from "preact/hooks";
 import {connection, state} from "../server/workbench";
 import {ErrorView} from "../error/error_view";
 import {CalibrateView} from "../calibrate/calibrate_view";
+import {EffectsView} from "../effects/effects_view";
 import {SheetView} from "../sheet/sheet_view";
 import {DropTarget} from "./drop_target";
 import {Header} from "./header";
@@ -36,6 +37,8 @@ function CurrentView({name}: {name: ViewName}) {
       return <PlanView />;
     case "calibrate":
       return <CalibrateView />;
+    case "effects":
+      return <EffectsView />;
     default:
       return <SheetView />;
   }

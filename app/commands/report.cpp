@@ -1,0 +1,75 @@
+// tubeplan report: a project of the workbench as a page, with all that is needed to have its figures again.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <ctime>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.hpp"
+#include "app/cli/json_target.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/printed_page.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/workbench/project.hpp"
+#include "app/workbench/project_report.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct ReportOptions {
+  std::string project, out, pdf, files, json;
+};
+
+std::filesystem::path besideProject(const std::string& project, const char* ending) {
+  return std::filesystem::path(project).replace_extension(ending);
+}
+
+void writeProjectFiles(const Situation& situation, const std::string& folder) {
+  OutputFolder out(folder, "--files");
+  for (const auto& file : projectFiles(situation, folder)) out.write(file.path.filename().string(), file.text);
+  out.commit();
+}
+
+int run(const ReportOptions& options) {
+  const std::string out = options.out.empty() ? besideProject(options.project, ".html").string() : options.out;
+  checkJsonTarget(options.json);
+  checkWritableFile(out, "--out");
+  if (!options.pdf.empty()) {
+    checkWritableFile(options.pdf, "--pdf");
+    requirePrinter();
+  }
+  const Situation situation = readProject(options.project);
+  ProjectReportRequest request;
+  request.project = options.project;
+  request.files = options.files.empty() ? besideProject(options.project, ".files").string() : options.files;
+  request.made = fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+  const nlohmann::json report = projectReportJson(situation, request);
+  if (!options.files.empty()) writeProjectFiles(situation, options.files);
+  writeFileAtomically(out, renderProjectReport(report), "--out");
+  if (!options.pdf.empty()) printPage(out, options.pdf);
+  writeJson(options.json, report);
+  if (!printsText(options.json)) return kDone;
+  fmt::print("wrote {}\n", out);
+  for (const auto& more : {options.pdf, options.files})
+    if (!more.empty()) fmt::print("wrote {}\n", more);
+  return kDone;
+}
+
+}  // namespace
+
+Run configureReport(CLI::App& cli) {
+  const auto options = std::make_shared<ReportOptions>();
+  cli.add_option("PROJECT", options->project, "a project that the workbench has saved")->required();
+  cli.add_option("--out", options->out, "write the page to this file (the project's name, .html)");
+  cli.add_option("--pdf", options->pdf, "print it to this file too, by headless Chromium");
+  cli.add_option("--files", options->files,
+                 "write the readings in use and every model into this folder, as the report's command lines take them");
+  cli.add_option("--json", options->json, "write what the page shows as JSON to this file, or - for standard output");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,35 @@
+// A running arm: what its encoders say moves the arm of this browser, as long as it follows.
+import {batch, computed, effect, signal} from "@preact/signals";
+import {liveNews} from "../server/workbench";
+import {poseRequest} from "./pose_link";
+
+/** After so long without a word the arm is taken to stand still, or to be gone [ms]. */
+const SILENCE = 3000;
+
+export const isFollowing = signal(true);
+const heard = signal(false);
+
+/** Whether a running arm tells where it is. */
+export const isLive = computed(() => heard.value);
+
+let silence: ReturnType<typeof setTimeout> | undefined;
+
+effect(() => {
+  const news = liveNews.value;
+  if (!news?.joints) return;
+  clearTimeout(silence);
+  silence = setTimeout(() => (heard.value = false), SILENCE);
+  heard.value = true;
+});
+
+effect(() => {
+  const {joints, load} = liveNews.value ?? {};
+  if (!joints || !isFollowing.value) return;
+  batch(() => {
+    poseRequest.hole.value = -1;
+    poseRequest.inverse.value = null;
+    poseRequest.reading.value = null;
+    poseRequest.load.value = load ?? 0;
+    poseRequest.joints.value = joints;
+  });
+});

@@ -1,0 +1,32 @@
+// Tabs above a panel: one tab stop, arrow keys within.
+import {rove, type Choice} from "./segments";
+
+export function Tabs<T extends string>({
+  label,
+  tabs,
+  value,
+  onChoose,
+}: {
+  label: string;
+  tabs: readonly Choice<T>[];
+  value: T;
+  onChoose: (value: T) => void;
+}) {
+  return (
+    <div class="tabs" role="tablist" aria-label={label} onKeyDown={rove}>
+      {tabs.map((tab) => (
+        <button
+          key={tab.value}
+          type="button"
+          role="tab"
+          title={tab.hint}
+          aria-selected={tab.value === value}
+          tabIndex={tab.value === value ? 0 : -1}
+          onClick={() => onChoose(tab.value)}
+        >
+          {tab.words}
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,60 @@
+// The catalogue by kinds: each with its law, its numbers and where it can be on this arm, and what these readings say of it.
+import type {CatalogueDocument, DiagnoseDocument, TwinsDocument} from "../server/documents";
+
+export interface EffectPlace {
+  at: string;
+  /** Share of what it does that no fitted number can do; null without readings. */
+  kept: number | null;
+  /** The least size that would have been seen, in words of number and unit; null where it was not asked. */
+  least: {number: string; size: number | null; unit: string; isBeyondUsual: boolean} | null;
+  twins: {effect: string; at: string; share: number}[];
+}
+
+export interface EffectKind {
+  effect: string;
+  law: string;
+  validity: string;
+  source: string;
+  parameters: CatalogueDocument["effects"][number]["parameters"];
+  places: EffectPlace[];
+}
+
+const keyOf = ({effect, at}: {effect: string; at: string}) => `${effect}@${at}`;
+
+export function kindsOf(
+  catalogue: CatalogueDocument,
+  twins: TwinsDocument | null,
+  diagnosis: DiagnoseDocument | null,
+): EffectKind[] {
+  const asked = new Map((twins?.causes ?? []).map((cause) => [keyOf(cause), cause]));
+  const seen = new Map((diagnosis?.detectable ?? []).map((entry) => [keyOf(entry), entry]));
+  const kinds = new Map<string, EffectKind>();
+  for (const {effect, at, ...about} of catalogue.effects) {
+    const kind = kinds.get(effect) ?? {effect, ...about, places: []};
+    kinds.set(effect, kind);
+    const cause = asked.get(keyOf({effect, at})),
+      least = seen.get(keyOf({effect, at}));
+    kind.places.push({
+      at,
+      kept: cause?.kept ?? null,
+      least: least
+        ? {number: least.number, size: least.size, unit: least.unit, isBeyondUsual: least.beyond_plausible}
+        : null,
+      twins: cause?.twins ?? [],
+    });
+  }
+  return [...kinds.values()];
+}
+
+/** Words are looked for in the name, the law and the places; all must be there. */
+export function filteredKinds(
+  kinds: readonly EffectKind[],
+  text: string,
+  wordsOf: (effect: string) => string,
+): EffectKind[] {
+  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  return kinds.filter(({effect, law, places}) => {
+    const all = `${effect} ${wordsOf(effect)} ${law} ${places.map(({at}) => at).join(" ")}`.toLowerCase();
+    return words.every((word) => all.includes(word));
+  });
+}

@@ -1,0 +1,81 @@
+// Marks on readings: set aside or held out, and taken back, as steps that can be undone while nothing else has changed.
+import {computed, signal} from "@preact/signals";
+import {plural} from "../drawing/numbers";
+import type {WorkbenchState} from "../server/documents";
+import {post} from "../server/requests";
+import {report, runningJobs, state, stopJob, takeState} from "../server/workbench";
+import {startCompare} from "./loop";
+
+export type MarkKind = "aside" | "held_out";
+
+interface Marking {
+  kind: MarkKind;
+  ids: string[];
+  isOn: boolean;
+}
+
+/** A marking that was made, and what stood there after it. */
+interface Step extends Marking {
+  change: number;
+  model: number;
+}
+
+const ADDRESSES: Record<MarkKind, string> = {
+  aside: "/api/measurements/set-aside",
+  held_out: "/api/measurements/hold-out",
+};
+
+const steps = signal<Step[]>([]);
+
+/** The last marking, where nothing else was done since. */
+export const lastMarking = computed<Step | null>(() => {
+  const last = steps.value.at(-1),
+    now = state.value;
+  return last && now?.measurements?.change === last.change && now.model === last.model ? last : null;
+});
+
+export function markingWords({kind, ids, isOn}: Marking): string {
+  const done = kind === "aside" ? (isOn ? "set aside" : "taken back") : isOn ? "held out" : "taken into the fit";
+  return `${plural(ids.length, "reading")} ${done}`;
+}
+
+/** A comparison under way gives way to a marking; other work on the readings must end first. */
+export const isMarkable = computed(() => runningJobs.value.every((job) => job.kind === "compare"));
+
+/** The answer is the state after it: what is asked next is asked of that. */
+async function send({kind, ids, isOn}: Marking): Promise<boolean> {
+  await stopJob("compare");
+  try {
+    takeState(await post<WorkbenchState>(ADDRESSES[kind], {ids, [kind]: isOn}));
+    return true;
+  } catch (error) {
+    report("Readings", error);
+    return false;
+  }
+}
+
+/** As the next change of the readings will be counted, unless another browser is faster. */
+function nextChange(): number {
+  return (state.peek()?.measurements?.change ?? 0) + 1;
+}
+
+/** Marks readings that do not have the mark yet, and looks at what is left. */
+export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean): Promise<void> {
+  const step = {kind, ids, isOn, change: nextChange(), model: state.peek()?.model ?? -1};
+  if (ids.length === 0 || !(await send(step))) return;
+  steps.value = [...steps.value, step];
+  await startCompare();
+}
+
+/** Takes the last marking back; the one before it can be taken back then. */
+export async function undoMarking(): Promise<void> {
+  const last = lastMarking.peek(),
+    change = nextChange();
+  if (!last || !(await send({...last, isOn: !last.isOn}))) return;
+  const earlier = steps.peek().slice(0, -1);
+  // What stood there before this one stands there again.
+  steps.value = earlier.map((step, k) =>
+    k === earlier.length - 1 && step.change === last.change - 1 ? {...step, change} : step,
+  );
+  await startCompare();
+}

@@ -1,0 +1,152 @@
+#include "app/workbench/live.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "app/documents/figures.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/workbench/exchange.hpp"
+#include "app/workbench/job_routes.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostTail = 64u << 10;  // of a log of encoders: its last row is in it
+
+void tell(Workbench& workbench, json news) {
+  workbench.events().liveMoved(news.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+json jointsInUnits(const Eigen::VectorXd& q, const Cell& cell) {
+  json values = json::array();
+  const auto active = deflection::activeRows(cell.arm);
+  for (std::size_t j = 0; j < active.size(); ++j) {
+    const auto& joint = cell.arm.rows[static_cast<std::size_t>(active[j])].joint;
+    values.push_back(cell.units.toFile(q[static_cast<Eigen::Index>(j)], jointDimension(joint)));
+  }
+  return values;
+}
+
+std::string firstLine(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  for (; std::getline(stream, line);)
+    if (!tubesheets::trimBlanks(line).empty() && line.front() != '#') break;
+  if (line.ends_with('\r')) line.pop_back();
+  return line;
+}
+
+/// Whole lines only: a row may be half written.
+std::string wholeLines(std::string text) {
+  text.erase(text.find_last_of('\n') == std::string::npos ? 0 : text.find_last_of('\n') + 1);
+  return text;
+}
+
+std::string textFrom(const std::filesystem::path& file, std::uintmax_t begin) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(begin));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return wholeLines(text.str());
+}
+
+/// The last row of a table of joints, read as a touch of a point of no name: its columns carry the same units. Nothing
+/// where there is only the header yet.
+std::optional<calibration::Measurement> lastRow(const std::filesystem::path& file, const std::string& header,
+                                                const Cell& cell) {
+  const auto size = std::filesystem::file_size(file);
+  std::string text = textFrom(file, size > kMostTail ? size - kMostTail : 0);
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  const std::string row = text.substr(text.find_last_of('\n') == std::string::npos ? 0 : text.find_last_of('\n') + 1);
+  if (row.empty() || row == header) return std::nullopt;
+  return parseMeasurements("id,kind,point," + header + "\nlive,touch,live," + row + "\n", file.string(), cell.arm)
+      .front();
+}
+
+bool isMeasurementTable(const std::string& header) {
+  const auto table = tubesheets::parseCsv(header + "\n");
+  return table.find("id") && table.find("kind");
+}
+
+}  // namespace
+
+json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, double load, const std::string& source) {
+  const Session session = workbench.session();
+  const Cell& cell = currentModel(session).cell;
+  const auto shape =
+      deflection::solveFlexibleKinematics(cell.arm, {q, load, deflection::gravityInBase(cell.arm, cell.X_WB)});
+  if (shape.status != deflection::KinematicsStatus::kConverged)
+    throw InputError("joints", shape.reason, "a posture at which the deflected arm comes to rest");
+  const json news = {{"joints", jointsInUnits(q, cell)},
+                     {"load", cell.units.toFile(load, dimension::kForce)},
+                     {"source", source},
+                     {"tip", vectorJson(cell.X_WB * deflection::toIsometry(shape.X_BD).translation(), cell.units,
+                                        dimension::kLength)}};
+  tell(workbench, news);
+  return news;
+}
+
+void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source) {
+  tell(workbench, {{"source", source}, {"problem", errorJson(error)}});
+}
+
+std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known) {
+  const Session session = workbench.session();
+  auto readings = parseReadings(text, name, currentModel(session).cell);
+  return workbench.arrivals().take(std::move(readings), session.readings.get(), passes_known);
+}
+
+void joinArrived(Workbench& workbench) {
+  if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;
+  workbench.change([&](Session& session) {
+    auto joined = session.readings ? std::make_shared<ReadingSet>(*session.readings) : std::make_shared<ReadingSet>();
+    if (joined->name.empty()) joined->name = "live";
+    const auto arrived = workbench.arrivals().hand();
+    joined->readings.insert(joined->readings.end(), arrived.begin(), arrived.end());
+    ++joined->change;
+    session.readings = std::move(joined);
+    forgetResultsOfReadings(session);
+    return true;
+  });
+  (void)beginComparison(workbench, {}, true);
+}
+
+void WatchedFile::look(Workbench& workbench) {
+  std::error_code gone;
+  const auto changed = std::filesystem::last_write_time(file_, gone);
+  const auto size = gone ? 0 : std::filesystem::file_size(file_, gone);
+  if (gone || (changed == changed_ && size == size_)) return;
+  changed_ = changed;
+  size_ = size;
+  try {
+    take(workbench);
+  } catch (const InputError& error) {
+    showLiveProblem(workbench, error, file_.filename().string());
+  }
+}
+
+void WatchedFile::take(Workbench& workbench) {
+  const std::string header = firstLine(file_), name = file_.filename().string();
+  if (header.empty()) return;
+  if (isMeasurementTable(header)) {
+    const std::string text = textFrom(file_, 0);
+    if (std::count(text.begin(), text.end(), '\n') > 1) (void)takeArrived(workbench, text, name, true);
+    return;
+  }
+  const auto row = lastRow(file_, header, currentModel(workbench.session()).cell);
+  if (row) (void)showEncoders(workbench, row->q, row->load, name);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,35 @@
+// What a running arm sends: its encoders, and readings one by one.
+#include "app/workbench/live.hpp"
+#include "app/workbench/request_body.hpp"
+#include "app/workbench/request_numbers.hpp"
+#include "app/workbench/routes.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// {"joints", "load"?}, in the cell's units.
+Answer encoders(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const Session session = workbench.session();
+  const Cell& cell = currentModel(session).cell;
+  return answerOf(showEncoders(workbench, jointsOf(body, cell), loadOf(body, cell), "POST"));
+}
+
+/// The text of a measurement file with readings of new ids.
+Answer readings(Workbench& workbench, const Request& request) {
+  const std::size_t waiting = takeArrived(workbench, request.body, "request", false);
+  joinArrived(workbench);
+  return answerOf({{"waiting", workbench.arrivals().isEmpty() ? 0 : waiting}}, 202);
+}
+
+constexpr Route kRoutes[] = {
+    {"POST", "live/encoders", encoders},
+    {"POST", "live/readings", readings},
+};
+
+}  // namespace
+
+std::span<const Route> liveRoutes() { return kRoutes; }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,160 @@
+#include "app/workbench/project_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commit.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/sha256.hpp"
+#include "app/files/units_json.hpp"
+#include "app/version.hpp"
+#include "app/workbench/model_files.hpp"
+#include "app/workbench/project.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+std::string readingsText(const Session& session) {
+  const Cell& cell = session.models.front()->cell;
+  return measurementsCsv(readingsInUse(*session.readings), cell.arm, cell.units);
+}
+
+std::string modelFile(std::size_t index) { return fmt::format("model-{}.yaml", index); }
+
+json inputJson(const std::string& what, const std::string& name, const std::string& text) {
+  return {{"what", what}, {"name", name}, {"bytes", text.size()}, {"sha256", sha256Of(text)}};
+}
+
+/// As the files of projectFiles() have them: `sha256sum` gives the same there.
+json inputsJson(const Session& session) {
+  json inputs = json::array();
+  const auto of_cell = cellFiles(session.models.front()->cell, modelFile(0));
+  for (const auto& file : of_cell)
+    inputs.push_back(inputJson(&file == &of_cell.back() ? "cell as given" : "its arm", file.path.string(), file.text));
+  if (session.readings)
+    inputs.push_back(
+        inputJson("readings in use, of " + session.readings->name, "measurements.csv", readingsText(session)));
+  return inputs;
+}
+
+/// The figures of a model: of its own comparison.
+json figuresOf(const Session& session, int model) {
+  const auto compared = findResult(session, "compare", model);
+  if (!compared) return json::object();
+  const json& document = compared->document;
+  return {{"rms", document["rms"]["after"]},
+          {"heldout_rms", document["rms"]["heldout_after"]},
+          {"chi2_per_dof", document["chi2_per_dof"]},
+          {"p_value", document["p_value"]},
+          {"verdict", document["verdict"]}};
+}
+
+json historyJson(const Session& session) {
+  json history = json::array();
+  for (std::size_t k = 0; k < session.models.size(); ++k) {
+    const Model& model = *session.models[k];
+    json entry = figuresOf(session, model.id);
+    entry["name"] = model.label;
+    entry["origin"] = model.origin;
+    entry["file"] = modelFile(k);
+    entry["state"] = k == session.current ? "current" : k > session.current ? "undone" : "";
+    history.push_back(std::move(entry));
+  }
+  return history;
+}
+
+json ladderRungs(const Session& session) {
+  json rungs = json::array();
+  const auto ladder = findResult(session, "ladder");
+  if (!ladder) return rungs;
+  for (const auto& rung : ladder->document["rungs"])
+    rungs.push_back({{"name", rung["name"]},
+                     {"rms", rung["rms"]["fitted"]},
+                     {"heldout_rms", rung["rms"]["heldout"]},
+                     {"chi2_per_dof", rung["chi2_per_dof"]},
+                     {"numbers", rung["fitted_numbers"]}});
+  return rungs;
+}
+
+/// On the files of projectFiles(), in this order.
+json commandsJson(const Session& session, const ProjectReportRequest& request) {
+  const auto in = [&](const std::string& name) { return (std::filesystem::path(request.files) / name).string(); };
+  json commands = {fmt::format("tubeplan report {} --files {}", request.project, request.files)};
+  if (!session.readings) return commands;
+  std::string stack;
+  for (std::size_t k = 0; k <= session.current; ++k) {
+    stack += " " + in(modelFile(k));
+    if (findResult(session, "compare", session.models[k]->id))
+      commands.push_back(fmt::format("tubeplan compare {} {}", in(modelFile(k)), in("measurements.csv")));
+    if (findResult(session, "diagnose", session.models[k]->id))
+      commands.push_back(fmt::format("tubeplan diagnose {} {}", in(modelFile(k)), in("measurements.csv")));
+  }
+  if (findResult(session, "ladder"))
+    commands.push_back(fmt::format("tubeplan ladder {}{} --rigid", in("measurements.csv"), stack));
+  return commands;
+}
+
+/// [[name, value], ...]
+json factsJson(const Session& session, const ProjectReportRequest& request) {
+  const auto fact = [](const std::string& name, const std::string& value) { return json::array({name, value}); };
+  json facts = json::array({fact("Report made", request.made),
+                            fact("Project saved", projectSummary(request.project).value("saved", "")),
+                            fact("Program", fmt::format("tubeplan {} ({})", kVersion, sourceCommit())),
+                            fact("Current model", currentModel(session).label)});
+  if (session.readings)
+    facts.push_back(fact("Readings in use", fmt::format("{}", readingsInUse(*session.readings).size())));
+  return facts;
+}
+
+/// The last word on the current model: its diagnosis, else its comparison.
+void addVerdict(const Session& session, json& report) {
+  for (const char* name : {"diagnose", "compare"}) {
+    const auto found = findResult(session, name, currentModel(session).id);
+    if (!found) continue;
+    report["verdict"] = found->document["verdict"];
+    report["sentence"] = found->document["sentence"];
+    report["rms"] = found->document["rms"];
+    report["chi2_per_dof"] = found->document["chi2_per_dof"];
+    report["p_value"] = found->document["p_value"];
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<TextFile> projectFiles(const Session& session, const std::filesystem::path& folder) {
+  std::vector<TextFile> files;
+  for (std::size_t k = 0; k < session.models.size(); ++k)
+    for (auto& file : cellFiles(session.models[k]->cell, folder / modelFile(k))) files.push_back(std::move(file));
+  if (session.readings) files.push_back({folder / "measurements.csv", readingsText(session)});
+  return files;
+}
+
+json projectReportJson(const Session& session, const ProjectReportRequest& request) {
+  const Cell& cell = session.models.front()->cell;
+  json report = {{"title", "Project " + std::filesystem::path(request.project).stem().string()},
+                 {"cell", cell.name},
+                 {"measurements", session.readings ? session.readings->name : ""},
+                 {"units", unitsJson(cell.units)},
+                 {"facts", factsJson(session, request)},
+                 {"models", ladderRungs(session)},
+                 {"history", historyJson(session)},
+                 {"inputs", inputsJson(session)},
+                 {"commands", commandsJson(session, request)},
+                 {"version", kVersion},
+                 {"commit", sourceCommit()}};
+  addVerdict(session, report);
+  if (session.readings) report["set_aside"] = session.readings->set_aside;
+  if (const auto fitted = findResult(session, "identify", currentModel(session).id))
+    report["parameters"] = fitted->document["parameters"];
+  if (const auto ladder = findResult(session, "ladder"); ladder && !ladder->document["rungs"].empty())
+    report["noise_floor"] = ladder->document["rungs"].back()["rms"]["noise_floor"];
+  return report;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,103 @@
+// What a running arm sends: told at once, kept nowhere; its readings join the others; and readings held out.
+#include "app/workbench/live.hpp"
+
+#include "tests/app/workbench/running_server.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class LiveTest : public WorkbenchTest {
+ protected:
+  static constexpr const char* kHeader =
+      "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
+
+  Reply send(const std::string& text) { return replyOf(client->Post("/api/live/readings", text, "text/csv")); }
+
+  [[nodiscard]] static std::string row(int id) {
+    return fmt::format("{},position,0,{},40,-50,10,70,{},20,0.005\n", id, id, id);
+  }
+};
+
+TEST_F(LiveTest, EncodersAreAnsweredWithTheDeflectedTipAndKeptNowhere) {
+  serve("bench.yaml");
+  const auto before = get("/api/state").body;
+  const auto answer = post("/api/live/encoders", {{"joints", {10, 45, -35, 12}}, {"load", 20}});
+  ASSERT_EQ(answer.status, 200) << answer.text;
+  EXPECT_EQ(answer.body["tip"],
+            post("/api/pose", {{"joints", {10, 45, -35, 12}}, {"load", 20}}).body["tip"]["flexible"]);
+  EXPECT_EQ(get("/api/state").body, before);
+  Events::Seen seen;
+  const auto news = server->workbench().events().wait(seen, std::chrono::milliseconds(100));
+  EXPECT_EQ(json::parse(news.live)["joints"].size(), 4u);
+  EXPECT_TRUE(server->workbench().events().wait(seen, std::chrono::milliseconds(10)).live.empty()) << "told once";
+}
+
+TEST_F(LiveTest, BadEncodersAreRefused) {
+  serve("bench.yaml");
+  for (const json& joints : {json({1, 2}), json({1, 2, 3, 1e9}), json("x"), json()})
+    EXPECT_EQ(post("/api/live/encoders", {{"joints", joints}}).status, 422) << joints;
+}
+
+TEST_F(LiveTest, ReadingsJoinTheOthersAndAreCompared) {
+  serve("bench.yaml");
+  std::string text = kHeader;
+  for (int id = 1; id <= 12; ++id) text += row(id);
+  ASSERT_EQ(send(text).status, 202);
+  const auto state = get("/api/state").body;
+  EXPECT_EQ(state["measurements"]["readings"], 12);
+  ASSERT_FALSE(state["jobs"].empty());
+  EXPECT_EQ(state["jobs"].back()["kind"], "compare");
+  (void)ended(state["jobs"].back()["id"]);
+  EXPECT_EQ(send(kHeader + row(13)).status, 202);
+  EXPECT_EQ(get("/api/state").body["measurements"]["readings"], 13);
+  EXPECT_EQ(send(kHeader + row(13)).status, 422) << "an id that is there";
+  EXPECT_EQ(send("id,kind\n").status, 422);
+}
+
+TEST_F(LiveTest, AWatchedFileIsReadByWholeRowsOnceEach) {
+  serve("bench.yaml");
+  const auto file = folder / "watched.csv";
+  const auto put = [&](const std::string& text) { write("watched.csv", text); };
+  WatchedFile watched(file);
+  watched.look(server->workbench());  // not there yet
+  put(std::string(kHeader) + row(1) + row(2) + "3,posi");
+  watched.look(server->workbench());
+  EXPECT_EQ(server->workbench().arrivals().hand().size(), 2u);
+  put(std::string(kHeader) + row(1) + row(2) + row(3));
+  watched.look(server->workbench());
+  joinArrived(server->workbench());
+  EXPECT_EQ(get("/api/state").body["measurements"]["readings"], 3);
+  put("theta1_deg,theta2_deg,theta3_deg,theta4_deg\n10,45,-35,12\n");
+  watched.look(server->workbench());
+  Events::Seen seen;
+  EXPECT_EQ(json::parse(server->workbench().events().wait(seen, std::chrono::milliseconds(100)).live)["joints"][0], 10);
+}
+
+TEST_F(LiveTest, ReadingsAreHeldOutAndTakenBack) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/compare");
+  const auto hold = [&](const json& ids, bool held) {
+    return post("/api/measurements/hold-out", {{"ids", ids}, {"held_out", held}});
+  };
+  const auto held = hold({"3", "4", "5"}, true);
+  ASSERT_EQ(held.status, 200) << held.text;
+  EXPECT_EQ(held.body["measurements"]["held_out"], 3);
+  EXPECT_TRUE(held.body["results"]["compare"].is_null());
+  done("/api/compare", {{"ladder", true}});
+  int judged = 0;
+  const json compared = get("/api/results/compare").body, rows = get("/api/measurements").body["rows"];
+  for (const auto& reading : compared["readings"]) judged += reading["held_out"] ? 1 : 0;
+  EXPECT_EQ(judged, 3);
+  EXPECT_EQ(get("/api/results/ladder").status, 200);
+  EXPECT_EQ(hold({"3", "4", "5"}, false).body["measurements"]["held_out"], 0);
+  EXPECT_EQ(hold({"no-such"}, true).status, 422);
+  json all = json::array();
+  for (const auto& entry : rows) all.push_back(entry["id"]);
+  EXPECT_EQ(hold(all, true).status, 422) << "none left to fit";
+}
+
+}  // namespace
+}  // namespace tubeplan::app
