@@ -118,7 +118,7 @@ inline bool arePlaces(const SeededSet& set) {
 }
 inline bool areHoles(const SeededSet& set) {
   return set.cell.sheet && set.table.readings.front().kind == MeasurementKind::kTouch &&
-         holeOf(set.table.readings.front().point);
+         tubesheets::parseTubeName(set.table.readings.front().point);
 }
 inline int drawnJoint(const SeededSet& set, SeededRandom& random) {
   return drawnBelow(static_cast<int>(set.table.joints.size()), random);
@@ -199,8 +199,8 @@ inline Made holesOff(SeededSet& s, SeededRandom& random) {
   const bool of_rows = random() % 2;
   const int by = random() % 2 ? 1 : -1;
   for (auto& m : s.table.readings) {
-    const auto hole = holeOf(m.point);
-    const auto* tube = s.cell.sheet->find(hole->first - (of_rows ? by : 0), hole->second - (of_rows ? 0 : by));
+    const auto hole = tubesheets::parseTubeName(m.point);
+    const auto* tube = s.cell.sheet->find(hole->row - (of_rows ? by : 0), hole->column - (of_rows ? 0 : by));
     if (!tube) return std::nullopt;
     m.point = fmt::format("R{}C{}", tube->row, tube->column);
     m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
@@ -210,8 +210,8 @@ inline Made holesOff(SeededSet& s, SeededRandom& random) {
 inline Made sheetMirrored(SeededSet& s, SeededRandom&) {
   if (!areHoles(s)) return std::nullopt;
   for (auto& m : s.table.readings) {
-    const auto hole = holeOf(m.point);
-    const auto* tube = s.cell.sheet->find(hole->first, s.cell.sheet->columns + 1 - hole->second);
+    const auto hole = tubesheets::parseTubeName(m.point);
+    const auto* tube = s.cell.sheet->find(hole->row, s.cell.sheet->columns + 1 - hole->column);
     if (!tube) return std::nullopt;
     m.point = fmt::format("R{}C{}", tube->row, tube->column);
     m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
@@ -221,8 +221,8 @@ inline Made sheetMirrored(SeededSet& s, SeededRandom&) {
 inline Made oneHole(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || s.table.readings.size() < 12) return std::nullopt;
   auto& m = s.table.readings[static_cast<std::size_t>(drawnBelow(static_cast<int>(s.table.readings.size()), random))];
-  const auto hole = holeOf(m.point);
-  const auto* tube = s.cell.sheet->find(hole->first, hole->second + 1);
+  const auto hole = tubesheets::parseTubeName(m.point);
+  const auto* tube = s.cell.sheet->find(hole->row, hole->column + 1);
   if (!tube) return std::nullopt;
   const std::string mend = "hole=" + m.id + ":" + m.point;
   m.point = fmt::format("R{}C{}", tube->row, tube->column);
