@@ -28,9 +28,9 @@ std::filesystem::path besideProject(const std::string& project, const char* endi
   return std::filesystem::path(project).replace_extension(ending);
 }
 
-void writeProjectFiles(const Situation& situation, const std::string& folder) {
+void writeProjectFiles(const Session& session, const std::string& folder) {
   OutputFolder out(folder, "--files");
-  for (const auto& file : projectFiles(situation, folder)) out.write(file.path.filename().string(), file.text);
+  for (const auto& file : projectFiles(session, folder)) out.write(file.path.filename().string(), file.text);
   out.commit();
 }
 
@@ -42,13 +42,13 @@ int run(const ReportOptions& options) {
     checkWritableFile(options.pdf, "--pdf");
     requirePrinter();
   }
-  const Situation situation = readProject(options.project);
+  const Session session = readProject(options.project);
   ProjectReportRequest request;
   request.project = options.project;
   request.files = options.files.empty() ? besideProject(options.project, ".files").string() : options.files;
   request.made = fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
-  const nlohmann::json report = projectReportJson(situation, request);
-  if (!options.files.empty()) writeProjectFiles(situation, options.files);
+  const nlohmann::json report = projectReportJson(session, request);
+  if (!options.files.empty()) writeProjectFiles(session, options.files);
   writeFileAtomically(out, renderProjectReport(report), "--out");
   if (!options.pdf.empty()) printPage(out, options.pdf);
   writeJson(options.json, report);

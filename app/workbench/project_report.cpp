@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/commit.hpp"
+#include "app/files/commit.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/sha256.hpp"
 #include "app/files/units_json.hpp"
