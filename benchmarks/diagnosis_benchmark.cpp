@@ -5,7 +5,9 @@
 
 #include "benchmarks/run_benchmarks.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
-#include "calibration/diagnosis/hypothesis.hpp"
+#include "calibration/diagnosis/explanation_model.hpp"
+#include "calibration/diagnosis/linear_evidence.hpp"
+#include "calibration/diagnosis/signatures.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::benchmarks {
@@ -35,11 +37,14 @@ void rankCatalogue(benchmark::State& state) {
   const DiagnosisBasis basis = basisOf(identify(c.start, c.readings, quick), c.readings);
   std::size_t candidates = 0;
   for (auto _ : state) {
-    const Catalogue catalogue = linearizeCatalogue(basis.fitted, basis.readings, basis.weights);
-    const ScoreSpace space(catalogue, basis.residual.jacobian, basis.residual.r);
-    for (int v = 0; v < static_cast<int>(space.variants().size()); ++v)
-      benchmark::DoNotOptimize(space.evidence(v, space.score({v})));
-    candidates = catalogue.candidates.size();
+    const CauseList list = listCauses(basis.fitted, basis.readings, basis.unknowns, c.options.causes);
+    const Signatures signatures(basis.fitted, list.causes);
+    const Eigen::MatrixXd S = signatures.columnsAt(basis.readings, basis.weights);
+    EvidenceGram gram;
+    gram.add(basis.residual.jacobian, S, Eigen::MatrixXd(S.rows(), 0), -basis.residual.r);
+    const LinearEvidence evidence(gram, basis.unknowns, {});
+    for (int column = 0; column < S.cols(); ++column) benchmark::DoNotOptimize(evidence.of({{.column = column}}).log);
+    candidates = list.causes.size();
   }
   state.counters["candidates"] = static_cast<double>(candidates);
 }

@@ -17,9 +17,19 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d, Eigen::VectorXd;
 
+/// What rounding alone leaves of a zero is shown as one.
+void clean(Vector3d& p, double size) {
+  for (double& x : p)
+    if (std::abs(x) < 1e-12 * size) x = 0;
+}
+
 deflection::RigidFrames<double> framesAtZero(const Arm& arm) {
   const auto joints = static_cast<Eigen::Index>(deflection::activeRows(arm).size());
-  return deflection::rigidFramesOf<double>(arm, VectorXd::Zero(joints));
+  auto frames = deflection::rigidFramesOf<double>(arm, VectorXd::Zero(joints));
+  const double reach = deflection::reachOf(arm);
+  for (auto& row : frames.rows) clean(row.p, reach);
+  clean(frames.tip, reach);
+  return frames;
 }
 
 double weightOf(const Arm& arm, std::size_t k) {
@@ -47,8 +57,7 @@ std::string complianceOf(const deflection::Row<double>& row) {
 std::string limitsOf(const deflection::Joint<double>& joint, const Units& units) {
   if (joint.type == JointType::kPassive || !std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return "";
   const Dimension unit = joint.type == JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
-  return fmt::format("{} to {}", formatNumber(units.toFile(joint.lower, unit)),
-                     formatNumber(units.toFile(joint.upper, unit)));
+  return fmt::format("{:.5g} to {:.5g}", units.toFile(joint.lower, unit), units.toFile(joint.upper, unit));
 }
 
 }  // namespace

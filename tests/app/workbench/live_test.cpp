@@ -1,6 +1,8 @@
 // What a running arm sends: told at once, kept nowhere; its readings join the others; and readings held out.
 #include "app/workbench/live.hpp"
 
+#include <fmt/format.h>
+
 #include "tests/app/workbench/running_server.hpp"
 
 namespace tubeplan::app {
