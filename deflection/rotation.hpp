@@ -68,10 +68,12 @@ Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
   return rotationZ<S>(rpy.z()) * rotationY<S>(rpy.y()) * rotationX<S>(rpy.x());
 }
 
-/// The fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2].
+/// The fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2]. Near its ends alpha is arbitrary,
+/// and gamma is taken of what it leaves, so that the three always make the rotation again.
 inline Eigen::Vector3d fixedAnglesOf(const Eigen::Matrix3d& R) {
-  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
-          std::atan2(R(1, 0), R(0, 0))};
+  const double beta = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))), alpha = std::atan2(R(1, 0), R(0, 0));
+  const double sine = std::sin(alpha), cosine = std::cos(alpha);
+  return {std::atan2(sine * R(0, 2) - cosine * R(1, 2), cosine * R(1, 1) - sine * R(0, 1)), beta, alpha};
 }
 
 /// exp of a rotation vector [rad]. The series below 0.1 rad keeps derivatives finite at zero (error under 1e-15).

@@ -63,10 +63,11 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
 }
 
 // What the joint itself moves may be left out of the row's numbers.
-deflection::DenavitHartenberg<double> readDh(const YamlNode& node, const Units& units, JointType type) {
+deflection::DenavitHartenberg<double> readDh(const YamlNode& node, const Units& units, const ArmRow& row) {
+  const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
   std::vector<std::string> required{"alpha", "a"}, optional;
-  (type == JointType::kPrismatic ? optional : required).push_back("d");
-  (type == JointType::kRevolute ? optional : required).push_back("theta");
+  (row.joint.type == JointType::kPrismatic ? optional : required).push_back("d");
+  (turns ? optional : required).push_back("theta");
   node.expectKeys(required, optional);
   return {readQuantity(node.at("alpha"), units, dimension::kAngle),
           readQuantity(node.at("a"), units, dimension::kLength),
@@ -87,7 +88,7 @@ void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
   if (!dh && !origin)
     node.fail("neither `dh` nor `origin`", "one of them", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
   if (dh)
-    row.placement = readDh(*dh, units, row.joint.type);
+    row.placement = readDh(*dh, units, row);
   else
     row.placement = readOrigin(*origin, units);
 }

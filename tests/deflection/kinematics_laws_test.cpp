@@ -82,5 +82,17 @@ TEST(KinematicsLaws, TheCobraSettlesWithinTenPasses) {
   }
 }
 
+// Also where roll and yaw turn about the same line, exactly and up to rounding.
+TEST(FixedAngles, MakeTheirRotationAgain) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> angle(-3, 3), tiny(-1e-15, 1e-15);
+  for (int k = 0; k < 1000; ++k) {
+    const double pitch = k % 2 ? angle(random) / 2 : (k % 4 ? 1 : -1) * std::numbers::pi / 2 + (k % 3) * tiny(random);
+    const Eigen::Vector3d rpy(angle(random), pitch, angle(random));
+    const Eigen::Matrix3d R = rotationFromFixedAngles<double>(rpy);
+    EXPECT_LE((rotationFromFixedAngles<double>(fixedAnglesOf(R)) - R).norm(), 1e-14) << rpy.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace tubeplan::deflection

@@ -84,7 +84,8 @@ class Document(unittest.TestCase):
     """What docs/python.md shows runs, block after block."""
 
     def test_examples_run(self):
-        text = open(os.path.join(SOURCE, 'docs/python.md')).read()
+        with open(os.path.join(SOURCE, 'docs/python.md')) as file:
+            text = file.read()
         blocks = re.findall(r'```python\n(.*?)```', text, re.S)
         self.assertGreater(len(blocks), 2)
         os.chdir(SOURCE)

@@ -144,7 +144,9 @@ TEST_F(CellReader, readsRowsThatAreRigidInASetUp) {
   const auto with = [&](const std::string& setups) { return known + "\nsetups: " + setups; };
   write("mockup.yaml", changed(contentOf(shippedCells() / "mockup.yaml"), known,
                                with("{bench: {rigid: [mezzanine-beam, mezzanine-platform]}}")));
-  const auto& mountings = readCell((folder / "mockup.yaml").string()).arm.mountings;
+  write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
+  const Cell cell = readCell((folder / "mockup.yaml").string());
+  const auto& mountings = cell.arm.mountings;
   ASSERT_EQ(mountings.size(), 1u);
   EXPECT_EQ(mountings[0].setup, "bench");
   EXPECT_EQ(mountings[0].rows, (std::vector<int>{0, 1}));

@@ -176,7 +176,7 @@ TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
   expectSays(with(length, ",A,a,", ",B,a,"), "of another set-up");
   expectSays(with(length, ",,,2,", ",,,-2,"), "above zero");
   expectSays(with(length, ",,,2,", ",,,,"), "without its distance");
-  expectSays(with(length, ",,,2,", ",1,2,3,2,"), "without its distance");
+  expectSays(with(length, ",,,,2,", ",1,2,3,2,"), "without its distance");
 }
 
 TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {

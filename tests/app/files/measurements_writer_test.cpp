@@ -42,11 +42,29 @@ class MeasurementsWriter : public ::testing::Test {
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
     m.sigma = random.uniform(1e-5, 1e-3);
+    if (kindOf(m).has_coordinates && random.index(3) == 0) {
+      m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));
+      m.sigma = std::sqrt(m.sigma_W->squaredNorm() / 3);
+    }
+    if (kindOf(m).is_from_reading) relate(m);
     return m;
   }
 
+  /// To the reading before; by the way or by its length.
+  void relate(Measurement& m) {
+    auto before = std::make_shared<Measurement>();
+    const int number = std::stoi(m.id.substr(8));
+    before->id = "reading " + std::to_string(number - 1);
+    m.reference = before;
+    if (random.index(2) == 0)
+      m.p_W.reset();
+    else
+      m.own.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// One set-up for what refers to one another.
   void addConditions(Measurement& m) {
-    m.setup = "S" + std::to_string(random.index(3));
+    m.setup = "S" + std::to_string(std::stoi(m.id.substr(8)) / 100);
     for (int k = 0; k < 4; ++k) m.approach_directions.push_back(random.index(3) - 1);
     m.temperature = random.uniform(270, 310);
     m.time = random.uniform(0, 1e5);
@@ -83,6 +101,14 @@ class MeasurementsWriter : public ::testing::Test {
       EXPECT_LE((*a.direction_W - *b.direction_W).norm(), 1e-10);
     }
     expectNear(a.sigma, b.sigma, 1e-14);
+    ASSERT_EQ(a.sigma_W.has_value(), b.sigma_W.has_value());
+    if (a.sigma_W) {
+      EXPECT_LE((*a.sigma_W - *b.sigma_W).norm(), 1e-14);
+    }
+    ASSERT_EQ(a.reference != nullptr, b.reference != nullptr);
+    if (a.reference) {
+      EXPECT_EQ(a.reference->id, b.reference->id);
+    }
     expectNear(a.temperature, b.temperature, 1e-8);
     expectNear(a.time, b.time, 1e-6);
   }

@@ -98,7 +98,7 @@ TEST(Urdf, ExportedAndImportedAgainIsTheSameArm) {
     ASSERT_EQ(deflection::activeRows(arm).size(), deflection::activeRows(again).size());
     for (std::size_t k = 0; k < arm.rows.size(); ++k) {
       EXPECT_EQ(arm.rows[k].joint.name, again.rows[k].joint.name);
-      EXPECT_NEAR(arm.rows[k].joint.lower, again.rows[k].joint.lower, 1e-12);
+      EXPECT_DOUBLE_EQ(arm.rows[k].joint.lower, again.rows[k].joint.lower);
       Vector3d moment = Vector3d::Zero();
       for (const auto& lump : arm.rows[k].weight.lumps) moment += lump.weight * lump.at;
       for (const auto& lump : again.rows[k].weight.lumps) moment -= lump.weight * lump.at;

@@ -46,7 +46,7 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   const auto exact = whitenedResidual(start, unknowns.list, maker.readings, *weights, x, true);
   ASSERT_TRUE(exact.ok);
   for (Index k = 0; k < x.size(); ++k) {
-    const double h = 0.01 * unknowns.list[static_cast<std::size_t>(k)].typical;
+    const double h = 0.002 * unknowns.list[static_cast<std::size_t>(k)].typical;
     const auto at = [&](double step) {
       VectorXd moved = x;
       moved[k] += step;

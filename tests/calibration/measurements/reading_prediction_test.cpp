@@ -25,6 +25,11 @@ Measurement reading(MeasurementKind kind) {
   m.own = {0.1, 0.2, 0.3};
   m.sigma = 0.003 * kInch;
   m.turn_sigma = 0.01 * kDegree;
+  if (!kindOf(kind).is_from_reading) return m;
+  auto other = std::make_shared<Measurement>(m);
+  other->q = Eigen::Vector4d(70, 50, -80, 10) * kDegree;
+  other->load = 10 * kPound;
+  m.reference = other;
   return m;
 }
 
@@ -44,6 +49,8 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   EXPECT_LE((value(MeasurementKind::kPosition) - loaded).norm(), 1e-9);
   EXPECT_LE((value(MeasurementKind::kTouch) - loaded).norm(), 1e-9);
   EXPECT_LE((value(MeasurementKind::kDeflection) - (loaded - bare)).norm(), 1e-9);
+  const Measurement from = *reading(MeasurementKind::kRelative).reference;
+  EXPECT_LE((value(MeasurementKind::kRelative) - (loaded - tip(placed, from, from.load))).norm(), 1e-9);
   ASSERT_EQ(value(MeasurementKind::kDistance).size(), 1);
   EXPECT_NEAR(value(MeasurementKind::kDistance)[0], (loaded - *m.p_W).norm(), 1e-9);
   ASSERT_EQ(value(MeasurementKind::kAxis).size(), 1);
@@ -105,6 +112,11 @@ TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
     for (int n = 0; n < kDraws; ++n) {
       Measurement noisy = m;
       for (int k = 0; k < 4; ++k) noisy.q[k] += maker.noise(0.006 * kDegree);
+      if (m.reference) {
+        auto other = std::make_shared<Measurement>(*m.reference);
+        for (int k = 0; k < 4; ++k) other->q[k] += maker.noise(0.006 * kDegree);
+        noisy.reference = other;
+      }
       Eigen::VectorXd error = predictReading(placed.arm, X_WB, noisy).value - prediction.value;
       for (Eigen::Index i = 0; i < error.size(); ++i) error[i] += maker.noise(rowSigmas(m)[i]);
       drawn += error * error.transpose() / kDraws;
