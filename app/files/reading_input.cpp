@@ -11,6 +11,7 @@
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_reader.hpp"
 #include "app/files/priors_reader.hpp"
+#include "app/files/suggestion.hpp"
 #include "app/files/text_file.hpp"
 #include "app/files/touch_input.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
@@ -26,6 +27,20 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::Identification, calibration::Measurement;
+
+/// Set-ups of the cell that no reading names: a name mistyped would leave its rows compliant without a word.
+std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+  std::vector<std::string> named, warnings;
+  for (const auto& reading : readings)
+    if (std::find(named.begin(), named.end(), reading.setup) == named.end()) named.push_back(reading.setup);
+  for (const auto& mounting : arm.mountings) {
+    if (std::find(named.begin(), named.end(), mounting.setup) != named.end()) continue;
+    const std::string near = suggestion(mounting.setup, named);
+    warnings.push_back("no reading is of the set-up " + inQuotes(mounting.setup) +
+                       ", whose rows the cell has as rigid" + (near.empty() ? "" : "; " + near));
+  }
+  return warnings;
+}
 
 /// Touches of points that nobody measured reward a smaller arm: nothing in them is a length.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
@@ -209,8 +224,9 @@ InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::v
 }
 
 std::vector<std::string> fitWarnings(const Identification& result, const std::vector<Measurement>& readings) {
-  const auto shrunken = shrunkenArm(result, readings);
-  return shrunken.empty() ? std::vector<std::string>{} : std::vector<std::string>{shrunken};
+  std::vector<std::string> warnings = unnamedSetups(result.fitted.arm, readings);
+  if (auto shrunken = shrunkenArm(result, readings); !shrunken.empty()) warnings.push_back(std::move(shrunken));
+  return warnings;
 }
 
 InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,

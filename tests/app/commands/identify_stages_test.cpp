@@ -52,6 +52,34 @@ class IdentifyStages : public ProgramTest {
   std::vector<Measurement> of_a, of_b, all;
 };
 
+// Readings of a mounted arm and of the same arm on a bench: what is rigid there is not taken for stiff everywhere.
+TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
+  PlacedArm truth{deflection::cobraArm(), {{"bench", Eigen::Isometry3d::Identity(), true}}};
+  truth.arm.rows[5].joint_stiffness.z() *= 0.8;
+  truth.arm.rows[1].joint_stiffness.x() *= 1.2;
+  truth.arm.mountings = {{"bench", {0, 1}}};
+  truth.base_poses.push_back({"mezzanine", Eigen::Isometry3d::Identity(), true});
+  ReadingMaker maker(truth, 78, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 15, "bench");
+  maker.add(MeasurementKind::kPosition, 15, "mezzanine");
+  write("both.csv", readingsCsv(maker.readings));
+  const std::string cell = contentOf(shippedCells() / "bench.yaml");
+  write("stages.yaml", cell + "\nsetups: {bench: {rigid: [mezzanine-beam, mezzanine-platform]}}\n");
+  const json found =
+      identified("stages.yaml both.csv --free tool.joint_stiffness.z,mezzanine-platform.joint_stiffness.x");
+  EXPECT_GT(found["p_value"], 1e-3);
+  EXPECT_NEAR(found["parameters"][0]["value"], 0.8 * 5588, 5 * found["parameters"][0]["sigma"].get<double>());
+  EXPECT_NEAR(found["parameters"][1]["value"], 1.2 * 6543, 5 * found["parameters"][1]["sigma"].get<double>());
+  const json without =
+      identified("bench.yaml both.csv --free tool.joint_stiffness.z,mezzanine-platform.joint_stiffness.x");
+  EXPECT_LT(without["p_value"], 1e-6);
+  write("typo.yaml", cell + "\nsetups: {bnech: {rigid: [mezzanine-beam]}}\n");
+  const Outcome typo = run("identify typo.yaml both.csv --free tool.joint_stiffness.z");
+  EXPECT_EQ(typo.exit_code, 0) << typo.err;
+  expectSays(typo.out, "no reading is of the set-up 'bnech'");
+  expectSays(typo.out, "did you mean 'bench'?");
+}
+
 // d second / d first is found by moving the first by its sigma; the two variances add, since the set-ups share no
 // noise.
 TEST_F(IdentifyStages, theSecondStageCarriesWhatTheFirstLeftOpen) {
