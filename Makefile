@@ -29,7 +29,7 @@ package: program $(BUILD)/.packages-deb
 	cd $(BUILD) && SOURCE_DATE_EPOCH=$$(git -C .. log -1 --format=%ct) cpack -G DEB
 
 program: $(BUILD)/build.ninja
-	@cmake --build $(BUILD) -j $(JOBS) --target tubeplan
+	@cmake --build $(BUILD) -j $(JOBS) --target installed
 
 $(BUILD)/build.ninja: $(BUILD)/.packages CMakePresets.json
 	cmake --preset release
