@@ -64,6 +64,7 @@ describe("the work", () => {
     await tab.keyboard.press("o");
     await tab.click(".file >> text=mockup.yaml");
     await tab.waitForSelector(".chip >> text=cobra-mockup");
+    await tab.waitForSelector(".file", {state: "detached"});
     await tab.keyboard.press("o");
     await tab.click(".file >> text=mine.tubeplan");
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
