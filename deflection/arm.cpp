@@ -30,6 +30,18 @@ std::vector<int> activeRows(const Arm& arm) {
   return active;
 }
 
+std::vector<std::string> rowNames(const Arm& arm) {
+  std::vector<std::string> names;
+  for (const auto& row : arm.rows) names.push_back(row.name);
+  return names;
+}
+
+std::optional<int> findRow(const Arm& arm, std::string_view name) {
+  const auto found = std::find_if(arm.rows.begin(), arm.rows.end(), [&](const auto& row) { return row.name == name; });
+  if (found == arm.rows.end()) return std::nullopt;
+  return static_cast<int>(found - arm.rows.begin());
+}
+
 bool hasFollowers(const Arm& arm) {
   return std::any_of(arm.rows.begin(), arm.rows.end(), [](const auto& row) { return !row.joint.follows.empty(); });
 }

@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -106,6 +107,7 @@ struct EffectTerms {
   Vector3<S> bending_compliance = Vector3<S>::Zero();  ///< 1/(N m^2), of the member, about the row's axes
   S torsion_compliance{0};                             ///< 1/(N m^2), of the member
   Vector3<S> pull = Vector3<S>::Zero();                ///< N, at the member's end, in base axes
+  std::vector<Lump<S>> hung;                           ///< at the row's origin, whatever its member does
 };
 
 template <class S>
@@ -119,11 +121,21 @@ struct Row {
   std::optional<EffectTerms<S>> effect_terms;
 };
 
+/// Rows that hang from a row without leading to the tip: see side_chains.hpp. The first is placed in that row's axes.
+/// They are rigid.
+template <class S>
+struct SideChain {
+  int row = -1;
+  std::vector<Row<S>> rows;
+};
+
 /// What effects do to the loads at the tip while a shape is solved; no file has such numbers.
 template <class S>
 struct TipLoad {
   Vector3<S> payload_offset = Vector3<S>::Zero();  ///< where the hung load acts [m], in the deflected tool frame
   S contact_force{0};                              ///< at the tip, against gravity [N]
+  Vector3<S> force = Vector3<S>::Zero();           ///< N, at the tip, in base axes
+  Vector3<S> moment = Vector3<S>::Zero();          ///< N m, of a direction that never changes, in base axes
 };
 
 /// Rows that are rigid in one set-up of the base: an arm that is taken off its flexible mounting and bolted to a bench.
@@ -141,6 +153,7 @@ struct ArmOf {
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
   double reference_temperature = 293.15;         ///< K, where lengths are nominal
   std::vector<EffectOf<S>> effects;              ///< what the arm does beyond the model above
+  std::vector<SideChain<S>> side_chains;         ///< what only weighs
   std::vector<RigidMounting> mountings;          ///< one for each set-up that has rigid rows
   std::optional<TipLoad<S>> tip_load;
 };
@@ -150,14 +163,18 @@ using Arm = ArmOf<double>;
 /// Indices of the rows that carry a revolute or prismatic joint, in order: the order of every joint vector.
 std::vector<int> activeRows(const Arm& arm);
 
+/// The names of its rows, in order, and the row of a name.
+std::vector<std::string> rowNames(const Arm& arm);
+std::optional<int> findRow(const Arm& arm, std::string_view name);
+
 /// Whether any row's joint follows others.
 bool hasFollowers(const Arm& arm);
 
-/// Whether the solver is given other numbers from posture to posture: by effects, or by rows that are rigid in a
-/// set-up.
+/// Whether the solver is given other numbers from posture to posture: by effects, by what side chains weigh, or by rows
+/// that are rigid in a set-up.
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm) {
-  return !arm.effects.empty() || !arm.mountings.empty();
+  return !arm.effects.empty() || !arm.mountings.empty() || !arm.side_chains.empty();
 }
 
 /// The same arm without any flexibility, that of its effects included.

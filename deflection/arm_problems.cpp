@@ -40,6 +40,13 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
   }
 }
 
+void checkName(const Row<double>& row, std::set<std::string>& rows, std::set<std::string>& joints,
+               std::vector<ArmProblem>& out) {
+  if (!rows.insert(row.name).second) out.push_back({row.name, "a second row of that name", "names that differ"});
+  if (row.joint.type != JointType::kPassive && !joints.insert(row.joint.name).second)
+    out.push_back({row.name + ".joint.name", "a second joint '" + row.joint.name + "'", "names that differ"});
+}
+
 void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
   const auto& joint = row.joint;
   const std::string path = row.name + ".joint";
@@ -80,6 +87,37 @@ void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
                      "G and J for twist about that axis"});
 }
 
+/// A side chain only weighs: it has no stiffness, and its joints follow none.
+void checkSideRow(const Row<double>& row, std::vector<ArmProblem>& out) {
+  if (row.beam || row.joint_stiffness.array().isFinite().any())
+    out.push_back({row.name, "a flexible row of a side chain", "rigid ones: neither beam nor joint_stiffness"});
+  if (!row.joint.follows.empty())
+    out.push_back({row.name + ".joint.follows", "a joint of a side chain that follows others", "one with a reading"});
+}
+
+double weightOf(const Row<double>& row) {
+  double weight = row.weight.distributed + row.weight.end;
+  for (const auto& lump : row.weight.lumps) weight += lump.weight;
+  return weight;
+}
+
+void checkSideChains(const Arm& arm, std::set<std::string>& rows, std::set<std::string>& joints,
+                     std::vector<ArmProblem>& out) {
+  for (const auto& chain : arm.side_chains) {
+    double weight = 0;
+    for (const auto& row : chain.rows) {
+      checkName(row, rows, joints, out);
+      checkNumbers(row, out);
+      if (row.joint.type != JointType::kPassive) checkJoint(row, out);
+      checkSideRow(row, out);
+      weight += weightOf(row);
+    }
+    if (!chain.rows.empty() && weight == 0)
+      out.push_back(
+          {chain.rows.front().name, "a side chain without any weight", "weights: a side chain does nothing else"});
+  }
+}
+
 }  // namespace
 
 std::vector<ArmProblem> findProblems(const Arm& arm) {
@@ -88,20 +126,19 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
   std::set<std::string> rows, joints;
   for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i) {
     const Row<double>& row = arm.rows[i];
-    if (!rows.insert(row.name).second) out.push_back({row.name, "a second row of that name", "names that differ"});
-    if (row.joint.type != JointType::kPassive && !joints.insert(row.joint.name).second)
-      out.push_back({row.name + ".joint.name", "a second joint '" + row.joint.name + "'", "names that differ"});
+    checkName(row, rows, joints, out);
     checkNumbers(row, out);
     if (row.joint.type != JointType::kPassive) checkJoint(row, out);
     checkFollower(arm, row, out);
     checkBeam(arm, i, out);
   }
+  if (joints.empty()) out.push_back({"links", "no joint", "at least one revolute or prismatic row"});
+  checkSideChains(arm, rows, joints, out);
   if (!arm.p_LT.allFinite()) out.push_back({"tool.tip", "a number that is not finite", "three finite lengths"});
   if (std::abs(arm.gravity_W.norm() - 1) > 1e-9)
     out.push_back({"gravity", "a direction of length zero", "three numbers, not all zero"});
   if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9)
     out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
-  if (joints.empty()) out.push_back({"links", "no joint", "at least one revolute or prismatic row"});
   for (auto& problem : findEffectProblems(arm)) out.push_back(std::move(problem));
   return out;
 }

@@ -175,6 +175,18 @@ void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, in
   chain.links.push_back(end);
 }
 
+/// What hangs at the row's origin.
+template <class S>
+void addHung(Chain<S>& chain, const Row<S>& row, int index) {
+  if (!row.effect_terms) return;
+  for (const Lump<S>& lump : row.effect_terms->hung) {
+    ChainLink<S> link{ChainLinkType::kLump, index};
+    link.weight = lump.weight;
+    link.lever = lump.at;
+    chain.links.push_back(link);
+  }
+}
+
 /// A prismatic row: its bar, then its frame at the bar's end, where its lumps are.
 template <class S>
 void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& bar) {
@@ -185,6 +197,7 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
   addMember<S>(chain, bar_row, bar_values, index, bar);
   chain.links.push_back({ChainLinkType::kFrame, index});
   addLumps<S>(chain, row, values, index, Vector3<double>::Zero(), 0, Vector3<S>::Zero());
+  addHung<S>(chain, row, index);
 }
 
 }  // namespace chain_assembly
@@ -207,6 +220,7 @@ void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, 
   } else {
     chain.links.push_back({ChainLinkType::kFrame, index});
     addLumps<S>(chain, row, values, index, valuesOf(to_next), 0, Vector3<S>::Zero());
+    addHung<S>(chain, row, index);
     addMember<S>(chain, row, values, index, to_next);
   }
 }

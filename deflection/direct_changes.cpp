@@ -157,6 +157,8 @@ void DirectChanges::addTipLoad(const Dual& load, const std::optional<TipLoad<Dua
   if (changes(size))
     addProduct(Eigen::Matrix<double, 6, 1>(sensitivity_.forceAt(last, end.p) * g), changesOf(size), tip);
   if (!added) return;
+  if (changes(added->force)) addProduct(sensitivity_.forceAt(last, end.p), changesOf(added->force), tip);
+  if (changes(added->moment)) addProduct(sensitivity_.momentAt(last), changesOf(added->moment), tip);
   const Vector3<Dual> moment = added->payload_offset * load;
   if (changes(moment))
     addProduct(TipRows(-sensitivity_.momentAt(last) * crossMatrix<double>(g) * end.R), changesOf(moment), tip);

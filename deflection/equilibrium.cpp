@@ -41,6 +41,10 @@ Loading<double> Equilibrium::loadingOf(std::size_t e) const {
                           element.weight * gravity.direction, element.chord()};
   for (std::size_t d = 1; d < loads.size(); ++d) {
     const OutboardLoad& other = outboard(e, d);
+    if (loads[d].is_couple) {
+      loading.moment += other.size * other.direction;
+      continue;
+    }
     const Vector3d arm = element.turn * other.moment;
     loading.force += other.size * other.direction;
     loading.moment += arm.cross(other.direction);
@@ -51,6 +55,7 @@ Loading<double> Equilibrium::loadingOf(std::size_t e) const {
 clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) const {
   double moment_per_angle = 0, forces = 0;
   for (std::size_t d = 0; d < loads.size(); ++d) {
+    if (loads[d].is_couple) continue;
     const OutboardLoad& load = outboard(e, d);
     const Vector3d lever = elements[e].turn * load.moment;
     // The moment about n of what hangs there changes with a turn about n by n . (n x r) x F.
@@ -68,6 +73,10 @@ double Equilibrium::turnHinge(std::size_t e) {
   double moment = 0;
   for (std::size_t d = 0; d < loads.size(); ++d) {
     const OutboardLoad& load = outboard(e, d);
+    if (loads[d].is_couple) {
+      moment += load.size * load.direction[k];
+      continue;
+    }
     const double x = element.turn(i, i) * load.moment[i] + element.turn(i, j) * load.moment[j];
     const double y = element.turn(j, i) * load.moment[i] + element.turn(j, j) * load.moment[j];
     moment += x * load.direction[j] - y * load.direction[i];
@@ -105,7 +114,7 @@ void Equilibrium::gatherInwards(bool bends) {
     Vector3d moment = load.tip_moment;
     for (std::size_t b = bodies.size(); b-- > 0;) {
       const RigidBody& body = bodies[b];
-      moment = body.far.R * moment + size * body.far.p;
+      if (!load.is_couple) moment = body.far.R * moment + size * body.far.p;
       if (d == 0) {
         moment += body.moment;
         size += body.weight;
@@ -119,6 +128,7 @@ void Equilibrium::gatherInwards(bool bends) {
       outboard(e, d).moment = moment;
       if (bends && d + 1 == loads.size()) bend(e, false);
       const FlexibleElement& element = elements[e];
+      if (load.is_couple) continue;
       moment = element.turn * moment + (d == 0 ? size + element.weight / 2 : size) * element.chord();
       if (d == 0) size += element.weight;
     }

@@ -41,8 +41,9 @@ struct FlexibleElement {
   [[nodiscard]] bool hasGap() const { return has_gap[0] || has_gap[1] || has_gap[2]; }
 };
 
-/// All loads of one direction.
+/// All loads of one direction, or a couple: a moment of that direction, which nothing that moves changes.
 struct DeadLoad {
+  bool is_couple = false;
   Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
   double at_tip = 0;                                     ///< size of the load at the tip
   Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of it, in the tip's axes

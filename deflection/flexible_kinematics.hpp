@@ -1,6 +1,7 @@
 // Flexible forward kinematics: the shape of the arm under its weight and a hung load (Calkins 1994, table 2.1).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,14 @@
 
 namespace tubeplan::deflection {
 
+/// Dead loads on the tip, in base axes: neither size nor direction follows the arm.
+template <class S>
+struct WrenchOf {
+  Vector3<S> force_B = Vector3<S>::Zero();   ///< N, at the tip
+  Vector3<S> moment_B = Vector3<S>::Zero();  ///< N m
+};
+using Wrench = WrenchOf<double>;
+
 /// Where the arm is asked to be: joint readings (rad, m; one per active row), load hung on the tip [N], and the
 /// direction of gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone. What
 /// follows matters to some effects only.
@@ -18,6 +27,9 @@ struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
+  std::optional<WrenchOf<S>> wrench = {};  ///< beside the hung load
+  Eigen::Matrix<S, Eigen::Dynamic, 1> side_q =
+      {};  ///< readings of the side chains' joints (side_chains.hpp); empty where not known: see restOfSideChains()
   std::vector<int> approach_directions =
       {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN: the arm's reference temperature
@@ -25,6 +37,12 @@ struct PostureOf {
   std::string_view setup = {};  ///< of the base; what it views must outlive the posture
 };
 using Posture = PostureOf<double>;
+
+/// Whether the solver is given other numbers than the arm's own at that posture.
+template <class S>
+bool dependsOnPosture(const ArmOf<S>& arm, const PostureOf<S>& posture) {
+  return dependsOnPosture(arm) || posture.wrench;
+}
 
 /// Direction of gravity in the base frame, for a base placed at X_WB.
 inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_WB) {

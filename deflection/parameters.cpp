@@ -2,16 +2,15 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "deflection/effects/effect.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kTiny = 1e-12;
 
 /// Both scalar versions of one accessor, a generic lambda from (row, lump) to a pointer.
@@ -49,7 +48,7 @@ bool moves(const Row<S>& row) {
 const std::vector<ParameterField>& parameterFields() {
   using Q = Quantity;
   static const std::vector<ParameterField> kFields{
-      field("dh.alpha", Q::kAngle, -kTurn, kTurn,
+      field("dh.alpha", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) {
               auto* dh = dhOf(r);
               return dh ? &dh->alpha : nullptr;
@@ -64,7 +63,7 @@ const std::vector<ParameterField>& parameterFields() {
               auto* dh = dhOf(r);
               return dh ? &dh->d : nullptr;
             }),
-      field("dh.theta", Q::kAngle, -kTurn, kTurn,
+      field("dh.theta", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) {
               auto* dh = dhOf(r);
               return dh && !moves(r) ? &dh->theta : nullptr;
@@ -84,22 +83,22 @@ const std::vector<ParameterField>& parameterFields() {
               auto* o = originOf(r);
               return o ? &o->position[2] : nullptr;
             }),
-      field("origin.rpy.r", Q::kAngle, -kTurn, kTurn,
+      field("origin.rpy.r", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) {
               auto* o = originOf(r);
               return o ? &o->rpy[0] : nullptr;
             }),
-      field("origin.rpy.p", Q::kAngle, -kTurn, kTurn,
+      field("origin.rpy.p", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) {
               auto* o = originOf(r);
               return o ? &o->rpy[1] : nullptr;
             }),
-      field("origin.rpy.y", Q::kAngle, -kTurn, kTurn,
+      field("origin.rpy.y", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) {
               auto* o = originOf(r);
               return o ? &o->rpy[2] : nullptr;
             }),
-      field("joint.offset", Q::kAngle, -kTurn, kTurn,
+      field("joint.offset", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) { return moves(r) ? &r.joint.offset : nullptr; }),
       field("joint_stiffness.x", Q::kTorquePerAngle, kTiny, kInfinity,
             [](auto& r, int) { return &r.joint_stiffness[0]; }),
@@ -132,16 +131,23 @@ namespace {
 
 int toolAxis(const ParameterField& f) { return f.name[4] - 'x'; }
 
+/// Those of the arm, or of a side chain.
+template <class S>
+std::vector<Row<S>>& rowsOf(ArmOf<S>& arm, int side_chain) {
+  return side_chain < 0 ? arm.rows : arm.side_chains.at(side_chain).rows;
+}
+
 template <class S>
 S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
   if (path.effect >= 0) return arm.effects.at(path.effect).values.at(path.value);
   const ParameterField& f = parameterFields().at(path.field);
   if (f.of_tool) return arm.p_LT[toolAxis(f)];
+  Row<S>& row = rowsOf(arm, path.side_chain).at(path.row);
   S* found = nullptr;
   if constexpr (std::is_same_v<S, double>)
-    found = f.find(arm.rows.at(path.row), path.lump);
+    found = f.find(row, path.lump);
   else
-    found = f.findDual(arm.rows.at(path.row), path.lump);
+    found = f.findDual(row, path.lump);
   assert(found);
   return *found;
 }
@@ -156,6 +162,13 @@ Vector3<To> castVector(const Vector3<From>& v) {
 }
 
 template <class To, class From>
+std::vector<Lump<To>> castLumps(const std::vector<Lump<From>>& lumps) {
+  std::vector<Lump<To>> out;
+  for (const auto& lump : lumps) out.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
+  return out;
+}
+
+template <class To, class From>
 EffectTerms<To> castEffectTerms(const EffectTerms<From>& a) {
   return {a.joint_is_compliant,
           a.member_is_compliant,
@@ -167,7 +180,14 @@ EffectTerms<To> castEffectTerms(const EffectTerms<From>& a) {
           castVector<To>(a.gap),
           castVector<To>(a.bending_compliance),
           castScalar<To>(a.torsion_compliance),
-          castVector<To>(a.pull)};
+          castVector<To>(a.pull),
+          castLumps<To>(a.hung)};
+}
+
+template <class To, class From>
+TipLoad<To> castTipLoad(const TipLoad<From>& a) {
+  return {castVector<To>(a.payload_offset), castScalar<To>(a.contact_force), castVector<To>(a.force),
+          castVector<To>(a.moment)};
 }
 
 template <class To, class From>
@@ -191,31 +211,37 @@ Row<To> castRow(const Row<From>& row) {
                         castScalar<To>(row.beam->J), row.beam->segments};
   out.weight.distributed = castScalar<To>(row.weight.distributed);
   out.weight.end = castScalar<To>(row.weight.end);
-  for (const auto& lump : row.weight.lumps)
-    out.weight.lumps.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
+  out.weight.lumps = castLumps<To>(row.weight.lumps);
   if (row.effect_terms) out.effect_terms = castEffectTerms<To>(*row.effect_terms);
   return out;
 }
 
 Parameter makeParameter(Arm& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields()[path.field];
-  std::string name = (f.of_tool ? "tool" : arm.rows[path.row].name) + "." + f.name;
+  const Row<double>* row = f.of_tool ? nullptr : &rowsOf(arm, path.side_chain)[path.row];
+  std::string name = (row ? row->name : "tool") + "." + f.name;
   if (f.of_lump) name.append(".").append(std::to_string(path.lump + 1));
-  const bool slides = !f.of_tool && arm.rows[path.row].joint.type == JointType::kPrismatic &&
-                      std::string_view(f.name) == "joint.offset";
+  const bool slides = row && row->joint.type == JointType::kPrismatic && std::string_view(f.name) == "joint.offset";
   return {name, slides ? Quantity::kLength : f.quantity, path, locateIn(arm, path), f.lower, f.upper};
 }
 
-void appendRowParameters(Arm& arm, int row, std::vector<Parameter>& out) {
+void appendRowParameters(Arm& arm, int side_chain, int index, std::vector<Parameter>& out) {
   const auto& fields = parameterFields();
+  Row<double>& row = rowsOf(arm, side_chain)[index];
   for (int f = 0; f < static_cast<int>(fields.size()); ++f) {
     if (fields[f].of_tool) continue;
-    const int lumps = static_cast<int>(arm.rows[row].weight.lumps.size());
+    const int lumps = static_cast<int>(row.weight.lumps.size());
     for (int lump = fields[f].of_lump ? 0 : -1; lump < (fields[f].of_lump ? lumps : 0); ++lump) {
-      const double* number = fields[f].find(arm.rows[row], lump);
-      if (number && std::isfinite(*number)) out.push_back(makeParameter(arm, {row, f, lump}));
+      const double* number = fields[f].find(row, lump);
+      if (number && std::isfinite(*number))
+        out.push_back(makeParameter(arm, {.row = index, .field = f, .lump = lump, .side_chain = side_chain}));
     }
   }
+}
+
+void appendRowsParameters(Arm& arm, int side_chain, std::vector<Parameter>& out) {
+  for (int row = 0; row < static_cast<int>(rowsOf(arm, side_chain).size()); ++row)
+    appendRowParameters(arm, side_chain, row, out);
 }
 
 template <class To, class From>
@@ -247,10 +273,12 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
   out.reference_temperature = arm.reference_temperature;
   for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
+  for (const auto& chain : arm.side_chains) {
+    out.side_chains.push_back({chain.row, {}});
+    for (const auto& row : chain.rows) out.side_chains.back().rows.push_back(castRow<To>(row));
+  }
   out.mountings = arm.mountings;
-  if (arm.tip_load)
-    out.tip_load =
-        TipLoad<To>{castVector<To>(arm.tip_load->payload_offset), castScalar<To>(arm.tip_load->contact_force)};
+  if (arm.tip_load) out.tip_load = castTipLoad<To>(*arm.tip_load);
   return out;
 }
 
@@ -268,7 +296,8 @@ Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path) { return locateIn(arm,
 std::vector<Parameter> parametersOf(const Arm& arm) {
   Arm copy = arm;
   std::vector<Parameter> parameters;
-  for (int row = 0; row < static_cast<int>(copy.rows.size()); ++row) appendRowParameters(copy, row, parameters);
+  appendRowsParameters(copy, -1, parameters);
+  for (int b = 0; b < static_cast<int>(copy.side_chains.size()); ++b) appendRowsParameters(copy, b, parameters);
   const auto& fields = parameterFields();
   for (int f = 0; f < static_cast<int>(fields.size()); ++f)
     if (fields[f].of_tool) parameters.push_back(makeParameter(copy, {-1, f, -1}));

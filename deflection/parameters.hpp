@@ -39,6 +39,7 @@ struct ParameterPath {
   int lump = -1;
   int effect = -1;
   int value = -1;
+  int side_chain = -1;  ///< whose row it is, -1 for the arm's own
   bool operator==(const ParameterPath&) const = default;
 };
 

@@ -46,11 +46,16 @@ int hingeOf(const FlexibleElement& element) {
 }  // namespace
 
 PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(!dependsOnPosture(arm) && !hasSlide(arm)) {
-  if (is_fixed_) prepare(arm, turnsUndone(arm, VectorXd::Zero(static_cast<Eigen::Index>(activeRows(arm).size()))));
-  if (is_fixed_) findRevoluteChain(arm);
+  if (is_fixed_) prepareFixed();
 }
 
 PreparedArm::~PreparedArm() = default;
+
+void PreparedArm::prepareFixed() {
+  prepare(arm_, turnsUndone(arm_, VectorXd::Zero(static_cast<Eigen::Index>(activeRows(arm_).size()))));
+  findRevoluteChain(arm_);
+  is_prepared_ = true;
+}
 
 void PreparedArm::addElement(const Arm& arm, const ChainLink<double>& link) {
   const ComponentState& component = chain_.components[static_cast<std::size_t>(link.component)];
@@ -102,6 +107,16 @@ void PreparedArm::addLink(const Arm& arm, const std::vector<int>& joints, std::s
   equilibrium_.loads.push_back(pull);
 }
 
+/// What pushes or twists the tip.
+void PreparedArm::addTipLoad(const Vector3d& direction_B, bool is_couple) {
+  if (direction_B.isZero(0)) return;
+  DeadLoad load;
+  load.is_couple = is_couple;
+  load.direction_B = direction_B;
+  load.at_tip = 1;
+  equilibrium_.loads.push_back(load);
+}
+
 void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   chain_ = assembleChain<double>(arm, arm, q);
   parts_.assign(1, {});
@@ -117,6 +132,8 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   for (const auto& row : arm.rows) joints.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);
   for (std::size_t k = 0; k < chain_.links.size(); ++k) addLink(arm, joints, k);
   part_ends_.push_back(parts_.size());
+  if (arm.tip_load) addTipLoad(arm.tip_load->force, false);
+  if (arm.tip_load) addTipLoad(arm.tip_load->moment, true);
   equilibrium_.bodies.assign(part_ends_.size(), {});
 }
 
@@ -160,7 +177,9 @@ void PreparedArm::load(const Arm& arm, const Posture& posture) const {
 
 KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinematicsOptions& options) {
   asked_ = posture;
-  if (dependsOnPosture(arm_)) {
+  const bool has_context = dependsOnPosture(arm_, asked_);
+  if (!has_context) context_.reset();
+  if (has_context) {
     if (!context_) context_.emplace(arm_, asked_);
     applyEffects(*context_);
     if (!context_->undefined.empty()) {
@@ -170,9 +189,14 @@ KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinema
   }
   const Arm& arm = effective();
   const Posture& effective_posture = effectivePosture();
-  if (!is_fixed_) {
+  if (!is_fixed_ || has_context) {
     prepare(arm, turnsUndone(arm, effective_posture.q));
     findRevoluteChain(arm);
+    is_prepared_ = false;
+    kernel_asked_.clear();
+    kernel_.reset();
+  } else if (!is_prepared_) {
+    prepareFixed();
   }
   if (revolute_chain_) return solveRevoluteChain(options, {});
   is_copied_out_ = true;
@@ -245,6 +269,10 @@ void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::ve
   const Vector3d& g = effectivePosture().gravity_B;
   const DeadLoad& gravity = equilibrium_.loads.front();
   Vector3d force = gravity.at_tip * g, moment = Vector3d(frames.back().R * gravity.tip_moment).cross(g);
+  if (arm.tip_load) {
+    force += arm.tip_load->force;
+    moment += arm.tip_load->moment;
+  }
   for (std::size_t k = chain_.links.size(); k-- > 0;) {
     const ChainLink<double>& link = chain_.links[k];
     const Vector3d weight = link.weight * g, chord = frames[k + 1].p - frames[k].p;

@@ -87,12 +87,14 @@ class PreparedArm {
   [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
   [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
   void prepare(const Arm& arm, const Eigen::VectorXd& q);
+  void prepareFixed();
   [[nodiscard]] double angleOf(const JointTurn& turn, const Eigen::VectorXd& q) const;
   void findRevoluteChain(const Arm& arm);
   KinematicsStatus solveRevoluteChain(const FlexibleKinematicsOptions& options, simd::Shapes out);
   void tellElements() const;
   void addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k);
   void addElement(const Arm& arm, const ChainLink<double>& link);
+  void addTipLoad(const Eigen::Vector3d& direction_B, bool is_couple);
   void pose(const Eigen::VectorXd& q) const;
   void load(const Arm& arm, const Posture& posture) const;
   void undefine();
@@ -105,6 +107,7 @@ class PreparedArm {
   Posture asked_;
   std::optional<EffectContext<double>> context_;  ///< where the arm has effects
   bool is_fixed_;                                 ///< no slides, nothing that depends on the posture: the same links
+  bool is_prepared_ = false;                      ///< what follows is of the fixed arm
   Chain<double> chain_;                           ///< with the turning joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;

@@ -23,9 +23,9 @@ void PreparedArm::findRevoluteChain(const Arm& arm) {
   element_states_.resize(4 * static_cast<std::size_t>(revolute_chain_->numbers().count));
 }
 
-bool PreparedArm::hasJacobian() const { return is_fixed_ && revolute_chain_ && revolute_chain_->hasJacobian(); }
+bool PreparedArm::hasJacobian() const { return is_prepared_ && revolute_chain_ && revolute_chain_->hasJacobian(); }
 
-const simd::RevoluteChain* PreparedArm::revoluteChain() const { return is_fixed_ ? revolute_chain_.get() : nullptr; }
+const simd::RevoluteChain* PreparedArm::revoluteChain() const { return is_prepared_ ? revolute_chain_.get() : nullptr; }
 
 const simd::RevoluteVariables* PreparedArm::kernelFor(const std::vector<Variable>& variables) {
   if (!hasJacobian()) return nullptr;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "deflection/scalar.hpp"
 
 namespace tubeplan::deflection {
+
+inline constexpr double kFullTurn = 2 * std::numbers::pi;  ///< rad
 
 /// Pose of a frame: p_out = R p_in + p.
 template <class S>

@@ -66,7 +66,13 @@ void visitLoads(Row<A>& a, const Row<B>& b, Visit&& visit) {
     visit(a.weight.lumps[k].weight, b.weight.lumps[k].weight);
     visitVectors(a.weight.lumps[k].at, b.weight.lumps[k].at, visit);
   }
-  if (a.effect_terms && b.effect_terms) visitVectors(a.effect_terms->pull, b.effect_terms->pull, visit);
+  if (!a.effect_terms || !b.effect_terms) return;
+  visitVectors(a.effect_terms->pull, b.effect_terms->pull, visit);
+  assert(a.effect_terms->hung.size() == b.effect_terms->hung.size());
+  for (std::size_t k = 0; k < a.effect_terms->hung.size(); ++k) {
+    visit(a.effect_terms->hung[k].weight, b.effect_terms->hung[k].weight);
+    visitVectors(a.effect_terms->hung[k].at, b.effect_terms->hung[k].at, visit);
+  }
 }
 
 }  // namespace tubeplan::deflection

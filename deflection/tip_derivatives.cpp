@@ -17,4 +17,11 @@ TipDerivatives differentiateTip(const Arm& arm, const Posture& posture, const st
   return {tip.arm().shape(), tip.columns().topRows<3>(), tip.columns().bottomRows<3>()};
 }
 
+TipDerivatives differentiateRow(const Arm& arm, int row, const Posture& posture, const std::vector<Variable>& variables,
+                                const FlexibleKinematicsOptions& options) {
+  TipDifferentiation frame(arm);
+  frame.solveRow(row, posture, variables, options);
+  return {frame.arm().shape(), frame.columns().topRows<3>(), frame.columns().bottomRows<3>()};
+}
+
 }  // namespace tubeplan::deflection

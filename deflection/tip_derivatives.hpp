@@ -10,7 +10,7 @@
 namespace tubeplan::deflection {
 
 /// What a derivative is taken by: a joint reading (index), the hung load, gravity turned about a base axis (index: the
-/// rotation vector that turns gravity_B), or a number of the arm.
+/// rotation vector that turns gravity_B, and a wrench with it, which is as fixed in the world), or a number of the arm.
 struct Variable {
   enum class Type { kJoint, kLoad, kGravityTurn, kParameter };
   Type type = Type::kJoint;
@@ -35,6 +35,11 @@ struct TipDerivatives {
 /// Tip pose and its derivatives by each of `variables`. Where the shape does not converge, `kinematics.status` says so
 /// and the columns are NaN.
 [[nodiscard]] TipDerivatives differentiateTip(const Arm& arm, const Posture& posture,
+                                              const std::vector<Variable>& variables,
+                                              const FlexibleKinematicsOptions& options = {});
+
+/// The same of the deflected frame of a row in the place of the tool frame.
+[[nodiscard]] TipDerivatives differentiateRow(const Arm& arm, int row, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});
 

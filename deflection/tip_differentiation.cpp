@@ -154,6 +154,15 @@ void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   direct_.addGravity(context_->posture.gravity_B, tip);
 }
 
+/// What is fixed in the world, by as much as the base turns against it.
+void TipDifferentiation::turnWorld() {
+  dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
+  if (!dual_posture_.wrench) return;
+  auto& [force_B, moment_B] = *dual_posture_.wrench;
+  force_B += gravity_turn_.cross(force_B);
+  moment_B += gravity_turn_.cross(moment_B);
+}
+
 void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& variables) {
   if (!context_) context_.emplace(dual_arm_, dual_posture_);
   Block block{};
@@ -163,12 +172,14 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
       block[slot] = first + static_cast<std::size_t>(slot);
       seed(variables[block[slot]], slot, 1);
     }
-    const Eigen::Vector3d g = valuesOf(dual_posture_.gravity_B);
-    dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
+    const Vector3<Dual> gravity_B = dual_posture_.gravity_B;
+    const std::optional<WrenchOf<Dual>> wrench = dual_posture_.wrench;
+    turnWorld();
     TipColumns tip = TipColumns::Zero();
     differentiateInContext(tip);
     moveBase(tip);
-    dual_posture_.gravity_B = g.cast<Dual>();
+    dual_posture_.gravity_B = gravity_B;
+    dual_posture_.wrench = wrench;
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
     store(block, count, tip);
   }
@@ -177,10 +188,10 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
 /// From the moved base to the base as named, which the variables may move too.
 void TipDifferentiation::moveBase(TipColumns& tip) const {
   const PoseOf<double>& X_BM = arm_.context_->X_BM;
-  const Eigen::Vector3d p_MD_B = X_BM.R * sensitivity_.frames().back().p;
+  const Eigen::Vector3d p_MF_B = X_BM.R * sensitivity_.frame().p;
   tip.topRows<3>() = (X_BM.R * tip.topRows<3>()).eval();
   tip.bottomRows<3>() = (X_BM.R * tip.bottomRows<3>()).eval();
-  addMotion(context_->X_BM, p_MD_B, tip);
+  addMotion(context_->X_BM, p_MF_B, tip);
 }
 
 KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const simd::RevoluteVariables& kernel,
@@ -195,32 +206,51 @@ KinematicsStatus TipDifferentiation::solveByKernel(const Posture& posture, const
 void TipDifferentiation::castPosture(const Posture& posture) {
   dual_posture_.q = posture.q.cast<Dual>();
   dual_posture_.load = posture.load;
+  dual_posture_.side_q = posture.side_q.cast<Dual>();
   dual_posture_.gravity_B = posture.gravity_B.cast<Dual>();
+  dual_posture_.wrench.reset();
+  if (posture.wrench)
+    dual_posture_.wrench = WrenchOf<Dual>{posture.wrench->force_B.cast<Dual>(), posture.wrench->moment_B.cast<Dual>()};
   dual_posture_.approach_directions = posture.approach_directions;
   dual_posture_.temperature = posture.temperature;
   dual_posture_.setup = posture.setup;
   dual_posture_.time = posture.time;
 }
 
-KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
-                                           const FlexibleKinematicsOptions& options) {
-  const auto n = static_cast<Eigen::Index>(variables.size());
-  columns_.resize(6, n);
-  const simd::RevoluteVariables* kernel = n > 0 ? arm_.kernelFor(variables) : nullptr;
-  kernel ? solveByKernel(posture, *kernel, options) : arm_.solve(posture, options);
-  if (arm_.status() != KinematicsStatus::kConverged) {
-    columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return arm_.status();
-  }
-  if (n == 0 || kernel) return arm_.status();
-  sensitivity_.linearize(arm_);
+/// Makes room for the columns of a shape that was solved; they are not numbers where it does not converge.
+KinematicsStatus TipDifferentiation::settle(std::size_t variables) {
+  columns_.resize(6, static_cast<Eigen::Index>(variables));
+  if (arm_.status() != KinematicsStatus::kConverged) columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return arm_.status();
+}
+
+void TipDifferentiation::differentiate(int row, const Posture& posture, const std::vector<Variable>& variables) {
+  sensitivity_.linearize(arm_, row);
   direct_.begin();
   if (dual_arm_.rows.empty()) dual_arm_ = castArm<Dual>(given_);
   castPosture(posture);
-  if (!dependsOnPosture(given_))
+  if (!dependsOnPosture(given_, posture))
     differentiateWithoutEffects(variables);
   else
     differentiateWithEffects(variables);
+}
+
+KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::vector<Variable>& variables,
+                                           const FlexibleKinematicsOptions& options) {
+  const simd::RevoluteVariables* kernel = variables.empty() || posture.wrench ? nullptr : arm_.kernelFor(variables);
+  if (kernel) {
+    columns_.resize(6, static_cast<Eigen::Index>(variables.size()));
+    solveByKernel(posture, *kernel, options);
+    return settle(variables.size());
+  }
+  return solveRow(kTool, posture, variables, options);
+}
+
+KinematicsStatus TipDifferentiation::solveRow(int row, const Posture& posture, const std::vector<Variable>& variables,
+                                              const FlexibleKinematicsOptions& options) {
+  arm_.solve(posture, options);
+  if (settle(variables.size()) == KinematicsStatus::kConverged && !variables.empty())
+    differentiate(row, posture, variables);
   return arm_.status();
 }
 

@@ -25,9 +25,14 @@ class TipDifferentiation {
   KinematicsStatus solve(const Posture& posture, const std::vector<Variable>& variables,
                          const FlexibleKinematicsOptions& options = {});
 
+  /// The same of the deflected frame of a row in the place of the tool's: `columns()` are then its place's and turn's,
+  /// exact as those of the tool. It is never solved by a kernel's derivatives, and so takes longer.
+  KinematicsStatus solveRow(int row, const Posture& posture, const std::vector<Variable>& variables,
+                            const FlexibleKinematicsOptions& options = {});
+
   [[nodiscard]] const PreparedArm& arm() const { return arm_; }
   /// d p_BD / d variable [m per unit], then the rotation vector of the tool frame [rad per unit], in base axes; one
-  /// column for each variable.
+  /// column for each variable. After solveRow() of the row's frame.
   [[nodiscard]] const Eigen::Matrix<double, 6, Eigen::Dynamic>& columns() const { return columns_; }
 
  private:
@@ -35,7 +40,10 @@ class TipDifferentiation {
 
   KinematicsStatus solveByKernel(const Posture& posture, const simd::RevoluteVariables& kernel,
                                  const FlexibleKinematicsOptions& options);
+  KinematicsStatus settle(std::size_t variables);
+  void differentiate(int row, const Posture& posture, const std::vector<Variable>& variables);
   void castPosture(const Posture& posture);
+  void turnWorld();
   void seed(const Variable& variable, int slot, double size);
   void differentiateFollowers(std::size_t but, TipColumns& tip);
   void differentiateWithoutEffects(const std::vector<Variable>& variables);

@@ -19,20 +19,26 @@ Vector3d placeOfWeight(const ChainLink<double>& link, const PoseOf<double>& near
   return (near.p + far.p) / 2;
 }
 
-/// The tip's motion by a shift of all beyond a cut.
-const TipRows& shiftOfTip() {
-  static const TipRows kShift = TipRows::Identity();
-  return kShift;
+/// Where a row's frame stands in the chain.
+std::size_t linkOfFrame(const Chain<double>& chain, int row) {
+  for (std::size_t k = 0; k < chain.links.size(); ++k)
+    if (chain.links[k].type == ChainLinkType::kFrame && chain.links[k].row == row) return k;
+  return chain.links.size();
 }
 
 }  // namespace
+
+const TipRows& TipSensitivity::carriedShift(std::size_t link) const {
+  static const TipRows kShift = TipRows::Identity(), kNone = TipRows::Zero();
+  return carries(link) ? kShift : kNone;
+}
 
 TipRows TipSensitivity::forceAt(std::size_t k, const Vector3d& p) const {
   return loads_[k].by_force + loads_[k].by_moment * cross(p);
 }
 
 TipRows TipSensitivity::shiftAt(std::size_t k) const {
-  return shiftOfTip() - loads_[k].by_moment * cross(outboard_[k].force);
+  return carriedShift(k) - loads_[k].by_moment * cross(outboard_[k].force);
 }
 
 TipRows TipSensitivity::turnAt(std::size_t k, const Vector3d& p) const {
@@ -99,11 +105,15 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
   const DeadLoad& load = arm.equilibrium_.loads.front();
   const PoseOf<double>& tip = frames_.back();
   OutboardLoad outboard{load.at_tip * g, momentByTurn(load.at_tip * tip.p + tip.R * load.tip_moment, g)};
-  TipRows motion;
-  motion << -cross(tip.p), Matrix3d::Identity();
+  if (numbers.tip_load) {
+    outboard.force += numbers.tip_load->force;
+    outboard.by_turn += momentByTurn(tip.p, numbers.tip_load->force);
+  }
+  TipRows motion = TipRows::Zero();
   std::size_t e = arm.equilibrium_.elements.size();
   for (std::size_t k = arm.chain_.links.size(); k-- > 0;) {
     const ChainLink<double>& link = arm.chain_.links[k];
+    if (k + 1 == answering_) motion << -cross(frame().p), Matrix3d::Identity();
     outboard_[k] = outboard;
     motion_[k] = motion;
     const Vector3d weight = link.weight * g;
@@ -118,7 +128,7 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
       }
       outboard.by_turn += outboard_[k].by_turn * turn - cross(outboard.force) * moved;
       motion += motion_[k] * turn;
-      motion.topRows<3>() += moved;
+      if (carries(k)) motion.topRows<3>() += moved;
     }
     if (link.weight != 0) {
       outboard.by_turn += momentByTurn(placeOfWeight(link, frames_[k], frames_[k + 1]), weight);
@@ -137,7 +147,7 @@ void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::siz
   const OutboardLoad& outboard = outboard_[k];
   const Vector3d& p = frames_[k + 1].p;
   ElementSensitivity& out = elements_[e];
-  const TipRows shift = shiftOfTip() - load.by_moment * cross(outboard.force);
+  const TipRows shift = carriedShift(k) - load.by_moment * cross(outboard.force);
   const TipRows turn = motion_[k] + load.by_moment * outboard.by_turn + shift * cross(p);
   TipRows rotation = turn * a.turn_B;
   if (!a.is_member) {
@@ -191,8 +201,9 @@ void TipSensitivity::addGravity(const PreparedArm& arm) {
   }
 }
 
-void TipSensitivity::linearize(const PreparedArm& arm) {
+void TipSensitivity::linearize(const PreparedArm& arm, int row) {
   arm.linkFrames(false, frames_);
+  answering_ = row == kTool ? arm.chain_.links.size() : linkOfFrame(arm.chain_, row);
   const std::size_t links = arm.chain_.links.size(), elements = arm.equilibrium_.elements.size();
   outboard_.resize(links);
   motion_.resize(links);

@@ -14,6 +14,9 @@
 
 namespace tubeplan::deflection {
 
+/// In the place of a row: the tool frame, at the tip.
+inline constexpr int kTool = -1;
+
 /// Motion of the tip (position [m], then rotation vector [rad], base axes) per unit of a vector.
 using TipRows = Eigen::Matrix<double, 6, 3>;
 
@@ -27,9 +30,13 @@ struct ElementSensitivity {
 class TipSensitivity {
  public:
   /// Linearises about the shape that `arm` has solved last. Where the arm has moved its base, all is seen from there.
-  void linearize(const PreparedArm& arm);
+  /// With a `row` the frame whose answers these are is that row's, as deflected, in the place of the tip's: what
+  /// happens beyond it reaches it by the loads alone.
+  void linearize(const PreparedArm& arm, int row = kTool);
 
   [[nodiscard]] const std::vector<PoseOf<double>>& frames() const { return frames_; }  ///< near ones, the tip's last
+  /// The frame whose answers these are.
+  [[nodiscard]] const PoseOf<double>& frame() const { return frames_[answering_]; }
   [[nodiscard]] const ElementSensitivity& element(std::size_t e) const { return elements_[e]; }
   /// Answer to a change of gravity's direction.
   [[nodiscard]] const TipRows& gravity() const { return gravity_; }
@@ -63,6 +70,10 @@ class TipSensitivity {
     Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< base axes: of the element, by a turn of its near end
   };
 
+  /// Whether a motion of all beyond a link takes the answering frame with it.
+  [[nodiscard]] bool carries(std::size_t link) const { return link < answering_; }
+  /// The answer to a shift of all beyond a link, under the same loads.
+  [[nodiscard]] const TipRows& carriedShift(std::size_t link) const;
   void answerOf(const PreparedArm& arm, std::size_t k, std::size_t e);
   void sweepInwards(const PreparedArm& arm);
   void sweepOutwards(const PreparedArm& arm);
@@ -70,6 +81,7 @@ class TipSensitivity {
   void addGravity(const PreparedArm& arm);
 
   std::vector<PoseOf<double>> frames_;
+  std::size_t answering_ = 0;           ///< of the frames, the one whose answers these are
   std::vector<OutboardLoad> outboard_;  ///< of each link's far end
   std::vector<TipRows> motion_;  ///< answer to a turn about the base's origin under the same loads inboard, far ends
   std::vector<Answer> answers_;

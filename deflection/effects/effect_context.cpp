@@ -1,6 +1,7 @@
 #include "deflection/effects/effect_context.hpp"
 
 #include "deflection/effects/effect.hpp"
+#include "deflection/side_chains.hpp"
 
 namespace tubeplan::deflection {
 
@@ -39,6 +40,18 @@ void makeMountingRigid(EffectContext<S>& context) {
   }
 }
 
+/// The wrench on the tip, as the moved base sees it.
+template <class S>
+void applyWrench(EffectContext<S>& context) {
+  if (!context.posture.wrench) return;
+  WrenchOf<S>& wrench = *context.posture.wrench;
+  wrench.force_B = (context.X_BM.R.transpose() * wrench.force_B).eval();
+  wrench.moment_B = (context.X_BM.R.transpose() * wrench.moment_B).eval();
+  TipLoad<S>& load = tipLoadOf(context);
+  load.force += wrench.force_B;
+  load.moment += wrench.moment_B;
+}
+
 template <class S>
 S scaleOf(const ArmOf<S>& arm) {
   const PostureOf<S> nowhere;
@@ -66,6 +79,8 @@ void applyEffects(EffectContext<S>& context) {
   makeMountingRigid(context);
   const Vector3<S> gravity_B = rotationFromVector<S>(context.gravity_turn) * context.asked.gravity_B;
   context.posture.gravity_B = context.X_BM.R.transpose() * gravity_B;
+  applyWrench(context);
+  hangSideChains<S>(context.given, context.asked, context.arm);
 }
 
 template <class S>

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "deflection/effects/places.hpp"
+#include "deflection/weights.hpp"
 
 namespace tubeplan::deflection::link_weight {
 
@@ -17,10 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 /// A link cannot lose more than it has: its end weight, lumps and distributed weight.
 inline double least(const Arm& arm, const Place& place) {
-  const Weight<double>& weight = arm.rows.at(place.row).weight;
-  double own = weight.end + weight.distributed * undeflectedMember(arm, place.row).norm();
-  for (const auto& lump : weight.lumps) own += lump.weight;
-  return -own;
+  return -rowWeightOf(arm, static_cast<std::size_t>(place.row)).weight;
 }
 
 inline EffectKind kind() {

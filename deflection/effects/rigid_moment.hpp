@@ -1,20 +1,36 @@
-// The moments that an arm's weights and the hung load put on its rows, as if nothing gave: an explicit function of
-// posture and numbers, for laws that read them.
+// The moments that an arm's weights and the loads on its tip put on its rows, as if nothing gave: an explicit function
+// of posture and numbers, for laws that read them.
 #pragma once
 
-#include "deflection/chain.hpp"
 #include "deflection/parameters.hpp"
+#include "deflection/side_chains.hpp"
 
 namespace tubeplan::deflection {
+
+/// From the base's axes to those of the tip.
+template <class S>
+void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& force, Vector3<S>& moment) {
+  Matrix3<S> R = Matrix3<S>::Identity();
+  for (const auto& link : chain.links)
+    if (link.type == ChainLinkType::kTurn) R = (R * link.R).eval();
+  force += R.transpose() * wrench.force_B;
+  moment += R.transpose() * wrench.moment_B;
+}
 
 /// On each row: of everything from its frame outwards, about its origin, in its axes [N m].
 template <class S>
 std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& posture) {
+  ArmOf<S> hung;
+  if (!arm.side_chains.empty()) {
+    hung = arm;
+    hangSideChains<S>(arm, posture, hung);
+  }
+  const ArmOf<S>& whole = arm.side_chains.empty() ? arm : hung;
   Chain<S> chain;
   if constexpr (std::is_same_v<S, double>)
-    chain = assembleChain<double>(arm, arm, posture.q);
+    chain = assembleChain<double>(whole, whole, posture.q);
   else
-    chain = assembleChain<S>(arm, castArm<double>(arm), posture.q);
+    chain = assembleChain<S>(whole, castArm<double>(whole), posture.q);
   const std::size_t count = chain.links.size();
   std::vector<Vector3<S>> gravity(count);  // in the axes that each link begins in
   Vector3<S> along = posture.gravity_B;
@@ -24,6 +40,7 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
   }
   std::vector<Vector3<S>> moments(arm.rows.size(), Vector3<S>::Zero());
   Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();  // in the axes and about the end of link k
+  if (posture.wrench) addWrench(chain, *posture.wrench, force, moment);
   for (std::size_t k = count; k-- > 0;) {
     const ChainLink<S>& link = chain.links[k];
     if (link.type == ChainLinkType::kFrame) moments[static_cast<std::size_t>(link.row)] = moment;

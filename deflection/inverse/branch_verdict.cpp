@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <numbers>
 #include <sstream>
+
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection {
 
 namespace {
 
 using Eigen::VectorXd;
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr const char* kStretched = "the arm is stretched or folded: smallest singular value below the floor";
 
 std::string degrees(double angle) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << angle * 360 / kTurn;
+  text << std::fixed << std::setprecision(1) << angle * 360 / kFullTurn;
   return text.str();
 }
 
@@ -45,9 +45,9 @@ std::string wrapIntoLimits(const Arm& arm, VectorXd& q) {
     const auto& joint = row.joint;
     if (joint.type == JointType::kPassive) continue;
     if (joint.type == JointType::kRevolute) {
-      q[k] = std::remainder(q[k], kTurn);
-      if (q[k] < joint.lower && q[k] + kTurn <= joint.upper) q[k] += kTurn;
-      if (q[k] > joint.upper && q[k] - kTurn >= joint.lower) q[k] -= kTurn;
+      q[k] = std::remainder(q[k], kFullTurn);
+      if (q[k] < joint.lower && q[k] + kFullTurn <= joint.upper) q[k] += kFullTurn;
+      if (q[k] > joint.upper && q[k] - kFullTurn >= joint.lower) q[k] -= kFullTurn;
     }
     if (q[k] < joint.lower || q[k] > joint.upper) return joint.name;
     ++k;
@@ -77,7 +77,7 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
 }
 
 bool isSameBranch(const VectorXd& a, const VectorXd& b) {
-  return ((a - b).unaryExpr([](double d) { return std::remainder(d, kTurn); })).cwiseAbs().maxCoeff() < 1e-4;
+  return ((a - b).unaryExpr([](double d) { return std::remainder(d, kFullTurn); })).cwiseAbs().maxCoeff() < 1e-4;
 }
 
 void summarise(InverseKinematics& result) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "deflection/free_motion.hpp"
+#include "deflection/rotation.hpp"
 #include "deflection/tip_differentiation.hpp"
 
 namespace tubeplan::deflection {
@@ -11,7 +12,6 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kPlaceFloor = 1e-4;  ///< of the place's slopes, per reach: what is below is no motion
 constexpr double kPlaceWeight = 10;   ///< of the place, in reaches, against the lean in rad, where a step is judged
 constexpr double kLimitWeight = 2;    ///< of what is past limits, scaled
@@ -134,7 +134,7 @@ VectorXd GoalProblem::pastLimits(const VectorXd& q) const {
     if (at >= lower_[k] && at <= upper_[k]) continue;
     const double middle = (lower_[k] + upper_[k]) / 2,
                  within = std::min(kWithin * scale_[k], (upper_[k] - lower_[k]) / 4);
-    if (scale_[k] == 1 && std::isfinite(middle)) at = middle + std::remainder(at - middle, kTurn);
+    if (scale_[k] == 1 && std::isfinite(middle)) at = middle + std::remainder(at - middle, kFullTurn);
     if (at > upper_[k]) past[k] = (at - upper_[k] + within) / scale_[k];
     if (at < lower_[k]) past[k] = (at - lower_[k] - within) / scale_[k];
   }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "deflection/inverse/turret_branches.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection {
 
@@ -14,9 +14,8 @@ using Eigen::VectorXd;
 constexpr double kBends = 0.03;   ///< of the reach, how far the tip may be off where the bent arm may still get there
 constexpr double kBendsBy = 0.1;  ///< scaled and rad, how much of a limit or tilt the bent arm may make good
 constexpr double kUnlike = 0.3;   ///< scaled, between postures of a continuum that are taken first
-constexpr double kSame = 1e-3;    ///< scaled, between postures that are the same
-constexpr int kMostSpoilt = 4;    ///< postures past limits or too tilted that go on, to say why a goal is not met
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kSamePosture = 1e-3;  ///< scaled, between postures that are the same
+constexpr int kMostSpoilt = 4;         ///< postures past limits or too tilted that go on, to say why a goal is not met
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   options.position_tolerance = options.pitch_tolerance = 1e-6;
@@ -50,13 +49,13 @@ std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidate
   const auto apart = [this](const VectorXd& a, const VectorXd& b) {
     double most_apart = 0;
     for (Eigen::Index j = 0; j < a.size(); ++j)
-      most_apart = std::max(most_apart, rigid_.scale()[j] == 1 ? std::abs(std::remainder(a[j] - b[j], kTurn))
+      most_apart = std::max(most_apart, rigid_.scale()[j] == 1 ? std::abs(std::remainder(a[j] - b[j], kFullTurn))
                                                                : std::abs(a[j] - b[j]) / rigid_.scale()[j]);
     return most_apart;
   };
   std::vector<VectorXd> chosen;
   // In the lattice's order, the same for every goal: so neighbouring goals have branches that go with each other.
-  for (const double least : {kUnlike, kSame})
+  for (const double least : {kUnlike, kSamePosture})
     for (const Candidate& candidate : candidates) {
       if (static_cast<int>(chosen.size()) >= most) return chosen;
       if (std::ranges::all_of(chosen, [&](const VectorXd& other) { return apart(candidate.q, other) > least; }))

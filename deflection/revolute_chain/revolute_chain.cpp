@@ -9,7 +9,7 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSame = 1e-15;  ///< of unit vectors, and of the reach: rounding when frames are put together
+constexpr double kSameFrame = 1e-15;  ///< of unit vectors, and of the reach: rounding when frames are put together
 
 /// A compliance about one axis only: the axis, and how much.
 struct OneAxis {
@@ -55,16 +55,20 @@ double sineOf(const Matrix3d& R) { return std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) 
 Twist twistOf(const Matrix3d& R) {
   Twist out;
   const double sine = sineOf(R);
-  if (sine < kSame) {
+  if (sine < kSameFrame) {
     out.cosine = R(2, 2) > 0 ? 1 : -1;
     out.after = std::atan2(out.cosine * R(1, 0), R(0, 0));
     return out;
   }
   out.before = std::atan2(R(0, 2), -R(1, 2));
-  out.after = std::atan2(R(2, 0), R(2, 1));
-  const bool square = std::abs(R(2, 2)) < kSame;
+  const bool square = std::abs(R(2, 2)) < kSameFrame;
   out.cosine = square ? 0 : R(2, 2);
   out.sine = square ? 1 : sine;
+  // What is left after those two: of axes that are all but parallel either angle alone is lost in rounding, but not
+  // both together.
+  const double c = std::cos(out.before), s = std::sin(out.before);
+  const Vector3d x(c * R(0, 0) + s * R(1, 0), c * R(1, 0) - s * R(0, 0), R(2, 0));
+  out.after = std::atan2(out.cosine * x.y() + out.sine * x.z(), x.x());
   return out;
 }
 
@@ -128,7 +132,7 @@ class RevoluteChainBuilder {
     if (last() >= kMaxTurns) return std::nullopt;
     if (!rows_are_fixed_) out_.rows_.clear();
     RevoluteArm& numbers = out_.numbers_;
-    const bool turned = !here_.R.isIdentity(4 * kSame);
+    const bool turned = !here_.R.isIdentity(4 * kSameFrame);
     numbers = {nullptr, last() + 1, joints, reach_, {}, {}, turned, false};
     for (int k = 0; k < 9; ++k) numbers.tip_R[k] = here_.R.data()[k];
     for (int k = 0; k < 3; ++k) numbers.tip_p[k] = here_.p[k];
@@ -182,7 +186,8 @@ class RevoluteChainBuilder {
     if (!startsAtLast(R)) return false;
     const Turn& turn = out_.turns_.back();
     const double load = turn.weight * reach_;
-    return std::max({std::abs(turn.moment[0]), std::abs(turn.moment[1]), std::abs(turn.moment[2])}) <= kSame * load &&
+    return std::max({std::abs(turn.moment[0]), std::abs(turn.moment[1]), std::abs(turn.moment[2])}) <=
+               kSameFrame * load &&
            !(with_joint && turn.joint >= 0);
   }
 
@@ -244,7 +249,7 @@ class RevoluteChainBuilder {
 
   /// A beam may start at the last turn's frame whatever hangs from it.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
-    return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSame && here_.p.cwiseAbs().maxCoeff() <= kSame * reach_;
+    return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSameFrame && here_.p.cwiseAbs().maxCoeff() <= kSameFrame * reach_;
   }
 
   double reach_;

@@ -6,7 +6,7 @@ namespace tubeplan::deflection::simd {
 
 namespace {
 
-bool isStiffness(const ParameterPath& path) {
+bool isStiffnessAt(const ParameterPath& path) {
   return path.effect < 0 && path.row >= 0 &&
          deflection::isStiffness(parameterFields()[static_cast<std::size_t>(path.field)].quantity);
 }
@@ -28,7 +28,7 @@ std::optional<double> slopeOf(const FlexibleElement& element, const RevoluteElem
 std::optional<std::vector<ElementSlope>> elementSlopes(const Arm& arm, const ParameterPath& path,
                                                        const Chain<double>& chain, const RevoluteChain& revolute_chain,
                                                        const std::vector<FlexibleElement>& elements) {
-  if (!isStiffness(path)) return std::nullopt;
+  if (!isStiffnessAt(path)) return std::nullopt;
   Row<double> without = arm.rows[static_cast<std::size_t>(path.row)];
   double* number = parameterFields()[static_cast<std::size_t>(path.field)].find(without, path.lump);
   const double value = *number;

@@ -1,7 +1,8 @@
-// Central differences of the deflected tip, against which exact derivatives are held.
+// Central differences of the deflected tip, or of a row's deflected frame, against which exact derivatives are held.
 #pragma once
 
 #include "deflection/tip_derivatives.hpp"
+#include "deflection/tip_sensitivity.hpp"
 
 namespace tubeplan::deflection {
 
@@ -16,18 +17,22 @@ inline void step(Arm& arm, Posture& posture, const Variable& variable, double h)
     case Variable::Type::kLoad:
       posture.load += h;
       break;
-    case Variable::Type::kGravityTurn:
-      posture.gravity_B = rotationFromVector<double>(h * Eigen::Vector3d::Unit(variable.index)) * posture.gravity_B;
+    case Variable::Type::kGravityTurn: {
+      const Eigen::Matrix3d R = rotationFromVector<double>(h * Eigen::Vector3d::Unit(variable.index));
+      posture.gravity_B = R * posture.gravity_B;
+      if (posture.wrench) posture.wrench = Wrench{R * posture.wrench->force_B, R * posture.wrench->moment_B};
       break;
+    }
     case Variable::Type::kParameter:
       locate(arm, variable.parameter) += h;
       break;
   }
 }
 
-inline PoseOf<double> tipAt(Arm arm, Posture posture, const Variable& variable, double h) {
+inline PoseOf<double> frameAt(Arm arm, Posture posture, const Variable& variable, double h, int row) {
   step(arm, posture, variable, h);
-  return solveFlexibleKinematics(arm, posture, kTight).X_BD;
+  const auto shape = solveFlexibleKinematics(arm, posture, kTight);
+  return row == kTool ? shape.X_BD : shape.rows[static_cast<std::size_t>(row)].X_BL;
 }
 
 struct Difference {
@@ -35,9 +40,11 @@ struct Difference {
 };
 
 /// Fourth-order central difference.
-inline Difference centralDifference(const Arm& arm, const Posture& posture, const Variable& variable, double h) {
+inline Difference centralDifference(const Arm& arm, const Posture& posture, const Variable& variable, double h,
+                                    int row = kTool) {
   const auto slope = [&](double step_size) {
-    const auto plus = tipAt(arm, posture, variable, step_size), minus = tipAt(arm, posture, variable, -step_size);
+    const auto plus = frameAt(arm, posture, variable, step_size, row),
+               minus = frameAt(arm, posture, variable, -step_size, row);
     const Eigen::Matrix3d turn = (plus.R - minus.R) * (plus.R + minus.R).inverse();
     Difference d{(plus.p - minus.p) / (2 * step_size), {}};
     d.rotation =

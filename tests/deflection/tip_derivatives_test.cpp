@@ -53,6 +53,43 @@ TEST(TipDerivatives, AgreeWithCentralDifferencesOverAThousandPostures) {
   }
 }
 
+// What is beyond a row moves its frame by the loads alone: by little, and by nothing where all before is rigid.
+TEST(TipDerivatives, OfEveryRowsFrameAgreeWithCentralDifferences) {
+  const Arm arm = cobraArm(2);
+  const auto cases = casesOf(arm);
+  std::vector<Variable> variables;
+  for (const auto& c : cases) variables.push_back(c.variable);
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> load(0, 180);
+  const double reach = reachOf(arm);
+  for (int n = 0; n < 60; ++n) {
+    const Posture posture{randomJoints(arm, random), load(random), randomDirection(random)};
+    for (int row = 0; row < static_cast<int>(arm.rows.size()); ++row) {
+      const auto exact = differentiateRow(arm, row, posture, variables, kTight);
+      ASSERT_EQ(exact.kinematics.status, KinematicsStatus::kConverged);
+      for (std::size_t k = 0; k < cases.size(); ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        const Difference d = centralDifference(arm, posture, cases[k].variable, cases[k].h, row);
+        const double size = d.position.norm() + reach * d.rotation.norm();
+        const double off = (d.position - exact.position_B.col(column)).norm() +
+                           reach * (d.rotation - exact.rotation_B.col(column)).norm();
+        ASSERT_LE(off, 1e-6 * size + 1e-13 * reach / cases[k].h) << cases[k].name << " of row " << row;
+      }
+    }
+  }
+}
+
+TEST(TipDerivatives, TheLoadBendsWhatIsBeforeARowAndTheTipBeyondTurnsItByThat) {
+  const Arm arm = cobraArm();
+  const Posture posture{Eigen::Vector4d(0.3, 1.1, -0.6, -0.2), 120, -Eigen::Vector3d::UnitZ()};
+  const int last = static_cast<int>(arm.rows.size()) - 1;
+  const auto frame = differentiateRow(arm, last, posture, {Variable::load(), Variable::joint(3)}, kTight);
+  const auto tip = differentiateTip(arm, posture, {Variable::load(), Variable::joint(3)}, kTight);
+  EXPECT_GT(frame.rotation_B.col(0).norm(), 1e-6) << "rad per N";
+  EXPECT_NEAR(frame.rotation_B.col(1).norm(), 1, 0.05) << "its own joint turns it";
+  EXPECT_LT(frame.position_B.col(1).norm(), 0.1 * tip.position_B.col(1).norm()) << "about its own origin";
+}
+
 TEST(TipDerivatives, RigidAxesAreNotParameters) {
   for (const auto& p : parametersOf(cobraArm())) EXPECT_TRUE(std::isfinite(p.value)) << p.name;
   EXPECT_TRUE(findParameter(cobraArm(), "tool.joint_stiffness.z"));

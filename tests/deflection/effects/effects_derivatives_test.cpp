@@ -4,6 +4,7 @@
 
 #include "tests/deflection/central_difference.hpp"
 #include "tests/deflection/effects/effect_arms.hpp"
+#include "tests/deflection/random_arms.hpp"
 
 namespace tubeplan::deflection {
 namespace {
@@ -63,19 +64,22 @@ Posture smoothPosture(const Arm& arm, std::mt19937_64& random) {
   return posture;
 }
 
-void expectExact(const Arm& arm, const Posture& posture, const std::vector<Variable>& variables) {
-  const auto exact = differentiateTip(arm, posture, variables, kTight);
+/// Of the tool frame, or of a row's.
+void expectExact(const Arm& arm, const Posture& posture, const std::vector<Variable>& variables, int row = kTool) {
+  const auto exact = row == kTool ? differentiateTip(arm, posture, variables, kTight)
+                                  : differentiateRow(arm, row, posture, variables, kTight);
   ASSERT_EQ(exact.kinematics.status, KinematicsStatus::kConverged);
   ASSERT_TRUE(exact.position_B.allFinite() && exact.rotation_B.allFinite());
   const double reach = reachOf(arm);
   for (std::size_t k = 0; k < variables.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     const double h = stepOf(arm, variables[k]);
-    const Difference d = centralDifference(arm, posture, variables[k], h);
+    const Difference d = centralDifference(arm, posture, variables[k], h, row);
     const double size = d.position.norm() + reach * d.rotation.norm();
     const double off =
         (d.position - exact.position_B.col(column)).norm() + reach * (d.rotation - exact.rotation_B.col(column)).norm();
-    ASSERT_LE(off, 1e-6 * size + 1e-13 * reach / h) << arm.name << ": " << nameOf(arm, variables[k]);
+    ASSERT_LE(off, 1e-6 * size + 1e-13 * reach / h)
+        << arm.name << ": " << nameOf(arm, variables[k]) << " of row " << row;
   }
 }
 
@@ -97,6 +101,18 @@ TEST(EffectsDerivatives, ByEveryNumberAndByThePostureAtATypicalSize) {
       for (const Variable& variable : postureVariables(arm)) variables.push_back(variable);
       expectExact(arm, smoothPosture(arm, random), variables);
     }
+  }
+}
+
+TEST(EffectsDerivatives, OfEveryRowsFrame) {
+  std::mt19937_64 random(36);
+  for (const Arm& bare : effectArms()) {
+    Arm arm = bare;
+    for (const Effect& effect : allEffects(bare)) arm.effects.push_back(sized(bare, effect, 0.01));
+    auto variables = effectVariables(arm);
+    for (const Variable& variable : postureVariables(arm)) variables.push_back(variable);
+    const Posture posture = smoothPosture(arm, random);
+    for (int row = 0; row < static_cast<int>(arm.rows.size()); ++row) expectExact(arm, posture, variables, row);
   }
 }
 
@@ -148,6 +164,27 @@ TEST(EffectsDerivatives, OfAJointSoSoftThatItTurnsFar) {
     }
   }
   EXPECT_GT(most, 0.1);
+}
+
+RC_GTEST_PROP(EffectsDerivatives, OfRandomArms, ()) {
+  const Arm bare = randomArm();
+  Arm arm = bare;
+  const auto all = allEffects(bare);
+  arm.effects.push_back(sized(bare, all[static_cast<std::size_t>(below(static_cast<int>(all.size())))], 0.05));
+  Posture posture = randomPostureOf(arm, 300);
+  for (Eigen::Index k = 0; k < posture.q.size(); ++k) posture.approach_directions.push_back(below(3) - 1);
+  posture.temperature = between(283, 303);
+  posture.time = between(-1000, 1000);
+  const auto shape = solveFlexibleKinematics(arm, posture, kTight);
+  RC_PRE(isModest(arm, shape) && !isNearAKink(arm, posture));
+  auto variables = effectVariables(arm);
+  for (const Variable& variable : postureVariables(arm)) variables.push_back(variable);
+  const auto exact = differentiateTip(arm, posture, variables, kTight);
+  RC_ASSERT(exact.kinematics.status == KinematicsStatus::kConverged);
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    RC_LOG() << nameOf(arm, variables[k]) << " with " << textOf(arm, arm.effects[0]) << std::endl;
+    RC_ASSERT(isExact(arm, posture, exact, k, variables[k], stepOf(arm, variables[k])));
+  }
 }
 
 TEST(EffectsDerivatives, OfAMeasurementByItsScale) {

@@ -23,7 +23,25 @@ inline Arm oddRevoluteArm() {
   return arm;
 }
 
-inline std::vector<Arm> kernelArms() { return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), oddRevoluteArm()}; }
+/// Beams askew in pieces: the axes of two that follow one another are parallel but for rounding.
+inline Arm askewBeamArm() {
+  Arm arm;
+  arm.name = "askew beams";
+  arm.rows = {originRow("boom", {-0.7, -0.7, -0.7}, {-3, -3, -3}, JointType::kRevolute),
+              originRow("hand", {}, {}, JointType::kPassive)};
+  arm.rows[0].joint_stiffness.y() = 3e4;
+  arm.rows[0].beam = Beam<double>{.E = 7e10, .I = {3.18053368833e-07, kRigid, kRigid}, .segments = 2};
+  arm.rows[0].weight.lumps = {{20, {0.1152, -0.3, -0.282}}};
+  arm.rows[1].placement = DenavitHartenberg<double>{-2.322, 0.778, -0.191, -3};
+  arm.rows[1].beam = Beam<double>{.E = 7e10, .I = {kRigid, 3.16227766017e-07, kRigid}};
+  arm.rows[1].weight.lumps = {{10, {-0.3, -0.3, -0.3}}};
+  arm.p_LT = {-0.4, -0.4, -0.4};
+  return arm;
+}
+
+inline std::vector<Arm> kernelArms() {
+  return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), oddRevoluteArm(), askewBeamArm()};
+}
 
 /// The arm solved by the general sweeps: a force at the tip, too small to move it, keeps the kernels off.
 inline Arm withoutKernel(const Arm& arm) { return withEffect(arm, "contact-force", "tip", {1e-200}); }

@@ -1,0 +1,158 @@
+#include "deflection/effects/signature.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "deflection/flexible_kinematics.hpp"
+
+namespace tubeplan::deflection {
+
+namespace {
+
+using Eigen::Index, Eigen::Matrix3Xd, Eigen::Vector3d;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kOfCondition = 5;  // a change by a condition counts for so many by a joint: few laws have one
+constexpr double kOfOwnJoint = 3;   // and one by the joint that the effect is at
+constexpr double kOfReach = 1e-9;   // what rounding alone may leave of a shift
+constexpr double kOfRange = 0.05;   // of a joint's range, kept from its limits
+
+/// Half of what a real machine has, and an event half way through the sweep of time.
+Effect ofUsualSize(const Arm& arm, Effect effect, double duration) {
+  const auto& numbers = numbersOf(effect);
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    const auto bounds = numberOf(arm, effect, static_cast<int>(v));
+    double value = numbers[v].neutral;
+    if (numbers[v].quantity == Quantity::kTime && numbers[v].is_shape)
+      value = duration / 2;
+    else if (std::isfinite(numbers[v].plausible))
+      value += numbers[v].plausible / 2;
+    effect.values[v] = std::clamp(value, bounds.lower, bounds.upper);
+  }
+  return effect;
+}
+
+struct Range {
+  double lower, upper;
+};
+
+Range rangeOf(const Joint<double>& joint) {
+  constexpr double kHalfTurn = std::numbers::pi;
+  if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return {-kHalfTurn, kHalfTurn};
+  const double kept = kOfRange * (joint.upper - joint.lower);
+  return {joint.lower + kept, joint.upper - kept};
+}
+
+class Sweeper {
+ public:
+  Sweeper(const Arm& arm, const Effect& effect, const Vector3d& gravity_B, const SignatureOptions& options)
+      : options_(options), without_(arm), with_(arm), active_(activeRows(arm)) {
+    with_.effects.push_back(ofUsualSize(arm, effect, options.duration));
+    const auto joints = static_cast<Index>(active_.size());
+    middle_.q.resize(joints);
+    for (Index j = 0; j < joints; ++j) {
+      const Range range = rangeOf(jointOf(static_cast<int>(j)));
+      constexpr double kGolden = 0.6180339887498949;  // shares of the ranges that no symmetry of the arm picks out
+      const double share = 0.3 + 0.4 * std::fmod(0.5 + kGolden * static_cast<double>(j), 1);
+      middle_.q[j] = range.lower + share * (range.upper - range.lower);
+    }
+    middle_.gravity_B = gravity_B;
+    middle_.load = options.most_load / 2;
+    middle_.approach_directions.assign(active_.size(), 1);
+    middle_.temperature = arm.reference_temperature + options.temperatures / 2;
+    middle_.time = 0.75 * options.duration;
+  }
+
+  Signature best() {
+    for (int j = 0; j < static_cast<int>(active_.size()); ++j) {
+      const Range range = rangeOf(jointOf(j));
+      sweep(SignatureVariableKind::kJoint, j, range, [j](Posture& posture, double at) { posture.q[j] = at; });
+      sweep(SignatureVariableKind::kDirection, j, {-1, 1}, [j](Posture& posture, double at) {
+        posture.approach_directions[static_cast<std::size_t>(j)] = static_cast<int>(at);
+      });
+    }
+    if (options_.most_load > 0)
+      sweep(SignatureVariableKind::kLoad, -1, {0, options_.most_load},
+            [](Posture& posture, double at) { posture.load = at; });
+    const double reference = without_.reference_temperature;
+    sweep(SignatureVariableKind::kTemperature, -1,
+          {reference - options_.temperatures, reference + options_.temperatures},
+          [](Posture& posture, double at) { posture.temperature = at; });
+    sweep(SignatureVariableKind::kTime, -1, {0, options_.duration},
+          [](Posture& posture, double at) { posture.time = at; });
+    return std::move(best_);
+  }
+
+ private:
+  [[nodiscard]] const Joint<double>& jointOf(int j) const {
+    return without_.rows[static_cast<std::size_t>(active_[static_cast<std::size_t>(j)])].joint;
+  }
+
+  /// In the tool frame, where a base that turns with the first joint does not turn it.
+  [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
+    const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
+    if (without.status != KinematicsStatus::kConverged || with.status != KinematicsStatus::kConverged)
+      return Vector3d::Constant(kNaN);
+    return without.X_BD.R.transpose() * (with.X_BD.p - without.X_BD.p);
+  }
+
+  template <class Set>
+  void sweep(SignatureVariableKind kind, int joint, Range range, Set set) {
+    const int steps = kind == SignatureVariableKind::kDirection ? 1 : options_.steps;
+    Signature found{kind, joint, {}, {}};
+    Matrix3Xd shifts(3, steps + 1);
+    for (int k = 0; k <= steps; ++k) {
+      Posture posture = middle_;
+      found.at.push_back(range.lower + (range.upper - range.lower) * k / steps);
+      set(posture, found.at.back());
+      shifts.col(k) = shiftAt(posture);
+    }
+    take(std::move(found), shifts);
+  }
+
+  [[nodiscard]] double weightOf(const Signature& found) const {
+    using enum SignatureVariableKind;
+    if (found.kind == kLoad) return 1;
+    if (found.kind != kJoint) return kOfCondition;
+    const int row = active_[static_cast<std::size_t>(found.joint)];
+    const Place& place = with_.effects.back().place;
+    return row == place.row || row == place.other ? kOfOwnJoint : 1;
+  }
+
+  /// The axis along which the shifts change most becomes that of the picture.
+  void take(Signature found, const Matrix3Xd& shifts) {
+    Matrix3Xd changes(3, 0);
+    for (Index k = 0; k < shifts.cols(); ++k) {
+      if (!shifts.col(k).allFinite()) continue;
+      changes.conservativeResize(Eigen::NoChange, changes.cols() + 1);
+      changes.rightCols<1>() = shifts.col(k);
+    }
+    if (changes.cols() < 2) return;
+    changes.colwise() -= Vector3d(changes.rowwise().mean());
+    const double change = changes.colwise().norm().maxCoeff(), weighed = change * weightOf(found);
+    if (change <= kOfReach * reachOf(without_) || weighed <= most_change_) return;
+    most_change_ = weighed;
+    const Eigen::JacobiSVD<Matrix3Xd> axes(changes, Eigen::ComputeThinU);
+    const Vector3d axis = axes.matrixU().col(0);
+    for (Index k = 0; k < shifts.cols(); ++k) found.shift.push_back(axis.dot(shifts.col(k)));
+    best_ = std::move(found);
+  }
+
+  const SignatureOptions& options_;
+  Arm without_, with_;
+  std::vector<int> active_;
+  Posture middle_;
+  Signature best_;
+  double most_change_ = 0;
+};
+
+}  // namespace
+
+Signature signatureOf(const Arm& arm, const Effect& effect, const Vector3d& gravity_B,
+                      const SignatureOptions& options) {
+  return Sweeper(arm, effect, gravity_B, options).best();
+}
+
+}  // namespace tubeplan::deflection

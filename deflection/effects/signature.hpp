@@ -1,0 +1,35 @@
+// What an effect does to the tip of an arm, drawn against what it follows: a sine over a joint, two levels over its
+// direction of approach, a step in time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deflection/effects/effect.hpp"
+
+namespace tubeplan::deflection {
+
+enum class SignatureVariableKind { kNone, kJoint, kDirection, kLoad, kTemperature, kTime };
+
+struct SignatureOptions {
+  double most_load = 0;        ///< N, to sweep the load to and, but for that, to hang half of
+  int steps = 60;              ///< between the ends of a sweep
+  double temperatures = 20;    ///< K, to both sides of the arm's reference temperature
+  double duration = 4 * 3600;  ///< s
+};
+
+struct Signature {
+  SignatureVariableKind kind = SignatureVariableKind::kNone;  ///< none: the tip does not move by it
+  int joint = -1;                                             ///< of kJoint and kDirection
+  std::vector<double> at;                                     ///< rad, m, N, K, s, or -1 and 1
+  std::vector<double> shift;  ///< m, along one axis of the tool frame; NaN where the arm does not come to rest
+};
+
+/// The effect alone at half of what a real machine may have, on the arm with its other effects as they are, at one
+/// posture away from its limits; each joint, each direction, load, temperature and time is swept in turn. The sweep
+/// over which the tip's shift in the tool frame changes most is the signature, what is not a joint or is the effect's
+/// own joint before others; its shift is that along the axis of the change.
+[[nodiscard]] Signature signatureOf(const Arm& arm, const Effect& effect, const Eigen::Vector3d& gravity_B,
+                                    const SignatureOptions& options = {});
+
+}  // namespace tubeplan::deflection

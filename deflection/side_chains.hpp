@@ -1,0 +1,84 @@
+// What hangs from a row without leading to the tip: a second arm, a counterweight on a joint of its own.
+//
+// Law: a side chain is rigid, and all that it does is weigh: W at its centre of gravity, in the axes of the row that
+// carries it, by the readings of its own joints.
+// Validity: the chain's own deflection shifts its centre of gravity by little.
+// Source: statics.
+#pragma once
+
+#include <algorithm>
+
+#include "deflection/chain.hpp"
+
+namespace tubeplan::deflection {
+
+/// The joints of all side chains with readings of their own, in file order: that of Posture::side_q.
+template <class S>
+std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
+  std::vector<const Joint<S>*> joints;
+  for (const auto& chain : arm.side_chains)
+    for (const auto& row : chain.rows)
+      if (row.joint.type != JointType::kPassive) joints.push_back(&row.joint);
+  return joints;
+}
+
+/// Readings of those joints where nobody says them: zero, or the limit next to it.
+template <class S>
+Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
+  const auto joints = sideJoints(arm);
+  Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const auto& joint = *joints[static_cast<std::size_t>(k)];
+    q[k] = std::clamp(0., joint.lower, joint.upper);
+  }
+  return q;
+}
+
+/// The weight of a side chain [N] and where it acts, in the axes of the row that carries it. `q` are the readings of
+/// its joints, the first of them at `joint`, which is left at the next chain's.
+template <class S>
+Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q,
+                          Eigen::Index& joint) {
+  S weight(0);
+  Vector3<S> moment = Vector3<S>::Zero(), p = Vector3<S>::Zero();
+  Matrix3<S> R = Matrix3<S>::Identity();
+  const auto hang = [&](const S& size, const Vector3<S>& at) {
+    weight += size;
+    moment += at * size;
+  };
+  for (std::size_t k = 0; k < chain.rows.size(); ++k) {
+    const Row<S>& row = chain.rows[k];
+    p += R * offsetInPreviousAxes<S>(row);
+    R = (R * rotationFromPrevious<S>(row)).eval();
+    if (row.joint.type != JointType::kPassive) {
+      const S reading = q[joint++] + row.joint.offset;
+      if (row.joint.type == JointType::kRevolute) R = (R * rotationZ<S>(reading)).eval();
+      if (row.joint.type == JointType::kPrismatic) p += R.col(2) * reading;
+    }
+    for (const auto& lump : row.weight.lumps) hang(lump.weight, p + R * lump.at);
+    Vector3<S> member = Vector3<S>::Zero();
+    if (k + 1 < chain.rows.size()) member = R * offsetInPreviousAxes<S>(chain.rows[k + 1]);
+    using std::sqrt;
+    if (valueOf(member.squaredNorm()) > 0)
+      hang(row.weight.distributed * sqrt(member.squaredNorm()), p + member * S(0.5));
+    hang(row.weight.end, p + member);
+  }
+  if (valueOf(weight) == 0) return {};
+  return {weight, moment / weight};
+}
+
+/// Hangs the side chains of an arm from the rows of a copy of it.
+template <class S>
+void hangSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& to) {
+  if (arm.side_chains.empty()) return;
+  Eigen::Matrix<S, Eigen::Dynamic, 1> q = posture.side_q;
+  if (q.size() == 0) q = restOfSideChains(arm).template cast<S>();
+  Eigen::Index joint = 0;
+  for (const SideChain<S>& chain : arm.side_chains) {
+    auto& terms = to.rows[static_cast<std::size_t>(chain.row)].effect_terms;
+    if (!terms) terms.emplace();
+    terms->hung.push_back(weightOfSideChain<S>(chain, q, joint));
+  }
+}
+
+}  // namespace tubeplan::deflection
