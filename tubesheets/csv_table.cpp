@@ -35,28 +35,6 @@ std::string unquote(std::string_view quoted) {
   return text;
 }
 
-// Empty when a quote is left open or followed by more text.
-std::optional<std::vector<std::string>> splitLine(std::string_view line) {
-  std::vector<std::string> fields;
-  std::size_t start = 0;
-  while (true) {
-    const std::size_t first = std::min(line.find_first_not_of(" \t", start), line.size());
-    std::size_t search = start;
-    if (first < line.size() && line[first] == '"') {
-      search = findClosingQuote(line, first);
-      if (search == std::string_view::npos) return std::nullopt;
-    }
-    const std::size_t comma = std::min(line.find(',', search), line.size());
-    const std::string_view field = trimBlanks(line.substr(start, comma - start));
-    const bool is_quoted = !field.empty() && field.front() == '"';
-    if (is_quoted && (field.size() < 2 || field.back() != '"' || findClosingQuote(field, 0) != field.size() - 1))
-      return std::nullopt;
-    fields.push_back(is_quoted ? unquote(field) : std::string(field));
-    if (comma == line.size()) return fields;
-    start = comma + 1;
-  }
-}
-
 std::optional<Problem> findHeaderProblem(const std::vector<std::string>& columns, int line) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].empty())
@@ -71,7 +49,7 @@ std::optional<Problem> findHeaderProblem(const std::vector<std::string>& columns
 }
 
 void addLine(CsvTable& table, std::string_view text, int line) {
-  std::optional<std::vector<std::string>> fields = splitLine(text);
+  std::optional<std::vector<std::string>> fields = splitCsvLine(text, ',');
   if (text.find('\0') != std::string_view::npos) {
     table.problem = Problem{"text", "a zero byte", "comma-separated text", "save the table as CSV", line};
   } else if (!fields) {
@@ -94,6 +72,27 @@ std::optional<std::size_t> CsvTable::find(std::string_view column) const {
   const auto found = std::find(columns.begin(), columns.end(), column);
   if (found == columns.end()) return std::nullopt;
   return static_cast<std::size_t>(found - columns.begin());
+}
+
+std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  std::size_t start = 0;
+  while (true) {
+    const std::size_t first = std::min(line.find_first_not_of(separator == '\t' ? " " : " \t", start), line.size());
+    std::size_t search = start;
+    if (first < line.size() && line[first] == '"') {
+      search = findClosingQuote(line, first);
+      if (search == std::string_view::npos) return std::nullopt;
+    }
+    const std::size_t end = std::min(line.find(separator, search), line.size());
+    const std::string_view field = trimBlanks(line.substr(start, end - start));
+    const bool is_quoted = !field.empty() && field.front() == '"';
+    if (is_quoted && (field.size() < 2 || field.back() != '"' || findClosingQuote(field, 0) != field.size() - 1))
+      return std::nullopt;
+    fields.push_back(is_quoted ? unquote(field) : std::string(field));
+    if (end == line.size()) return fields;
+    start = end + 1;
+  }
 }
 
 CsvTable parseCsv(std::string_view text) {

@@ -31,6 +31,9 @@ struct CsvTable {
 /// open quote, a zero byte.
 [[nodiscard]] CsvTable parseCsv(std::string_view text);
 
+/// The fields of one line, trimmed and without their quotes; empty when a quote is left open or followed by more text.
+[[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
+
 /// The whole field as a finite number, or as an integer; empty when it is anything else.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);

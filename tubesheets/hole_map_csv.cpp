@@ -17,7 +17,7 @@ struct Axis {
   LengthUnit unit{"", 0};
 };
 
-std::vector<std::string> knownColumns() {
+std::vector<std::string> holeMapColumns() {
   std::vector<std::string> known{"row", "column"};
   for (const char axis : {'x', 'y'})
     for (const LengthUnit& unit : lengthUnits()) known.push_back(fmt::format("{}_{}", axis, unit.suffix));
@@ -110,7 +110,7 @@ class Reader {
   std::map<std::pair<int, int>, int> lines_;  // where each tube was first named
 };
 
-HoleMap refused(Problem problem) {
+HoleMap refusedMap(Problem problem) {
   HoleMap map;
   map.status = HoleMapStatus::kRefused;
   map.problem = std::move(problem);
@@ -129,15 +129,15 @@ std::string formatHoleMap(const Sheet& sheet, const LengthUnit& unit) {
 
 HoleMap parseHoleMap(std::string_view text) {
   const CsvTable table = parseCsv(text);
-  if (table.problem) return refused(*table.problem);
+  if (table.problem) return refusedMap(*table.problem);
   const auto x = findAxis(table, 'x'), y = findAxis(table, 'y');
   for (const auto* axis : {&x, &y})
-    if (const auto* problem = std::get_if<Problem>(axis)) return refused(*problem);
-  if (const auto problem = findColumnProblem(table, knownColumns())) return refused(*problem);
+    if (const auto* problem = std::get_if<Problem>(axis)) return refusedMap(*problem);
+  if (const auto problem = findColumnProblem(table, holeMapColumns())) return refusedMap(*problem);
   const LengthUnit unit_x = std::get<Axis>(x).unit, unit_y = std::get<Axis>(y).unit;
   if (unit_x.suffix != unit_y.suffix)
-    return refused({"header", fmt::format("x in {} and y in {}", unit_x.suffix, unit_y.suffix), "both in one unit", "",
-                    table.header_line});
+    return refusedMap({"header", fmt::format("x in {} and y in {}", unit_x.suffix, unit_y.suffix), "both in one unit",
+                       "", table.header_line});
   return Reader(table, std::get<Axis>(x), std::get<Axis>(y)).read();
 }
 

@@ -22,7 +22,7 @@ TermChoice keepIf(const std::vector<int>& candidates, Predicate predicate) {
   return choice;
 }
 
-TermChoice refuse(std::string reason) { return {{}, std::move(reason)}; }
+TermChoice refuseTerm(std::string reason) { return {{}, std::move(reason)}; }
 
 // A count from 1; empty when the argument is anything else.
 std::optional<int> parseCount(std::string_view argument) {
@@ -36,7 +36,7 @@ TermChoice chooseAll(const Sheet&, const std::vector<int>& candidates, std::stri
 
 TermChoice chooseOuter(const Sheet& sheet, const std::vector<int>& candidates, std::string_view argument) {
   const std::optional<int> depth = parseCount(argument);
-  if (!depth) return refuse(std::string(kExpectedCount));
+  if (!depth) return refuseTerm(std::string(kExpectedCount));
   const std::vector<int> depths = peelDepths(sheet);
   return keepIf(candidates, [&](int tube) { return depths[tube] > 0 && depths[tube] <= *depth; });
 }
@@ -62,9 +62,9 @@ std::optional<std::vector<double>> parseZone(std::string_view argument) {
 
 TermChoice chooseZone(const Sheet& sheet, const std::vector<int>& candidates, std::string_view argument) {
   const auto zone = parseZone(argument);
-  if (!zone) return refuse("expected zone:X0:X1:Y0:Y1 and a unit, as in zone:-10:10:20:40in (in, mm or m)");
+  if (!zone) return refuseTerm("expected zone:X0:X1:Y0:Y1 and a unit, as in zone:-10:10:20:40in (in, mm or m)");
   const double x0 = (*zone)[0], x1 = (*zone)[1], y0 = (*zone)[2], y1 = (*zone)[3];
-  if (x0 > x1 || y0 > y1) return refuse("the zone runs backwards: expected the smaller number first");
+  if (x0 > x1 || y0 > y1) return refuseTerm("the zone runs backwards: expected the smaller number first");
   TermChoice choice = keepIf(candidates, [&](int tube) {
     const Tube& hole = sheet.tubes[tube];
     return hole.x >= x0 && hole.x <= x1 && hole.y >= y0 && hole.y <= y1;
@@ -75,30 +75,31 @@ TermChoice chooseZone(const Sheet& sheet, const std::vector<int>& candidates, st
 
 TermChoice requireLeg(const Sheet& sheet, const std::vector<int>& candidates, std::string_view argument) {
   const std::optional<Leg> leg = findLeg(argument);
-  if (!leg) return refuse("expected one of " + legNames() + " after the colon");
+  if (!leg) return refuseTerm("expected one of " + legNames() + " after the colon");
   if (*leg != sheet.leg)
-    return refuse(fmt::format("this list is for the {} leg, but the sheet is {}", legName(*leg), legName(sheet.leg)));
+    return refuseTerm(
+        fmt::format("this list is for the {} leg, but the sheet is {}", legName(*leg), legName(sheet.leg)));
   return {candidates, ""};
 }
 
 TermChoice requireSheet(const Sheet& sheet, const std::vector<int>& candidates, std::string_view argument) {
   const std::string fingerprint = sheet.fingerprint();
   if (argument != fingerprint)
-    return refuse(fmt::format("this list is for the sheet {}, but this sheet is {}", argument, fingerprint));
+    return refuseTerm(fmt::format("this list is for the sheet {}, but this sheet is {}", argument, fingerprint));
   return {candidates, ""};
 }
 
 TermChoice thinEvery(const Sheet&, const std::vector<int>& candidates, std::string_view argument) {
   const std::optional<int> k = parseCount(argument);
-  if (!k) return refuse(std::string(kExpectedCount));
+  if (!k) return refuseTerm(std::string(kExpectedCount));
   return {chooseEvery(candidates, *k), ""};
 }
 
 TermChoice thinSpread(const Sheet& sheet, const std::vector<int>& candidates, std::string_view argument) {
   const std::optional<int> count = parseCount(argument);
-  if (!count) return refuse(std::string(kExpectedCount));
+  if (!count) return refuseTerm(std::string(kExpectedCount));
   if (*count > static_cast<int>(candidates.size()))
-    return refuse(fmt::format("asks for {} tubes, but the rest of the list selects {}", *count, candidates.size()));
+    return refuseTerm(fmt::format("asks for {} tubes, but the rest of the list selects {}", *count, candidates.size()));
   return {chooseSpread(sheet, candidates, *count), ""};
 }
 
@@ -151,13 +152,13 @@ TermChoice chooseRange(const Sheet& sheet, const std::vector<int>& candidates, s
   std::string_view rest = range;
   const bool is_understood =
       takeSpan(rest, 'R', rows) && takeSpan(rest, 'C', columns) && rest.empty() && (rows || columns);
-  if (!is_understood) return refuse("expected a range such as R10C20, R1-10C5-9, R10 or C20");
+  if (!is_understood) return refuseTerm("expected a range such as R10C20, R1-10C5-9, R10 or C20");
   const Span row = rows.value_or(Span{1, sheet.rows}), column = columns.value_or(Span{1, sheet.columns});
   const bool is_one_tube = row.first == row.last && column.first == column.last && rows && columns;
   if (is_one_tube && !sheet.indexOf(row.first, column.first))
-    return refuse(explainMissing(sheet, row.first, column.first));
+    return refuseTerm(explainMissing(sheet, row.first, column.first));
   for (const std::string& reason : {explainSpan("row", row, sheet.rows), explainSpan("column", column, sheet.columns)})
-    if (!reason.empty()) return refuse(reason);
+    if (!reason.empty()) return refuseTerm(reason);
   TermChoice choice = keepIf(candidates, [&](int tube) {
     const Tube& hole = sheet.tubes[tube];
     return hole.row >= row.first && hole.row <= row.last && hole.column >= column.first && hole.column <= column.last;

@@ -17,6 +17,8 @@ struct Named {
   Value value;
   std::string_view name;
 };
+template <class Value>
+Named(Value, std::string_view) -> Named<Value>;  // Clang 16 does not find it by itself
 
 constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot")}, Named{Leg::kCold, std::string_view("cold")},
                            Named{Leg::kFull, std::string_view("full")}};

@@ -24,11 +24,11 @@ struct Item {
   [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
 };
 
-Selection refuse(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}}; }
+Selection refuseList(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}}; }
 
-Selection refuse(const Item& item, const std::string& reason) {
-  return refuse(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
-                            item.character, reason));
+Selection refuseList(const Item& item, const std::string& reason) {
+  return refuseList(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
+                                item.character, reason));
 }
 
 std::string knownForms() {
@@ -120,7 +120,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
     for (const Item& item : items) {
       if (item.role() != TermRole::kSource || item.is_minus != minus) continue;
       const TermChoice choice = choose(item, sheet, all);
-      if (!choice.reason.empty()) return refuse(item, choice.reason);
+      if (!choice.reason.empty()) return refuseList(item, choice.reason);
       for (const int tube : choice.tubes) is_selected[tube] = !minus;
     }
   }
@@ -168,21 +168,22 @@ std::string leftOutText(const Sheet& sheet, const Selection& selection) {
 Selection selectTubes(const Sheet& sheet, const std::string& request) {
   const std::vector<Item> items = splitItems(request);
   for (const Item& item : items)
-    if (const std::string fault = findItemFault(item); !fault.empty()) return refuse(item, fault);
+    if (const std::string fault = findItemFault(item); !fault.empty()) return refuseList(item, fault);
   for (const Item& item : items) {
     if (item.role() != TermRole::kGuard) continue;
-    if (const TermChoice choice = choose(item, sheet, {}); !choice.reason.empty()) return refuse(item, choice.reason);
+    if (const TermChoice choice = choose(item, sheet, {}); !choice.reason.empty())
+      return refuseList(item, choice.reason);
   }
   Selection selection = applySources(sheet, items);
   for (const Item& item : items) {
     if (selection.status == SelectionStatus::kRefused) return selection;
     if (item.role() != TermRole::kThinner) continue;
     TermChoice choice = choose(item, sheet, selection.tube_indices);
-    if (!choice.reason.empty()) return refuse(item, choice.reason);
+    if (!choice.reason.empty()) return refuseList(item, choice.reason);
     selection.tube_indices = std::move(choice.tubes);
   }
   if (selection.status == SelectionStatus::kSelected && selection.tube_indices.empty())
-    return refuse(fmt::format("\"{}\" selects no tube of this sheet{}", request, besides(sheet, selection)));
+    return refuseList(fmt::format("\"{}\" selects no tube of this sheet{}", request, besides(sheet, selection)));
   return selection;
 }
 
@@ -193,14 +194,14 @@ std::string spreadRequest(const Sheet& sheet, std::size_t most) {
 
 Selection selectTubes(const Sheet& sheet, const WorkList& list) {
   if (list.status != WorkListStatus::kRead)
-    return refuse(list.problem ? list.problem->sentence() : "the work list has not been read");
+    return refuseList(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
   Selection selection{SelectionStatus::kSelected, "", {}, {}, {}};
   for (const WorkListItem& item : list.items) {
     std::string fault = findListFault(item, sheet);
     if (!item.sheet.empty() && item.sheet != fingerprint)
       fault = fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
-    if (!fault.empty()) return refuse(fmt::format("line {}: {}", item.line, fault));
+    if (!fault.empty()) return refuseList(fmt::format("line {}: {}", item.line, fault));
     const int tube = *sheet.indexOf(item.row, item.column);
     if (takesNoTool(item.state.value_or(sheet.tubes[static_cast<std::size_t>(tube)].state))) {
       selection.left_out.push_back(tube);
@@ -211,8 +212,8 @@ Selection selectTubes(const Sheet& sheet, const WorkList& list) {
   }
   std::sort(selection.tube_indices.begin(), selection.tube_indices.end());
   const auto repeated = std::unique(selection.tube_indices.begin(), selection.tube_indices.end());
-  if (repeated != selection.tube_indices.end()) return refuse("the work list names a tube twice");
-  if (selection.tube_indices.empty()) return refuse("the work list names no tube" + besides(sheet, selection));
+  if (repeated != selection.tube_indices.end()) return refuseList("the work list names a tube twice");
+  if (selection.tube_indices.empty()) return refuseList("the work list names no tube" + besides(sheet, selection));
   return selection;
 }
 

@@ -10,14 +10,14 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-const std::vector<std::string>& knownColumns() {
+const std::vector<std::string>& workListColumns() {
   static const std::vector<std::string> known{"row",  "column", "leg",      "sheet",   "sg",     "zone",
                                               "tool", "state",  "x_in",     "y_in",    "x_mm",   "y_mm",
                                               "x_m",  "y_m",    "priority", "comment", "dwell_s"};
   return known;
 }
 
-WorkList refused(Problem problem) { return {WorkListStatus::kRefused, std::move(problem), {}}; }
+WorkList refusedList(Problem problem) { return {WorkListStatus::kRefused, std::move(problem), {}}; }
 
 std::string fieldOf(const CsvTable& table, const CsvRow& row, std::string_view column) {
   const auto place = table.find(column);
@@ -42,34 +42,35 @@ std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem
 
 WorkList parseWorkListCsv(std::string_view text) {
   const CsvTable table = parseCsv(text);
-  if (table.problem) return refused(*table.problem);
-  if (const auto problem = findColumnProblem(table, knownColumns())) return refused(*problem);
+  if (table.problem) return refusedList(*table.problem);
+  if (const auto problem = findColumnProblem(table, workListColumns())) return refusedList(*problem);
   WorkList list{WorkListStatus::kRead, std::nullopt, {}};
   std::map<std::pair<int, int>, int> lines;
   for (const CsvRow& row : table.rows) {
     const TubeNumbers numbers = parseTubeNumbers(table, row);
-    if (numbers.problem) return refused(*numbers.problem);
+    if (numbers.problem) return refusedList(*numbers.problem);
     const std::string leg = fieldOf(table, row, "leg");
     WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}, {}};
     if (const std::string dwell = fieldOf(table, row, "dwell_s"); !dwell.empty()) {
       item.dwell = parseNumber(dwell);
       if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
-        return refused({"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
+        return refusedList({"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
     }
     if (const std::string state = fieldOf(table, row, "state"); !state.empty()) {
       item.state = findTubeState(state);
-      if (!item.state) return refused({"state", "\"" + state + "\"", "one of " + tubeStateNames(), "", row.line});
+      if (!item.state) return refusedList({"state", "\"" + state + "\"", "one of " + tubeStateNames(), "", row.line});
     }
-    if (!leg.empty() && !item.leg) return refused({"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
+    if (!leg.empty() && !item.leg) return refusedList({"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
     const auto [first, is_new] = lines.try_emplace({item.row, item.column}, item.line);
     if (!is_new)
-      return refused({tubeName(item.row, item.column), fmt::format("a second time (first on line {})", first->second),
-                      "every tube once", "remove one of the lines", item.line});
+      return refusedList({tubeName(item.row, item.column),
+                          fmt::format("a second time (first on line {})", first->second), "every tube once",
+                          "remove one of the lines", item.line});
     list.items.push_back(item);
-    if (const auto problem = findOddLine(list.items.front(), item)) return refused(*problem);
+    if (const auto problem = findOddLine(list.items.front(), item)) return refusedList(*problem);
   }
   if (list.items.empty())
-    return refused({"text", "no tubes", "at least one line below the header", "", table.header_line});
+    return refusedList({"text", "no tubes", "at least one line below the header", "", table.header_line});
   return list;
 }
 
