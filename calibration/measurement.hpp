@@ -20,9 +20,16 @@ enum class MeasurementKind {
   kOrientation,  ///< own is the tool frame's roll, pitch, yaw in the world [rad]
   kPose,         ///< kPosition and kOrientation in one
   kOffset,       ///< p_W is a hole or mark, own its centre from the tip along the tool frame's axes [m]
-  kTilt,         ///< own is how far the tool frame's axes rise above the horizontal [rad]
+  kTilt,         ///< own is how far the axes of the tool frame, or of a row's, rise above the horizontal [rad]
   kSteps,        ///< p_W is a hole, own how many steps of the tool went in, and what that says of the centring error
   kRelative,     ///< p_W is the way that the tip has come from where it was at `reference`, or own[0] its length [m]
+};
+
+/// Forces and moments on the tip, in the world's axes.
+struct TipWrench {
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< N m, about the tip
+  bool operator==(const TipWrench&) const = default;
 };
 
 struct Measurement {
@@ -32,17 +39,22 @@ struct Measurement {
       point;  ///< readings of kind touch with the same point touched the same place; may be empty for other kinds
   std::string setup;  ///< readings with the same set-up share a base pose; empty where there is one for all
   double load = 0;    ///< N, hung from the tip
-  Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows, rad (m for a prismatic joint)
+  std::optional<TipWrench> wrench;  ///< beside that load: what pushes, pulls or twists the tool
+  Eigen::VectorXd q;       ///< joint readings in the order of the arm's active rows, rad (m for a prismatic joint)
+  Eigen::VectorXd side_q;  ///< the same of the side chains' joints, in their order (deflection/side_chains.hpp)
   std::optional<Eigen::Vector3d> p_W;            ///< m, in the world frame
   std::optional<Eigen::Vector3d> direction_W;    ///< a unit vector, of kinds that measure along one
   std::shared_ptr<const Measurement> reference;  ///< the reading whose tip this one is taken from; none of most kinds
   std::optional<Eigen::Vector3d> p_TQ;  ///< m, the measured point from the tip in the tool frame; none: the tip itself
+  std::optional<int> row;  ///< of the arm, whose frame as deflected is read, of kinds that may; none: the tool's
   /// Numbers of its kind's own columns, in their order; NaN = not stated.
   Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< rad, one standard deviation of a measured angle
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, one standard deviation of each measured coordinate;
                                                             ///< NaN = not stated
   std::optional<Eigen::Vector3d> sigma_W;                   ///< m, the same of x, y and z apart, where they differ
+  std::optional<Eigen::Vector3d> correlation_W;  ///< of x with y, x with z, y with z; only beside sigma_W. None: no two
+                                                 ///< of them have errors in common
   std::vector<int> approach_directions;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN = not stated
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN = not stated

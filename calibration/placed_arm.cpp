@@ -6,6 +6,7 @@
 
 #include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
+#include "deflection/weights.hpp"
 
 namespace tubeplan::calibration {
 
@@ -19,12 +20,9 @@ constexpr double kSoftest = 100;       // ... or give that often what it may wel
 constexpr double kNearlyRigid = 1e-5;  // rad under the arm's whole weight at its reach: the start of a rigid axis
 constexpr double kMayGive = 0.02;      // rad under the same: what a rigid axis may typically turn out to give
 
-double weightOf(const deflection::Arm& arm) {
-  double weight = 0;
-  for (const auto& row : arm.rows) {
-    weight += row.weight.end + row.weight.distributed * deflection::reachOf(arm) / static_cast<double>(arm.rows.size());
-    for (const auto& lump : row.weight.lumps) weight += lump.weight;
-  }
+/// N; of an arm whose weight is not stated, that of one a person lifts with difficulty.
+double usualWeightOf(const deflection::Arm& arm) {
+  const double weight = deflection::weightOf(arm);
   return weight > 0 ? weight : 100;
 }
 
@@ -41,9 +39,9 @@ double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
     case Quantity::kAngle:
       return 0.02;
     case Quantity::kForce:
-      return 0.1 * weightOf(arm);
+      return 0.1 * usualWeightOf(arm);
     case Quantity::kForcePerLength:
-      return 0.1 * weightOf(arm) / deflection::reachOf(arm);
+      return 0.1 * usualWeightOf(arm) / deflection::reachOf(arm);
     default:
       return isStiffness(parameter.quantity) ? 1 : std::max(0.1 * std::abs(parameter.value), 1e-3);
   }
@@ -62,7 +60,7 @@ double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) 
 /// The change of a stiffness's inverse by which its part gives what a part may well give under the arm's weight, or
 /// all that it is drawn to give. Not the start alone: that may be far too stiff, and what is told must not hang on it.
 double typicalCompliance(const Parameter& parameter, const deflection::Arm& arm) {
-  const double moment = weightOf(arm) * deflection::reachOf(arm);
+  const double moment = usualWeightOf(arm) * deflection::reachOf(arm);
   const double of_angle = kMayGive / moment * angleStiffnessOf(parameter, arm);
   return std::isfinite(of_angle) ? std::max(1 / parameter.value, of_angle) : 1 / parameter.value;
 }
@@ -130,7 +128,7 @@ bool soften(deflection::Arm& arm, const std::string& name) {
     if (row.name != name.substr(0, dot)) continue;
     auto& stiffness = row.joint_stiffness[static_cast<Eigen::Index>(axis)];
     if (std::isfinite(stiffness)) return false;
-    stiffness = weightOf(arm) * deflection::reachOf(arm) / kNearlyRigid;
+    stiffness = usualWeightOf(arm) * deflection::reachOf(arm) / kNearlyRigid;
     return true;
   }
   return false;

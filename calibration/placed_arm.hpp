@@ -56,6 +56,11 @@ struct Unknown {
   double lower = 0, upper = 0;  ///< of the variable x (0 at the start)
 };
 
+/// The variables at their start.
+[[nodiscard]] inline Eigen::VectorXd zerosOf(const std::vector<Unknown>& unknowns) {
+  return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()));
+}
+
 /// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
 /// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; all others a weak one,
 /// a multiple of what a number may well be off by (Unknown::typical), which data soon outweigh.

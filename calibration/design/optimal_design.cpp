@@ -4,11 +4,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
 #include <cassert>
 #include <cmath>
 #include <numeric>
+
+#include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {
 
@@ -160,7 +160,7 @@ std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& o
 }
 
 /// What one more reading did to the covariance.
-DesignStep describe(int candidate, const DesignProblem& problem, const MatrixXd& before, const MatrixXd& after) {
+DesignStep designStep(int candidate, const DesignProblem& problem, const MatrixXd& before, const MatrixXd& after) {
   DesignStep step;
   step.candidate = candidate;
   const MatrixXd& H = problem.candidates[static_cast<std::size_t>(candidate)];
@@ -178,7 +178,7 @@ DesignStep describe(int candidate, const DesignProblem& problem, const MatrixXd&
 void take(Choice& choice, int candidate, const DesignProblem& problem, Design& design) {
   const MatrixXd before = choice.covariance();
   choice.add(candidate);
-  design.steps.push_back(describe(candidate, problem, before, choice.covariance()));
+  design.steps.push_back(designStep(candidate, problem, before, choice.covariance()));
 }
 
 }  // namespace
@@ -215,15 +215,12 @@ Design judgeReadings(const DesignProblem& problem, const std::vector<int>& chose
 
 std::vector<std::vector<int>> drawChoices(int candidates, int count, int draws, std::uint64_t seed) {
   assert(count <= candidates);
-  boost::random::mt19937_64 random(seed);
+  RandomStream random(seed);
   std::vector<std::vector<int>> choices;
   for (int d = 0; d < draws; ++d) {
     std::vector<int> all(static_cast<std::size_t>(candidates));
     std::iota(all.begin(), all.end(), 0);
-    for (int k = 0; k < count; ++k) {
-      boost::random::uniform_int_distribution<int> rest(k, candidates - 1);
-      std::swap(all[static_cast<std::size_t>(k)], all[static_cast<std::size_t>(rest(random))]);
-    }
+    random.choose(all, static_cast<std::size_t>(count));
     all.resize(static_cast<std::size_t>(count));
     choices.push_back(std::move(all));
   }

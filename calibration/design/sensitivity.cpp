@@ -17,9 +17,9 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kStep = 1e-3;  // of a number's value, for the one difference quotient
+constexpr double kNumberStep = 1e-3;  // of a number's value, for the one difference quotient
 
-NumberKind kindOf(Quantity quantity) {
+NumberKind numberKindOf(Quantity quantity) {
   switch (quantity) {
     case Quantity::kTorquePerAngle:
     case Quantity::kPressure:
@@ -144,7 +144,7 @@ void addUncompensated(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                       std::vector<NumberSensitivity>& numbers) {
   tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t n) {
     const auto& parameter = numbers[n].parameter;
-    const double step = kStep * std::abs(parameter.value);
+    const double step = kNumberStep * std::abs(parameter.value);
     if (step == 0) return;
     deflection::Arm more = arm, less = arm;
     deflection::locate(more, parameter.path) += step;
@@ -203,7 +203,7 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
     request.numbers.push_back(deflection::Variable::number(parameter.path));
     result.numbers.emplace_back();
     result.numbers.back().parameter = parameter;
-    result.numbers.back().kind = kindOf(parameter.quantity);
+    result.numbers.back().kind = numberKindOf(parameter.quantity);
   }
   const Tips work = tipsAt(arm, X_WB, task.work, task.load, request);
   const Tips touches = tipsAt(arm, X_WB, task.touches, 0, request);

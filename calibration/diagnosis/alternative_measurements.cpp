@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "calibration/measurements/reading_prediction.hpp"
+#include "deflection/weights.hpp"
 
 namespace tubeplan::calibration {
 
@@ -19,7 +20,7 @@ constexpr std::size_t kMostCandidates = 24;
 constexpr double kWarmer = 10;                         // K
 constexpr double kTilt = 20 * std::numbers::pi / 180;  // rad, of another set-up
 constexpr double kUnknownLoad = 0.25;                  // of the arm's weight, where no load was hung yet
-constexpr double kStep = 1e-3;                         // of an unknown's sigma, for a difference quotient
+constexpr double kSigmaStep = 1e-3;                    // of an unknown's sigma, for a difference quotient
 
 std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& candidates) {
   std::vector<ReadingCandidate> some;
@@ -41,15 +42,6 @@ std::vector<ReadingCandidate> changed(std::vector<ReadingCandidate> candidates, 
   for (auto& candidate : candidates)
     for (auto& reading : candidate.readings) change(reading);
   return candidates;
-}
-
-double armWeight(const deflection::Arm& arm) {
-  double weight = 0;
-  for (const auto& row : arm.rows) {
-    weight += row.weight.end;
-    for (const auto& lump : row.weight.lumps) weight += lump.weight;
-  }
-  return weight;
 }
 
 /// The rivals with the base placed once more, leaning: where it then stands is six unknowns more.
@@ -101,7 +93,7 @@ FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading
   forecast.sensitivity = MatrixXd::Zero(forecast.value.size(), n);
   for (Index k = 0; k < n; ++k) {
     const Unknown& unknown = model.unknowns[static_cast<std::size_t>(k)];
-    double step = kStep * std::sqrt(rival.covariance(k, k)) * unknown.typical;
+    double step = kSigmaStep * std::sqrt(rival.covariance(k, k)) * unknown.typical;
     if (step > unknown.upper) step = -step;
     VectorXd x = VectorXd::Zero(n);
     x[k] = step;
@@ -197,7 +189,8 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
     };
     double heaviest = 0;
     for (const auto& reading : readings) heaviest = std::max(heaviest, reading.load);
-    const double load = heaviest > 0 ? 2 * heaviest : kUnknownLoad * armWeight(rivals.front().model.placed.arm);
+    const double load =
+        heaviest > 0 ? 2 * heaviest : kUnknownLoad * deflection::weightOf(rivals.front().model.placed.arm);
     attempt(heaviest > 0 ? "hang a load twice as heavy" : "hang a load on the tip", rivals,
             changed(some, [&](Measurement& reading) { reading.load = load; }));
     const double reference = rivals.front().model.placed.arm.reference_temperature;

@@ -16,20 +16,22 @@ constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawin
 constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
 constexpr double kAlikeShare = 0.3;  // of a kind's odds: that it acts at all joints rather than at one
 
-const EffectKind& kindOf(const Cause& cause) {
+const EffectKind& effectKindOf(const Cause& cause) {
   return deflection::effectKinds()[static_cast<std::size_t>(cause.effects.front().kind)];
 }
 
 bool hasWeights(const deflection::Arm& arm) {
-  return std::any_of(arm.rows.begin(), arm.rows.end(), [](const auto& row) {
+  const auto weighs = [](const auto& row) {
     return row.weight.distributed > 0 || row.weight.end > 0 || !row.weight.lumps.empty();
-  });
+  };
+  return std::any_of(arm.rows.begin(), arm.rows.end(), weighs) || !arm.side_chains.empty();
 }
 
 /// What the readings and the arm lack for an effect to be seen; empty where nothing.
 std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std::vector<Measurement>& readings) {
   const auto any = [&](auto&& holds) { return std::any_of(readings.begin(), readings.end(), holds); };
   const bool has_load = any([](const Measurement& m) { return m.load > 0; });
+  const bool is_loaded = has_load || any([](const Measurement& m) { return m.wrench.has_value(); });
   if (kind.needs.approach_directions && !any([](const Measurement& m) {
         return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
       }))
@@ -39,7 +41,7 @@ std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std
   if (kind.needs.time && !any([](const Measurement& m) { return std::isfinite(m.time); }))
     return "the readings do not say the time";
   if (kind.needs.load && !has_load) return "no reading is under a load";
-  if (kind.needs.moments && !has_load && !hasWeights(arm))
+  if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";
   if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances say it";
   return "";
@@ -86,7 +88,7 @@ std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
 std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings,
                              const CauseOptions& options) {
   if (cause.shape < 0) return {0};
-  const auto& parameter = kindOf(cause).parameters[static_cast<std::size_t>(cause.shape)];
+  const auto& parameter = effectKindOf(cause).parameters[static_cast<std::size_t>(cause.shape)];
   if (parameter.quantity == Quantity::kTorque)
     return quantiles(momentsAt(placed, readings, cause.effects.front().place), options.knee_levels, 0.04, 0.9);
   if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), options.time_levels, 0.05, 0.95);
@@ -194,7 +196,7 @@ bool overlap(const Cause& a, const Cause& b) {
 
 bool isStep(const Cause& cause) {
   return cause.shape >= 0 &&
-         kindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
+         effectKindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
 }
 
 namespace {

@@ -70,7 +70,7 @@ std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result
 }
 
 /// The models that compete, by their linear evidence; none where no verdict is possible.
-void compare(Answer& answer) {
+void weighModels(Answer& answer) {
   Diagnosis& result = answer.result;
   result.reason = inconclusiveSince(answer.work, result);
   if (!result.reason.empty()) {
@@ -126,7 +126,7 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
     return found;
   }
   describeBaseline(found.work, found.result);
-  compare(found);
+  weighModels(found);
   return found;
 }
 
@@ -216,7 +216,7 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-std::vector<Measurement> without(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
+std::vector<Measurement> withoutSetAside(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
   for (auto at = set_aside.rbegin(); at != set_aside.rend(); ++at) readings.erase(readings.begin() + *at);
   return readings;
 }
@@ -289,7 +289,7 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
   // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before
   // setting some aside.
   const auto set_aside = withOrphans(outliers, readings);
-  Identification rest = fitBaseline(start, without(readings, set_aside), options);
+  Identification rest = fitBaseline(start, withoutSetAside(readings, set_aside), options);
   if (rest.status == IdentificationStatus::kRefused) return concluded(std::move(whole), readings);
   Answer fewer = compareAll(std::move(rest), readings, set_aside, options);
   const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);

@@ -30,7 +30,7 @@ WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
 }
 
-std::optional<ToolPose> toolOf(const DiagnosisBasis& basis, const Measurement& reading) {
+std::optional<ToolPose> predictedTool(const DiagnosisBasis& basis, const Measurement& reading) {
   const auto base_pose = static_cast<std::size_t>(basePoseOf(basis.fitted, reading));
   return toolAt(basis.fitted.arm, basis.fitted.base_poses[base_pose].X_WB, reading);
 }
@@ -41,8 +41,8 @@ Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const std::optional<
   if (!residual.ok || !tool) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Measurement& reading = basis.readings[k];
   ToolPose seen = *tool;
-  if (reading.reference)
-    if (const auto from = toolOf(basis, *reading.reference)) seen.p_W -= from->p_W;
+  if (const Measurement* reference = referenceOf(reading))
+    if (const auto from = predictedTool(basis, *reference)) seen.p_W -= from->p_W;
   const Index row = basis.weights.first_row[k];
   return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
 }
@@ -55,7 +55,7 @@ std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::ve
   for (std::size_t k = 0; k < basis.readings.size(); ++k) {
     ReadingView view;
     view.reading = given[k];
-    const auto tool = toolOf(basis, basis.readings[k]);
+    const auto tool = predictedTool(basis, basis.readings[k]);
     view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     view.before = missAt(basis, k, tool, basis.residual);
     for (const auto& residual : after) view.after.push_back(missAt(basis, k, tool, residual));
@@ -88,8 +88,8 @@ bool isKept(std::size_t k, double share) {
   return turn - std::floor(turn) < share;
 }
 
-std::vector<AddedVariablePoint> pointsOf(const DiagnosisBasis& basis, const std::vector<int>& given,
-                                         const VectorXd& signature, const VectorXd& left, int most_points) {
+std::vector<AddedVariablePoint> addedPointsOf(const DiagnosisBasis& basis, const std::vector<int>& given,
+                                              const VectorXd& signature, const VectorXd& left, int most_points) {
   // A little fewer than allowed: the even spread is exact to a few readings only.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
@@ -123,7 +123,7 @@ void addVariables(const DiagnosisBasis& basis, const Explanation& explanation, i
     variable.length = signature.norm();
     variable.kept_fraction = variable.length / std::max(1e-300, signatures[e].norm());
     if (variable.length > 0) variable.slope = signature.dot(left) / signature.squaredNorm();
-    variable.points = pointsOf(basis, given, signature, left, most_points);
+    variable.points = addedPointsOf(basis, given, signature, left, most_points);
     added.push_back(std::move(variable));
   }
 }

@@ -8,9 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
-#include "deflection/rotation.hpp"
+#include "calibration/diagnosis/discrepancy_motion.hpp"
 
 namespace tubeplan::calibration {
 
@@ -246,26 +244,12 @@ class TermMaker {
   std::vector<DiscrepancyTerm> terms_;
 };
 
-/// How a reading's rows move [m] with each channel: a joint's reading [rad, m], a shift along the tool's axes, of the
-/// base, a turn of the base [rad]. Empty where the shape does not converge.
-MatrixXd displacementsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
-  const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-  PredictionRequest request;
-  request.by_joints = true;
-  const Prediction prediction = predictor.predict(X_WB, reading, request);
-  if (!prediction.ok) return {};
-  const Index joints = reading.q.size();
-  MatrixXd displacements = MatrixXd::Zero(prediction.by_joints.rows(), joints + 9);
-  displacements.leftCols(joints) = prediction.by_joints.leftCols(joints);
-  if (kindOf(reading).is_displacement) return displacements;
-  const auto tool = toolAt(placed.arm, X_WB, reading);
-  if (!tool) return {};
-  const MeasuredSlope slope = predictedSlope(reading, *tool);
-  displacements.middleCols(joints, 3) = slope.by_place * tool->R_WT;
-  displacements.middleCols(joints + 3, 3) = slope.by_place;
-  displacements.rightCols(3) = -slope.by_place * deflection::crossMatrix<double>(tool->p_W - X_WB.translation());
-  if (slope.by_turn.size()) displacements.rightCols(3) += slope.by_turn;
-  return displacements;
+/// What a term of size 1 makes of the reading's rows [m].
+VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& term) {
+  VectorXd column = motions.front().displacements.col(term.channel) * term.function(motions.front().at);
+  for (std::size_t k = 1; k < motions.size(); ++k)
+    column += motions[k].displacements.col(term.channel) * term.function(motions[k].at);
+  return column;
 }
 
 /// Scales every term to its share of an error of 1 m.
@@ -276,13 +260,11 @@ void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& reading
   ReadingPredictor predictor(placed.arm);
   const std::size_t step = std::max<std::size_t>(1, readings.size() / kReadingsForScale);
   for (std::size_t k = 0; k < readings.size(); k += step) {
-    const MatrixXd displacements = displacementsOf(predictor, placed, readings[k]);
-    if (displacements.size() == 0) continue;
+    const auto motions = motionsOf(predictor, placed, readings[k]);
+    if (motions.empty()) continue;
     ++count;
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      const double value = terms[t].function(readings[k]);
-      squares[static_cast<Index>(t)] += value * value * displacements.col(terms[t].channel).squaredNorm();
-    }
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      squares[static_cast<Index>(t)] += columnOf(motions, terms[t]).squaredNorm();
   }
   double total = 0;
   for (std::size_t t = 0; t < terms.size(); ++t)
@@ -316,16 +298,15 @@ MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& readings, const 
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings.size(), 16), [&](const auto& range) {
     ReadingPredictor predictor(placed_.arm);
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      const MatrixXd displacements = displacementsOf(predictor, placed_, readings[k]);
-      if (displacements.size() == 0) {
+      auto motions = motionsOf(predictor, placed_, readings[k]);
+      if (motions.empty()) {
         ok = false;
         return;
       }
-      const MatrixXd whitened = weights.whitener[k] * displacements;
-      auto rows = columns.middleRows(weights.first_row[k], whitened.rows());
+      for (Motion& motion : motions) motion.displacements = (weights.whitener[k] * motion.displacements).eval();
+      auto rows = columns.middleRows(weights.first_row[k], motions.front().displacements.rows());
       for (std::size_t t = 0; t < terms_.size(); ++t)
-        rows.col(static_cast<Index>(t)) =
-            whitened.col(terms_[t].channel) * (terms_[t].scale * terms_[t].function(readings[k]));
+        rows.col(static_cast<Index>(t)) = terms_[t].scale * columnOf(motions, terms_[t]);
     }
   });
   if (!ok) return {};

@@ -5,7 +5,8 @@
 // The process is a sum of a few functions with independent normal weights. Each is an error of one joint's reading, a
 // shift of the tip in the tool's frame, a shift or a turn of the base, times a smooth function of what the readings
 // state: waves and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the
-// unknown against causes that have names; it never names one.
+// unknown against causes that have names; it never names one. Of a displacement, from another reading or from where the
+// tip rests unloaded, it is the difference of the functions at both postures.
 #pragma once
 
 #include <Eigen/Core>

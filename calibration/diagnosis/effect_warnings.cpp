@@ -28,7 +28,7 @@ struct Case {
   const EffectWarningOptions& limits;
 };
 
-const deflection::EffectKind& kindOf(const deflection::Effect& effect) {
+const deflection::EffectKind& effectKindOf(const deflection::Effect& effect) {
   return deflection::effectKinds()[static_cast<std::size_t>(effect.kind)];
 }
 
@@ -53,7 +53,7 @@ PlacedArm withoutEffect(PlacedArm placed, int effect) {
 }
 
 /// The free names that are not the effect's.
-std::vector<std::string> otherNames(const deflection::Arm& arm, const std::vector<std::string>& names, int effect) {
+std::vector<std::string> namesOfOthers(const deflection::Arm& arm, const std::vector<std::string>& names, int effect) {
   std::vector<std::string> others;
   for (const auto& name : names) {
     const auto parameter = deflection::findParameter(arm, name);
@@ -80,7 +80,7 @@ Without asItStands(const PlacedArm& placed, const std::vector<Measurement>& read
 Without fitWithout(const Case& c, int effect) {
   const PlacedArm bare = withoutEffect(c.start, effect);
   IdentificationOptions options = c.options;
-  options.free.names = otherNames(c.start.arm, c.options.free.names, effect);
+  options.free.names = namesOfOthers(c.start.arm, c.options.free.names, effect);
   options.intervals_by_profile = false;
   options.drop_level = 0;
   const bool places = options.free.base && std::any_of(bare.base_poses.begin(), bare.base_poses.end(),
@@ -114,7 +114,7 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   EffectWarning warning;
   warning.kind = kind;
-  warning.effect = kindOf(carried).name;
+  warning.effect = effectKindOf(carried).name;
   const std::string text = deflection::textOf(c.start.arm, carried);
   warning.at = text.substr(text.find('@') + 1);
   return warning;
@@ -164,7 +164,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   DiagnosisOptions bare = options;
   bare.most_causes = 1;  // that stand in its place, one for one
   bare.most_leaders = kRivals;
-  bare.baseline.free.names = otherNames(c.start.arm, options.baseline.free.names, effect);
+  bare.baseline.free.names = namesOfOthers(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
   const auto models =
       competingExplanations(withoutEffect(c.start, effect), c.readings, bare, warning.effect, warning.at);

@@ -12,8 +12,6 @@ namespace {
 
 constexpr int kRefitIterations = 6;
 
-VectorXd zerosOf(const std::vector<Unknown>& unknowns) { return VectorXd::Zero(static_cast<Index>(unknowns.size())); }
-
 /// The numbers of the effects that an explanation adds, as its arm carries them, 0 where they stand.
 void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
   for (std::size_t v = 0; v < found.numbers.size(); ++v) {

@@ -12,8 +12,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kLeastShare = 0.05;
-constexpr double kAbsorbed = 1e-4;  // kept length of a signature below which nothing is left of it
+constexpr double kLeastOverlap = 0.05;
+constexpr double kLeastKept = 1e-4;  // kept length of a signature below which nothing is left of it
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   std::vector<Unknown> unknowns;
@@ -66,14 +66,14 @@ std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, con
     for (int level = 0; level < static_cast<int>(cause.levels.size()); ++level) {
       const MatrixXd own = at.columns(Eigen::all, at.signatures.columnsOf(static_cast<int>(c), level));
       const MatrixXd columns = without(others, own);
-      if (!(columns.norm() > kAbsorbed * own.norm())) continue;
+      if (!(columns.norm() > kLeastKept * own.norm())) continue;
       const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
       const auto same = std::find_if(shares.begin(), shares.end(), [&](const EffectShare& s) {
         return s.effect == cause.effect && s.at == cause.at;
       });
       if (same != shares.end())
         same->share = std::max(same->share, share);
-      else if (share > kLeastShare)
+      else if (share > kLeastOverlap)
         shares.push_back({cause.effect, cause.at, share});
     }
   }
@@ -93,7 +93,7 @@ FormulaOverlap overlapOf(const Setting& at, int effect) {
   if (signature.cols() == 0 || signature.norm() == 0) return overlap;
   const MatrixXd left = without(Q, signature);
   overlap.absorbed = std::clamp(1 - left.squaredNorm() / signature.squaredNorm(), 0., 1.);
-  if (left.norm() > kAbsorbed * signature.norm()) overlap.shares = sharesOf(at, Q, left);
+  if (left.norm() > kLeastKept * signature.norm()) overlap.shares = sharesOf(at, Q, left);
   return overlap;
 }
 

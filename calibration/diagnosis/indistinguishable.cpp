@@ -2,13 +2,12 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -29,24 +28,27 @@ double medianSigma(const std::vector<Measurement>& readings) {
 }  // namespace
 
 std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uint64_t seed) {
-  boost::random::mt19937_64 random(seed);
-  boost::random::uniform_01<double> unit;
+  RandomStream random(seed);
   const auto& arm = basis.fitted.arm;
   const auto active = deflection::activeRows(arm);
   double heaviest = 0;
   for (const auto& reading : basis.readings) heaviest = std::max(heaviest, reading.load);
   std::vector<Measurement> all;
   for (int posture = 0; posture < kPostures; ++posture) {
-    Measurement m = basis.readings[static_cast<std::size_t>(unit(random) * static_cast<double>(basis.readings.size()))];
+    Measurement m =
+        basis.readings[static_cast<std::size_t>(random.uniform(0, 1) * static_cast<double>(basis.readings.size()))];
     m.kind = MeasurementKind::kPosition;
     m.p_W = Eigen::Vector3d::Zero();
+    m.row.reset();
     m.sigma = medianSigma(basis.readings);
+    m.sigma_W.reset();
+    m.correlation_W.reset();
     for (std::size_t j = 0; j < active.size(); ++j) {
       const auto& joint = arm.rows[static_cast<std::size_t>(active[j])].joint;
       const double low = std::isfinite(joint.lower) ? joint.lower : -std::numbers::pi;
       const double high = std::isfinite(joint.upper) ? joint.upper : std::numbers::pi;
-      m.q[static_cast<Index>(j)] = low + (high - low) * unit(random);
-      if (!m.approach_directions.empty()) m.approach_directions[j] = unit(random) < 0.5 ? -1 : 1;
+      m.q[static_cast<Index>(j)] = random.uniform(low, high);
+      if (!m.approach_directions.empty()) m.approach_directions[j] = random.uniform(0, 1) < 0.5 ? -1 : 1;
     }
     m.load = 0;
     all.push_back(m);

@@ -17,12 +17,12 @@ namespace {
 
 constexpr Index kMostAxes = 120;     // of the discrepancy: those along which it is large
 constexpr double kLeastAxis = 1e-5;  // of the discrepancy's variance, that is left out
-constexpr double kAbsorbed = 1e-8;   // squared share of a column's length below which only rounding is left of it
+constexpr double kLeastLeft = 1e-8;  // squared share of a column's length below which only rounding is left of it
 constexpr Index kPanel = 64;         // columns that are multiplied at once
 constexpr Index kRowsAtOnce = 4096;  // that are copied to be multiplied
 constexpr double kSmallest = 1e-300;
 
-double logSum(const std::vector<double>& logs) {
+double logOfSum(const std::vector<double>& logs) {
   const double most = *std::max_element(logs.begin(), logs.end());
   if (!std::isfinite(most)) return most;
   double sum = 0;
@@ -124,7 +124,7 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
   // What the fitted numbers absorb but for rounding is nothing.
   std::vector<Index> absorbed;
   for (Index c = 0; c < s; ++c)
-    if (!(S_y_(c, c) > kAbsorbed * length_[c] * length_[c])) absorbed.push_back(c);
+    if (!(S_y_(c, c) > kLeastLeft * length_[c] * length_[c])) absorbed.push_back(c);
   MatrixXd Z_S_y(z, s + 1);
   Z_S_y << K.block(n + s, n, z, s), K.block(n + s, n + s + z, z, 1);
   for (const Index c : absorbed) {
@@ -236,9 +236,9 @@ Evidence LinearEvidence::of(const std::vector<PriorSize>& causes, std::optional<
       evidence.sigma = solution.sigma;
     }
   }
-  evidence.log = logSum(all);
-  evidence.log_none = logSum(none);
-  if (!with.empty()) evidence.discrepancy_probability = std::exp(logSum(with) - evidence.log);
+  evidence.log = logOfSum(all);
+  evidence.log_none = logOfSum(none);
+  if (!with.empty()) evidence.discrepancy_probability = std::exp(logOfSum(with) - evidence.log);
   return evidence;
 }
 

@@ -16,11 +16,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kFall = 0.03;      // of chi-square, by a step that asks for no further one
-constexpr double kFarSize = 4;      // of the largest usual: the prior of a size while it is fitted
-constexpr double kMostSize = 10;    // of the largest usual: no machine has more, and an arm may not shrink to a point
-constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
-constexpr double kShapePrior = 3;   // of a knee's typical step
+constexpr double kSmallFall = 0.03;  // of chi-square, by a step that asks for no further one
+constexpr double kFarSize = 4;       // of the largest usual: the prior of a size while it is fitted
+constexpr double kMostSize = 10;     // of the largest usual: no machine has more, and an arm may not shrink to a point
+constexpr double kBeyondUsual = 2;   // sigmas past the largest usual size
+constexpr double kShapePrior = 3;    // of a knee's typical step
 constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 
 /// A model under way: what is free beside the baseline's numbers.
@@ -128,7 +128,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
     x[fitted + static_cast<Index>(k)] = std::clamp(linear * size.typical, size.lower, size.upper);
   }
   const NoiseHypothesis& noise = model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
-  const double tolerance = std::clamp(kFall / static_cast<double>(noise.weights.rows), 1e-6, 1e-4);
+  const double tolerance = std::clamp(kSmallFall / static_cast<double>(noise.weights.rows), 1e-6, 1e-4);
   const LeastSquaresOptions solver{tolerance, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
   return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
                           solver);

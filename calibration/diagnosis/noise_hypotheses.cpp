@@ -21,11 +21,10 @@ namespace {
 constexpr double kDiscrepancy = 0.05;   // of all terms together ...
 constexpr double kSingleSource = 0.05;  // ... or of a single source
 constexpr double kMoreNoise = 0.1;
-constexpr double kLackOfFit = 0.01;   // p of what the richest or best model leaves, below which the noise is doubted
-constexpr std::size_t kBlock = 1024;  // readings whose columns are in memory at once
-constexpr Eigen::Index kPrincipalTerms = 80;  // of the discrepancy, in the evidence of a fit
-constexpr double kMostKept = 5e7;             // numbers of the causes' columns that stay in memory
-constexpr double kMostForSources = 2e6;       // rows times terms, up to which single sources are weighed
+constexpr std::size_t kReadingsInMemory = 1024;  // readings whose columns are in memory at once
+constexpr Eigen::Index kPrincipalTerms = 80;     // of the discrepancy, in the evidence of a fit
+constexpr double kMostKept = 5e7;                // numbers of the causes' columns that stay in memory
+constexpr double kMostForSources = 2e6;          // rows times terms, up to which single sources are weighed
 
 std::vector<double> discrepancySizes(double noise) {
   std::vector<double> sizes;
@@ -46,7 +45,7 @@ std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings)
   for (auto& [point, members] : touching) groups.push_back(members);
   std::vector<std::vector<int>> blocks;
   for (const auto& group : groups) {
-    if (blocks.empty() || blocks.back().size() + group.size() > kBlock) blocks.emplace_back();
+    if (blocks.empty() || blocks.back().size() + group.size() > kReadingsInMemory) blocks.emplace_back();
     blocks.back().insert(blocks.back().end(), group.begin(), group.end());
   }
   return blocks;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kMostCompared = 12;  // classes that are held to be the same or not
 constexpr std::size_t kMostAlternatives = 8;
-constexpr double kCredible = 0.95;    // of what is missing, that the alternatives hold together
-constexpr double kLeastShare = 0.02;  // of the best alternative's probability
+constexpr double kCredible = 0.95;     // of what is missing, that the alternatives hold together
+constexpr double kLeastLikely = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
 constexpr double kNeverSeen = 1e-6;  // noise sigmas that a cause of the largest usual size shows
 
@@ -78,7 +78,7 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
   const RangeViews views(work.basis, work.options.seed);
   std::vector<RangeView> seen;
   for (std::size_t k = 0; k < std::min(classes.size(), kMostCompared); ++k) {
-    if (classes[k].probability < kLeastShare * classes.front().probability) break;
+    if (classes[k].probability < kLeastLikely * classes.front().probability) break;
     seen.push_back(views.of(classes[k].explanation));
   }
   std::set<std::size_t> gone;
@@ -152,7 +152,7 @@ std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterio
 }
 
 /// The model of these causes alone: one that competes, or the first that holds them without its other causes.
-CompetingModel modelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
+CompetingModel competingModelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
   const CompetingModel* found = nullptr;
   for (const CompetingModel& model : work.models) {
     const bool is_exact = causesOf(model.terms) == causes;
@@ -174,7 +174,7 @@ CompetingModel modelOf(const DiagnosisWork& work, const std::vector<int>& causes
 void findSure(const DiagnosisWork& work, Posterior& posterior) {
   const auto causes = sureCauses(work, posterior);
   if (causes.empty()) return;
-  posterior.sure_model = modelOf(work, causes);
+  posterior.sure_model = competingModelOf(work, causes);
   if (!posterior.sure_model.is_fitted || !std::isfinite(posterior.sure_model.log_evidence)) return;
   ModelClass& sure = posterior.sure;
   sure.causes = causes;
@@ -274,7 +274,7 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
   const bool is_single = classes.front().probability / missing >= options.sure;
   double together = 0;
   for (const ModelClass& one : classes) {
-    const bool is_needed = together < kCredible * named && one.probability > kLeastShare * classes.front().probability;
+    const bool is_needed = together < kCredible * named && one.probability > kLeastLikely * classes.front().probability;
     if (result.alternatives.size() == (is_single ? 1 : kMostAlternatives) || !is_needed) break;
     result.alternatives.push_back(one.explanation);
     together += one.probability / missing;

@@ -14,8 +14,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-VectorXd zerosOf(const std::vector<Unknown>& unknowns) { return VectorXd::Zero(static_cast<Index>(unknowns.size())); }
-
 void scaleByTypical(const std::vector<Unknown>& unknowns, MatrixXd& jacobian) {
   for (Index k = 0; k < jacobian.cols(); ++k) jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
 }
@@ -63,7 +61,7 @@ RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::v
 }
 
 /// Rows of one candidate out of those of all.
-RivalPrediction rowsOf(const RivalPrediction& all, Index first, Index count) {
+RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
   RivalPrediction part;
   for (std::size_t m = 0; m < all.value.size(); ++m) {
     part.value.emplace_back(all.value[m].segment(first, count));
@@ -168,7 +166,7 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     rows.push_back(0);
     for (const auto& reading : readingsOf(candidates[k], k, rivals.front().model.placed)) {
-      rows.back() += calibration::rowsOf(reading);
+      rows.back() += rowsOf(reading);
       all.push_back(reading);
     }
   }
@@ -179,7 +177,7 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     each[k] = together.value.empty()
                   ? predictByAll(rivals, readingsOf(candidates[k], k, rivals.front().model.placed), stop)
-                  : rowsOf(together, first, rows[k]);
+                  : someRows(together, first, rows[k]);
     first += rows[k];
   }
   return each;

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kSupposedFits = 0.01;  // p of touches by a supposed hole, from which it may be the right one
-constexpr double kFarBetter = 0.25;     // of chi-square, which a supposed hole must leave at most
-constexpr std::size_t kMostNamed = 3;   // suspects in a sentence
+constexpr double kSupposedFits = 0.01;    // p of touches by a supposed hole, from which it may be the right one
+constexpr double kFarBetter = 0.25;       // of chi-square, which a supposed hole must leave at most
+constexpr std::size_t kMostSuspects = 3;  // suspects in a sentence
 
 struct BaseFit {
   Fit fit;
@@ -117,7 +117,7 @@ bool isMistaken(const deflection::Arm& arm, const std::vector<Measurement>& touc
         "and the load";
   } else {
     result.reason = "a hole was mistaken for its neighbour: " + result.suspects.front();
-    for (std::size_t k = 1; k < std::min(result.suspects.size(), kMostNamed); ++k)
+    for (std::size_t k = 1; k < std::min(result.suspects.size(), kMostSuspects); ++k)
       result.reason += "; or " + result.suspects[k];
   }
   result.status = CalibrationStatus::kRefused;

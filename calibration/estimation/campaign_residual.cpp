@@ -14,7 +14,7 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-constexpr std::size_t kBlock = 512;  // readings that one core takes at once, side by side
+constexpr std::size_t kReadingsOfCore = 512;  // readings that one core takes at once, side by side
 
 /// takePointsOff() in place.
 void takeWhatPointsAbsorb(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
@@ -66,6 +66,7 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
       placed_(start) {
   if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
   base_pose_of_ = basePosesOf(start, readings);
+  is_for_batch_ = isForBatch(placed_.arm, readings);
   bases_.resize(start.base_poses.size());
   bool has_base = false;
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
@@ -118,16 +119,16 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
-/// False where a shape does not converge; nothing is done where the arm is none for a kernel.
+/// False where a shape does not converge; nothing is done where the arm, or what is read of it, is none for a kernel.
 bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
-  if (dependsOnPosture(placed_.arm) || readings_.empty()) return true;
+  if (!is_for_batch_) return true;
   static const std::vector<deflection::Variable> kNone;
   if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
   if (!batch_->isFastFor(to.jacobian ? variables_ : kNone)) return true;
   is_done = true;
-  if (readings_.size() <= kBlock) return fillBlock(*batch_, 0, readings_.size(), to);
+  if (readings_.size() <= kReadingsOfCore) return fillBlock(*batch_, 0, readings_.size(), to);
   std::atomic<bool> ok = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kBlock), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kReadingsOfCore), [&](const auto& range) {
     ReadingBatch own(placed_.arm);
     if (shouldStop(stop_) || !fillBlock(own, range.begin(), range.size(), to)) ok = false;
   });

@@ -63,6 +63,7 @@ class CampaignResidual {
   const ReadingWeights& weights_;
   Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
   StopQuestion stop_;
+  bool is_for_batch_ = true;
   std::vector<int> base_pose_of_;                 ///< of each reading
   std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
   std::vector<Eigen::Index> numbers_;             ///< column of each number

@@ -1,8 +1,6 @@
 #include "calibration/estimation/held_out.hpp"
 
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <map>
 #include <string>
@@ -11,6 +9,7 @@
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {
 
@@ -66,10 +65,7 @@ std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, st
   const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
   std::vector<int> order(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) order[static_cast<std::size_t>(k)] = k;
-  boost::random::mt19937_64 random(seed);
-  for (int k = count - 1; k > 0; --k)
-    std::swap(order[static_cast<std::size_t>(k)],
-              order[static_cast<std::size_t>(boost::random::uniform_int_distribution<int>(0, k)(random))]);
+  RandomStream(seed).shuffle(order);
   std::vector<int> result;
   for (const int group : groups) result.push_back(order[static_cast<std::size_t>(group)] % std::max(1, folds));
   return result;
@@ -82,6 +78,7 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
   for (std::size_t k = 0; k < readings.size(); ++k) {
     Measurement tip = readings[k];
     tip.kind = MeasurementKind::kPosition;
+    tip.row.reset();
     const auto predicted = predictor.predict(Eigen::Isometry3d::Identity(), tip);
     double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
     if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());

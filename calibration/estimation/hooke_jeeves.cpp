@@ -13,15 +13,15 @@ namespace {
 constexpr double kFirstStep = 0.25;  // in units of each variable's scale
 constexpr double kShrink = 0.5;
 
-struct Place {
+struct TriedPlace {
   Eigen::VectorXd x;
   double chi2;
 };
 
-Place explore(ScaledProblem& problem, Place place, double step) {
+TriedPlace explore(ScaledProblem& problem, TriedPlace place, double step) {
   for (Eigen::Index k = 0; k < place.x.size(); ++k)
     for (const double move : {step, -step}) {
-      Place trial = place;
+      TriedPlace trial = place;
       trial.x[k] = std::clamp(place.x[k] + move, problem.lower()[k], problem.upper()[k]);
       if (trial.x[k] == place.x[k]) continue;
       trial.chi2 = problem.chi2At(trial.x);
@@ -33,10 +33,11 @@ Place explore(ScaledProblem& problem, Place place, double step) {
 }
 
 /// Pattern moves from `base` over `found` onwards until one gains nothing; the last gain.
-Place followPattern(ScaledProblem& problem, Place base, Place found, double step, int max_iterations, int& iterations) {
+TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace found, double step, int max_iterations,
+                         int& iterations) {
   while (found.chi2 < base.chi2 && iterations < max_iterations) {
     ++iterations;
-    Place ahead{problem.withinBounds(2 * found.x - base.x), 0};
+    TriedPlace ahead{problem.withinBounds(2 * found.x - base.x), 0};
     ahead.chi2 = problem.chi2At(ahead.x);
     base = found;
     found = explore(problem, ahead, step);
@@ -48,14 +49,14 @@ Place followPattern(ScaledProblem& problem, Place base, Place found, double step
 
 LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
   ScaledProblem scaled(problem);
-  Place base{scaled.start(), 0};
+  TriedPlace base{scaled.start(), 0};
   base.chi2 = scaled.chi2At(base.x);
   if (!std::isfinite(base.chi2)) return scaled.failureAtStart();
   double step = kFirstStep;
   int iterations = 0;
   while (step > stop.tolerance && iterations < stop.max_iterations) {
     ++iterations;
-    const Place found = explore(scaled, base, step);
+    const TriedPlace found = explore(scaled, base, step);
     if (found.chi2 < base.chi2)
       base = followPattern(scaled, base, found, step, stop.max_iterations, iterations);
     else

@@ -2,8 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 #include <iterator>
 
@@ -13,6 +11,7 @@
 #include "calibration/estimation/outliers.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/reading_problems.hpp"
+#include "calibration/random_stream.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -132,13 +131,12 @@ void fitBases(FittedModel& model, Identification& result) {
 }
 
 VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int start) {
-  boost::random::mt19937_64 random(seed * 7919 + static_cast<std::uint64_t>(start));
-  boost::random::uniform_real_distribution<double> uniform(-1, 1);
+  RandomStream random(seed * 7919 + static_cast<std::uint64_t>(start));
   VectorXd x(static_cast<Index>(unknowns.size()));
   for (Index k = 0; k < x.size(); ++k) {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
     const double size = unknown.owner == Unknown::Owner::kBase ? 0.05 * unknown.typical : 1.1 * unknown.typical;
-    x[k] = std::clamp(size * uniform(random), unknown.lower, unknown.upper);
+    x[k] = std::clamp(size * random.uniform(-1, 1), unknown.lower, unknown.upper);
   }
   return x;
 }

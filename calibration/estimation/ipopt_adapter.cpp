@@ -13,10 +13,10 @@ namespace tubeplan::calibration {
 namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
-using Ipopt::Index, Ipopt::Number;
-constexpr double kUnbounded = 2e19;  // what Ipopt takes for infinity
-constexpr double kRounding = 1e-13;  // of chi2
-constexpr double kNearBound = 1e-2;  // in units of a variable's scale
+using Ipopt::Number;
+constexpr double kUnbounded = 2e19;      // what Ipopt takes for infinity
+constexpr double kRestingShare = 1e-13;  // of chi2
+constexpr double kNearBound = 1e-2;      // in units of a variable's scale
 
 /// Half the squared residual as Ipopt asks for it. Trial points are asked for values alone; the Jacobian of a point
 /// that was accepted serves its gradient and its Hessian.
@@ -27,45 +27,50 @@ class NonlinearProgram : public Ipopt::TNLP {
   VectorXd solution;
   double chi2 = std::numeric_limits<double>::quiet_NaN();
 
-  bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian, IndexStyleEnum& style) override {
-    n = static_cast<Index>(n_);
+  bool get_nlp_info(Ipopt::Index& n, Ipopt::Index& m, Ipopt::Index& jacobian, Ipopt::Index& hessian,
+                    IndexStyleEnum& style) override {
+    n = static_cast<Ipopt::Index>(n_);
     m = jacobian = 0;
     hessian = n * (n + 1) / 2;
     style = C_STYLE;
     return true;
   }
 
-  bool get_bounds_info(Index n, Number* lower, Number* upper, Index, Number*, Number*) override {
+  bool get_bounds_info(Ipopt::Index n, Number* lower, Number* upper, Ipopt::Index, Number*, Number*) override {
     Eigen::Map<VectorXd>(lower, n) = problem_.lower().cwiseMax(-kUnbounded);
     Eigen::Map<VectorXd>(upper, n) = problem_.upper().cwiseMin(kUnbounded);
     return true;
   }
 
-  bool get_starting_point(Index n, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
+  bool get_starting_point(Ipopt::Index n, bool, Number* x, bool, Number*, Number*, Ipopt::Index, bool,
+                          Number*) override {
     Eigen::Map<VectorXd>(x, n) = problem_.start();
     return true;
   }
 
-  bool eval_f(Index, const Number* x, bool, Number& value) override {
+  bool eval_f(Ipopt::Index, const Number* x, bool, Number& value) override {
     value = chi2At(x) / 2;
     return std::isfinite(value);
   }
 
-  bool eval_grad_f(Index n, const Number* x, bool, Number* gradient) override {
+  bool eval_grad_f(Ipopt::Index n, const Number* x, bool, Number* gradient) override {
     if (!linearize(x)) return false;
     Eigen::Map<VectorXd>(gradient, n) = J_.transpose() * r_;
     return true;
   }
 
-  bool eval_g(Index, const Number*, bool, Index, Number*) override { return true; }
-  bool eval_jac_g(Index, const Number*, bool, Index, Index, Index*, Index*, Number*) override { return true; }
+  bool eval_g(Ipopt::Index, const Number*, bool, Ipopt::Index, Number*) override { return true; }
+  bool eval_jac_g(Ipopt::Index, const Number*, bool, Ipopt::Index, Ipopt::Index, Ipopt::Index*, Ipopt::Index*,
+                  Number*) override {
+    return true;
+  }
 
-  bool eval_h(Index n, const Number* x, bool, Number factor, Index, const Number*, bool, Index, Index* rows,
-              Index* columns, Number* values) override {
+  bool eval_h(Ipopt::Index n, const Number* x, bool, Number factor, Ipopt::Index, const Number*, bool, Ipopt::Index,
+              Ipopt::Index* rows, Ipopt::Index* columns, Number* values) override {
     if (values && !linearize(x)) return false;
     const MatrixXd H = values ? MatrixXd(factor * J_.transpose() * J_) : MatrixXd();
-    for (Index i = 0, k = 0; i < n; ++i)
-      for (Index j = 0; j <= i; ++j, ++k) {
+    for (Ipopt::Index i = 0, k = 0; i < n; ++i)
+      for (Ipopt::Index j = 0; j <= i; ++j, ++k) {
         if (values)
           values[k] = H(i, j);
         else
@@ -77,15 +82,16 @@ class NonlinearProgram : public Ipopt::TNLP {
   /// Ipopt's own test is absolute in the gradient; with a large lack of fit rounding keeps it from ever being met.
   /// Where the best step predicts no fall beyond rounding, or twice there has been none, this is as far down as it
   /// goes.
-  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number value, Number, Number, Number, Number, Number, Number,
-                             Number, Index, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    resting_ = std::abs(value - last_value_) <= kRounding * std::abs(value) ? resting_ + 1 : 0;
+  bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index, Number value, Number, Number, Number, Number, Number,
+                             Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
+                             Ipopt::IpoptCalculatedQuantities*) override {
+    resting_ = std::abs(value - last_value_) <= kRestingShare * std::abs(value) ? resting_ + 1 : 0;
     last_value_ = value;
     return resting_ < 2 && !isAtBottom(value);
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index,
-                         const Number*, const Number*, Number, const Ipopt::IpoptData*,
+  void finalize_solution(Ipopt::SolverReturn, Ipopt::Index n, const Number* x, const Number*, const Number*,
+                         Ipopt::Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
                          Ipopt::IpoptCalculatedQuantities*) override {
     solution = Eigen::Map<const VectorXd>(x, n);
     chi2 = chi2At(x);  // Ipopt's own value means nothing after a failed evaluation
@@ -95,14 +101,14 @@ class NonlinearProgram : public Ipopt::TNLP {
   /// Away from all bounds, whose barriers have a part in every step, a Gauss-Newton step predicts the fall.
   [[nodiscard]] bool isAtBottom(Number value) const {
     const double now = 2 * value;
-    if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRounding * now)) return false;
+    if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRestingShare * now)) return false;
     const VectorXd room =
         (linearized_x_ - problem_.lower()).cwiseMin(problem_.upper() - linearized_x_).cwiseMin(1 / kNearBound);
     if (!(room.minCoeff() >= kNearBound)) return false;
     const VectorXd gradient = J_.transpose() * r_;
     const Eigen::LLT<MatrixXd> normal(J_.transpose() * J_);
     if (normal.info() != Eigen::Success) return false;
-    return normal.matrixL().solve(gradient).squaredNorm() <= kRounding * now;
+    return normal.matrixL().solve(gradient).squaredNorm() <= kRestingShare * now;
   }
 
   double chi2At(const Number* at) {

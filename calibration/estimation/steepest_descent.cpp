@@ -14,10 +14,10 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double kShareOfCauchyStep = 0.8;
 constexpr double kArmijo = 1e-4;
-constexpr int kMaxTrials = 80;      // golden cuts down to 1e-17 of Cauchy's step
-constexpr double kRounding = 1e-9;  // share of chi2 that rounding in the model may hide
+constexpr int kMaxTrials = 80;              // golden cuts down to 1e-17 of Cauchy's step
+constexpr double kHiddenByRounding = 1e-9;  // share of chi2 that rounding in the model may hide
 
-struct Place {
+struct SlopedPlace {
   VectorXd x, r;
   MatrixXd jacobian;
   double chi2() const { return r.squaredNorm(); }
@@ -25,7 +25,7 @@ struct Place {
 };
 
 /// Against the gradient, but not into a bound that x rests on.
-VectorXd downhill(const ScaledProblem& problem, const Place& place) {
+VectorXd downhill(const ScaledProblem& problem, const SlopedPlace& place) {
   VectorXd direction = -place.gradient();
   for (Eigen::Index k = 0; k < direction.size(); ++k)
     if ((place.x[k] <= problem.lower()[k] && direction[k] < 0) ||
@@ -35,7 +35,8 @@ VectorXd downhill(const ScaledProblem& problem, const Place& place) {
 }
 
 /// True with `x` moved to a point that is lower by enough; false where there is none in this direction.
-bool searchLine(ScaledProblem& problem, const Place& from, const VectorXd& direction, double stride, VectorXd& x) {
+bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd& direction, double stride,
+                VectorXd& x) {
   const VectorXd gradient = from.gradient();
   for (int trial = 0; trial < kMaxTrials; ++trial, stride /= std::numbers::phi) {
     x = problem.withinBounds(from.x + stride * direction);
@@ -50,7 +51,7 @@ bool searchLine(ScaledProblem& problem, const Place& from, const VectorXd& direc
 LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
   using Status = LeastSquaresStatus;
   ScaledProblem scaled(problem);
-  Place here{scaled.start(), {}, {}};
+  SlopedPlace here{scaled.start(), {}, {}};
   if (!scaled.linearizeAt(here.x, here.r, here.jacobian)) return scaled.failureAtStart();
   for (int iterations = 0;; ++iterations) {
     const auto stopped = [&](Status status, const char* reason) {
@@ -61,9 +62,9 @@ LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem,
       return stopped(Status::kConverged, "the gradient is within tolerance");
     const double cauchy = direction.squaredNorm() / (here.jacobian * direction).squaredNorm();
     if (iterations == stop.max_iterations) return stopped(Status::kIterationLimit, "stopped at the iteration limit");
-    Place next;
+    SlopedPlace next;
     if (!searchLine(scaled, here, direction, kShareOfCauchyStep * cauchy, next.x))
-      return cauchy * direction.squaredNorm() <= kRounding * here.chi2()
+      return cauchy * direction.squaredNorm() <= kHiddenByRounding * here.chi2()
                  ? stopped(Status::kConverged, "chi2 falls no further than by rounding")
                  : stopped(Status::kFailed, "no step lowers the error");
     if (!scaled.linearizeAt(next.x, next.r, next.jacobian))

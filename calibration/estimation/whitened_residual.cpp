@@ -53,7 +53,7 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
   const Eigen::Matrix3d R = X_WB.linear();
   const MeasuredSlope slope = predictedSlope(reading, toolOf(batch, k, X_WB, reading));
   MatrixXd slopes(slope.by_place.rows(), static_cast<Index>(joints));
-  if (reading.reference) {  // two postures, each with the encoders' noise of its own
+  if (referenceOf(reading)) {  // two postures, each with the encoders' noise of its own
     slopes.resize(Eigen::NoChange, 2 * static_cast<Index>(joints));
     for (std::size_t j = 0; j < joints; ++j) {
       slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.ownColumn(k, j));
@@ -74,7 +74,7 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
   by_joints.resize(readings.size());
   const auto base_pose_of = basePosesOf(placed, readings);
   const auto joints = deflection::jointVariables(placed.arm);
-  if (!dependsOnPosture(placed.arm) && !readings.empty()) {
+  if (!readings.empty() && isForBatch(placed.arm, readings)) {
     ReadingBatch batch(placed.arm);
     if (batch.isFastFor(joints)) {
       if (!batch.solve(placed.base_poses, readings, base_pose_of, 0, readings.size(), joints)) return false;

@@ -2,12 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/normal_distribution.hpp>
 #include <cmath>
 
 #include "calibration/estimation/estimate.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {
 
@@ -78,12 +77,11 @@ MatrixXd sidewaysErrors(const Uncertain& uncertain, const std::vector<VectorXd>&
 }
 
 void drawErrors(const MatrixXd& errors, const CentringForecastOptions& options, CentringForecast& forecast) {
-  boost::random::mt19937_64 random(options.seed);
-  boost::random::normal_distribution<double> normal;
+  RandomStream random(options.seed);
   std::vector<double> medians, tails, worsts;
   VectorXd z(errors.cols());
   for (int draw = 0; draw < options.draws; ++draw) {
-    for (double& component : z) component = normal(random);
+    for (double& component : z) component = random.normal(1);
     const VectorXd off = errors * z;
     std::vector<double> lengths;
     for (Index k = 0; k < off.size(); k += 2) lengths.push_back(std::hypot(off[k], off[k + 1]));

@@ -102,15 +102,15 @@ class TouchEvidence {
     noise_ = MatrixXd::Zero(rows, rows);
     effects_ = MatrixXd::Zero(rows, weights.size());
     VectorXd y(rows);
-    const Eigen::Vector3d gravity_B = deflection::gravityInBase(question.arm, question.X_WB);
     ReadingPredictor tips(question.arm);
     for (std::size_t k = 0; k < question.touches.size(); ++k) {
       const Measurement& touch = question.touches[k];
       const Index row = 3 * static_cast<Index>(k);
       A.middleRows(row, 3) = at_touches[k].by_base;
-      noise_.block<3, 3>(row, row) = at_touches[k].encoders + touch.sigma * touch.sigma * Eigen::Matrix3d::Identity();
+      noise_.block<3, 3>(row, row) = at_touches[k].encoders + statedCovariance(touch);
       if (weights.size()) effects_.middleRows(row, 3) = at_touches[k].effects * weights.asDiagonal();
-      y.segment<3>(row) = tips.predictTip(question.X_WB, {touch.q, touch.load, gravity_B}).value - *touch.p_W;
+      y.segment<3>(row) =
+          tips.predictTip(question.X_WB, postureOf(touch, question.arm, question.X_WB)).value - *touch.p_W;
     }
     const MatrixXd weighted = noise_.ldlt().solve(A);
     fit_ = (A.transpose() * weighted).ldlt().solve(weighted.transpose());
@@ -251,14 +251,14 @@ double quantileOf(const Scales& scales, double share) {
   return scales.sigma.back();
 }
 
-void describe(const Scales& scales, TipError& error) {
+void describeScales(const Scales& scales, TipError& error) {
   error.model_error = quantileOf(scales, 0.5);
   error.lower = quantileOf(scales, 0.025);
   error.upper = quantileOf(scales, 0.975);
 }
 
 /// Some of the postures, spread over the list, and all touches.
-std::vector<const Slopes*> referenceOf(const std::vector<Slopes>& at_touches, const std::vector<Slopes>& at) {
+std::vector<const Slopes*> referenceSlopes(const std::vector<Slopes>& at_touches, const std::vector<Slopes>& at) {
   std::vector<const Slopes*> reference;
   const auto add = [&](const Slopes& slopes) {
     if (slopes.ok) reference.push_back(&slopes);
@@ -284,10 +284,11 @@ TipError byTouches(const TipErrorQuestion& question, const TipErrorOptions& opti
                            with_effects, options);
   VectorXd weights;
   if (with_effects)
-    weights = columnWeights(referenceOf(at_touches, at), HiddenEffects(question.arm, options.difference_share).kinds());
+    weights =
+        columnWeights(referenceSlopes(at_touches, at), HiddenEffects(question.arm, options.difference_share).kinds());
   const TouchEvidence evidence(question, at_touches, weights, with_effects ? options.own_share : 1);
   const Scales scales = scalesFor(question, &evidence, options);
-  describe(scales, error);
+  describeScales(scales, error);
   std::vector<TouchEvidence::Prepared> prepared;
   for (const double sigma : scales.sigma) prepared.push_back(evidence.prepare(sigma));
   error.at.resize(at.size());
@@ -307,7 +308,7 @@ TipError byCovariance(const TipErrorQuestion& question, const TipErrorOptions& o
   if (question.stated) {
     error.source = ModelErrorSource::kStated;
     scales = scalesFor(question, nullptr, options);
-    describe(scales, error);
+    describeScales(scales, error);
   }
   const auto at = slopesAt(question, question.postures, std::vector<double>(question.postures.size(), question.load),
                            false, options);

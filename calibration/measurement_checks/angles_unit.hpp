@@ -18,7 +18,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
       Eigen::VectorXd::Ones(static_cast<Eigen::Index>(deflection::activeRows(checked.start.arm).size()));
   for (Eigen::Index j = 0; j < factors.size(); ++j)
     if (jointAt(checked.start.arm, static_cast<int>(j)).type == deflection::JointType::kRevolute) factors[j] = *factor;
-  mend.apply = [factors](std::vector<Measurement>& readings) {
+  mend.change = [factors](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q = reading.q.cwiseProduct(factors);
   };
   return mend;

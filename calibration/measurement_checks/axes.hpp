@@ -39,6 +39,9 @@ inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& read
   for (auto& reading : readings) {
     if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
     if (reading.sigma_W) *reading.sigma_W = (to_world * *reading.sigma_W).cwiseAbs();
+    if (reading.correlation_W)
+      reading.correlation_W =
+          correlationNumbers(to_world * correlationMatrix(*reading.correlation_W) * to_world.transpose());
   }
 }
 
@@ -62,7 +65,7 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   const auto to_world = matrixOf(value);
   if (!to_world) return std::nullopt;
   Mend mend{"axes", value, "the columns x, y and z hold " + value + " of the cell's world"};
-  mend.apply = [to_world = *to_world](std::vector<Measurement>& readings) { turn(to_world, readings); };
+  mend.change = [to_world = *to_world](std::vector<Measurement>& readings) { turn(to_world, readings); };
   return mend;
 }
 

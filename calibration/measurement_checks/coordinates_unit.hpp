@@ -21,7 +21,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"coordinates", value,
             "the coordinates are in " + value + ", not in " + checked.units.coordinates.name + " as their columns say"};
-  mend.apply = [checked = &checked, factor = *factor](std::vector<Measurement>& readings) {
+  mend.change = [checked = &checked, factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       if (areWritten(*checked, reading)) *reading.p_W *= factor;
       const auto columns = kindOf(reading).columns;

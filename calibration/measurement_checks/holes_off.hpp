@@ -38,7 +38,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Mend mend{"holes", value,
             "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
                 (by > 0 ? " too low" : " too high")};
-  mend.apply = [checked = &checked, rows, columns](std::vector<Measurement>& readings) {
+  mend.change = [checked = &checked, rows, columns](std::vector<Measurement>& readings) {
     move(*checked, rows, columns, readings);
   };
   return mend;

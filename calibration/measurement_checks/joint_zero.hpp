@@ -42,7 +42,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Mend mend{
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
-  mend.apply = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
+  mend.change = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q[joint] += by;
   };
   mend.zero_of = joint;

@@ -18,7 +18,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"loads", value,
             "the loads are in " + value + ", not in " + checked.units.loads.name + " as their column says"};
-  mend.apply = [factor = *factor](std::vector<Measurement>& readings) {
+  mend.change = [factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.load *= factor;
   };
   return mend;

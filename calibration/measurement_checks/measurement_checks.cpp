@@ -19,7 +19,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFall = 3;           // of the error by the drawing, at least, that a mistake explains
+constexpr double kLeastFall = 3;      // of the error by the drawing, at least, that a mistake explains
 constexpr double kOdds = 14;          // log of a million
 constexpr double kDrastic = 8;        // fall of the error by the drawing that no fit of the drawing is a reason for
 constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
@@ -33,7 +33,6 @@ constexpr std::size_t kQuickReadings = 40;
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Indices of the readings to look at: all, or whole groups drawn by the seed; touches of one unknown point are a
 /// group.
@@ -131,7 +130,7 @@ struct Trial {
   double whole_error = error;                                    // m, the same of all readings
   double lack_of_fit = std::numeric_limits<double>::infinity();  // with the base's prior
   double base_shift = 0, base_turn = 0;                          // of the base from its nominal place; the largest
-  double chi2_per_freedom = kNaN;
+  double chi2_per_freedom = kNoFigure;
   double extent = 0;  // m, of predicted tips that touched unknown points
   PlacedArm placed;
 };
@@ -195,7 +194,6 @@ class Checking {
   std::vector<Measurement> mended(const Mend& mend, Depth depth) const {
     auto readings = pool_.readings;
     mend.apply(readings);
-    linkReferences(readings);
     return only(std::move(readings), depth == Depth::kOpen ? pool_.counted : pool_.counted_quickly);
   }
 
@@ -299,7 +297,7 @@ class Checking {
     noise = std::sqrt(noise / static_cast<double>(pool_.counted.size()));
     const bool is_lack_of_fit = as_is_.lack_of_fit - kNoisePerRow * rows > kOdds;
     const bool is_bent = as_is_.held_error > kDrastic * as_is_.open_error;  // only a drawing bent to them fits
-    return isBaseFar() || (as_is_.held_error > kFall * noise && (is_lack_of_fit || is_bent));
+    return isBaseFar() || (as_is_.held_error > kLeastFall * noise && (is_lack_of_fit || is_bent));
   }
 
   /// Touches of unknown points alone say nothing of the base.
@@ -392,7 +390,7 @@ class Checking {
     constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
     if (!as_is_.ok) return suspect.drawn.error < kFits * reach_;
     const double shrinks = shrinkage(suspect.drawn);
-    const auto falls = [&](double as_is, double mended) { return as_is >= kFall * mended * shrinks; };
+    const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
     // A base is one for all readings: one that has slipped is none for those before.
     if (suspect.mend.frees_base && !falls(as_is_.whole_error, suspect.open.whole_error)) return false;
     if (!hasNumbers(suspect.mend) && gain(suspect.open) > 0 &&
@@ -422,7 +420,7 @@ class Checking {
     const auto& [as_is, mended] = *std::max_element(std::begin(told), std::end(told), [](const auto& a, const auto& b) {
       return a.first * b.second < b.first * a.second;
     });
-    check.error_as_is = as_is_.ok ? as_is : kNaN;
+    check.error_as_is = as_is_.ok ? as_is : kNoFigure;
     check.error_if_mended = mended;
   }
 
@@ -459,7 +457,7 @@ class Checking {
   /// Of the units that sigma might be in, the one by which chi-square is nearest to what noise leaves.
   struct SigmaUnit {
     Mend mend;
-    double chi2_per_freedom = kNaN;
+    double chi2_per_freedom = kNoFigure;
   };
   std::optional<SigmaUnit> likeliestSigma(bool is_smaller) const {
     std::optional<SigmaUnit> best;
@@ -498,7 +496,8 @@ class Checking {
                     "the stated noise (%.2g %s) is finer than any instrument measures an arm of this size",
                     sigma / checked_.units.sigma.factor, checked_.units.sigma.name.c_str());
     MeasurementCheck check{
-        "sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNaN, kNaN, "", {}};
+        "sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNoFigure, kNoFigure, "",
+        {}};
     if (agrees || (is_fine && likeliest)) {
       check.sentence += ": " + likeliest->mend.sentence;
       check.assume = "sigma=" + likeliest->mend.value;
@@ -532,8 +531,8 @@ class Checking {
     MeasurementCheck check{"base-from-nominal",
                            CheckSeverity::kRemark,
                            "the base that fits best stands " + baseText(as_is_) + " from its nominal place",
-                           kNaN,
-                           kNaN,
+                           kNoFigure,
+                           kNoFigure,
                            "",
                            {}};
     if (is_pitches)

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@
 #include "calibration/measurement_checks/mistake.hpp"
 
 namespace tubeplan::calibration {
+
+inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 enum class CheckSeverity {
   kMistake,  ///< explains the lack of fit: nothing is to be concluded of the model before it is mended
@@ -33,10 +36,10 @@ struct MeasurementCheck {
   std::string name;
   CheckSeverity severity = CheckSeverity::kRemark;
   std::string sentence;
-  double error_as_is = std::numeric_limits<double>::quiet_NaN();      ///< m, by the drawing; NaN: no matter of errors
-  double error_if_mended = std::numeric_limits<double>::quiet_NaN();  ///< m
-  std::string assume;                ///< what `--assume` would take; empty where there is nothing
-  std::vector<std::string> equally;  ///< further forms of `--assume` that explain the readings as well
+  double error_as_is = kNoFigure;      ///< m, by the drawing; NaN: no matter of errors
+  double error_if_mended = kNoFigure;  ///< m
+  std::string assume;                  ///< what `--assume` would take; empty where there is nothing
+  std::vector<std::string> equally;    ///< further forms of `--assume` that explain the readings as well
 };
 
 /// A column that is not there, and what it would let be seen.

@@ -14,7 +14,7 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();
   signs[value[0] - 'x'] = -1;
   Mend mend{"mirror", value, "the coordinates are mirrored: " + value + " has the other sign"};
-  mend.apply = [signs](std::vector<Measurement>& readings) { axes::turn(signs.asDiagonal(), readings); };
+  mend.change = [signs](std::vector<Measurement>& readings) { axes::turn(signs.asDiagonal(), readings); };
   return mend;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "calibration/measurement.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/placed_arm.hpp"
 #include "tubesheets/sheet.hpp"
 
@@ -39,10 +40,16 @@ struct CheckedReadings {
 struct Mend {
   std::string mistake, value;  ///< as `--assume MISTAKE=VALUE` takes them
   std::string sentence;        ///< "the coordinates are in mm, not in in as their columns say"
-  std::function<void(std::vector<Measurement>&)> apply = [](std::vector<Measurement>&) {};
+  std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   bool frees_base = false;    ///< the base is taken as not known
   bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own
   int zero_of = -1;           ///< joint whose zero is looked for from the value tried
+
+  /// Changes the readings, and what they refer to among themselves with them.
+  void apply(std::vector<Measurement>& readings) const {
+    change(readings);
+    linkReferences(readings);
+  }
 };
 
 struct MistakeKind {

@@ -13,7 +13,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto* tube = hole && checked.sheet ? checked.sheet->find(hole->row, hole->column) : nullptr;
   if (!tube) return std::nullopt;
   Mend mend{"hole", value, "reading " + id + " touched " + name};
-  mend.apply = [id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](std::vector<Measurement>& readings) {
+  mend.change = [id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](std::vector<Measurement>& readings) {
     for (auto& reading : readings)
       if (reading.id == id) reading.point = name, reading.p_W = place;
   };

@@ -10,14 +10,15 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/reading_problems.hpp"
+#include "deflection/discretisation.hpp"
+#include "deflection/weights.hpp"
 
 namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kMostNamed = 5;     // readings in one sentence
+constexpr std::size_t kMostListed = 5;    // readings in one sentence
 constexpr std::size_t kMostAssumed = 20;  // readings that one --assume leaves out
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string shortText(double value) {
   char text[32];
@@ -27,8 +28,8 @@ std::string shortText(double value) {
 
 std::string listOf(const std::vector<std::string>& ids) {
   std::string text;
-  for (std::size_t k = 0; k < ids.size() && k < kMostNamed; ++k) text += (k ? ", " : "") + ids[k];
-  return ids.size() > kMostNamed ? text + " and " + std::to_string(ids.size() - kMostNamed) + " more" : text;
+  for (std::size_t k = 0; k < ids.size() && k < kMostListed; ++k) text += (k ? ", " : "") + ids[k];
+  return ids.size() > kMostListed ? text + " and " + std::to_string(ids.size() - kMostListed) + " more" : text;
 }
 
 std::string assumeWithout(const std::vector<std::string>& ids) {
@@ -41,12 +42,17 @@ std::string assumeWithout(const std::vector<std::string>& ids) {
 /// All numbers that two rows of one reading have alike.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
+  const TipWrench wrench = m.wrench.value_or(TipWrench{});
   const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
   return std::tuple{static_cast<int>(m.kind),
+                    m.row,
                     m.point,
                     m.setup,
                     m.load,
                     std::vector<double>(m.q.begin(), m.q.end()),
+                    std::vector<double>(m.side_q.begin(), m.side_q.end()),
+                    std::vector<double>(wrench.force_W.begin(), wrench.force_W.end()),
+                    std::vector<double>(wrench.moment_W.begin(), wrench.moment_W.end()),
                     p.x(),
                     p.y(),
                     p.z(),
@@ -70,8 +76,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
                           CheckSeverity::kRemark,
                           std::string(ids.size() == 1 ? "a reading stands" : "readings stand") +
                               " there twice, number for number: " + listOf(again),
-                          kNaN,
-                          kNaN,
+                          kNoFigure,
+                          kNoFigure,
                           assumeWithout(ids),
                           {}};
 }
@@ -99,8 +105,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       "angles",
       CheckSeverity::kRemark,
       "no joint reading is larger than " + shortText(largest) + " " + checked.units.angles.name + ": are they radians?",
-      kNaN,
-      kNaN,
+      kNoFigure,
+      kNoFigure,
       "angles=rad",
       {}};
 }
@@ -108,11 +114,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
 std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
   constexpr double kTimesTheArm = 10;
   const auto& arm = checked.start.arm;
-  double weight = 0, heaviest = 0;
-  for (const auto& row : arm.rows) {
-    weight += row.weight.end + row.weight.distributed * deflection::reachOf(arm);
-    for (const auto& lump : row.weight.lumps) weight += lump.weight;
-  }
+  const double weight = deflection::weightOf(arm);
+  double heaviest = 0;
   for (const auto& reading : checked.readings) heaviest = std::max(heaviest, reading.load);
   if (weight == 0 || heaviest < kTimesTheArm * weight) return std::nullopt;
   const auto& unit = checked.units.loads;
@@ -121,10 +124,41 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
                           "a load of " + shortText(heaviest / unit.factor) + " " + unit.name +
                               " hangs on an arm that weighs less than " + shortText(weight / unit.factor) + " " +
                               unit.name + ": is the load's unit right?",
-                          kNaN,
-                          kNaN,
+                          kNoFigure,
+                          kNoFigure,
                           "",
                           {}};
+}
+
+/// Beams that bend further under these readings than so few segments tell, by more than half the readings' noise. The
+/// heaviest loads are looked at, and others among them.
+std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
+  constexpr std::size_t kMostSolved = 8;
+  constexpr double kOfNoise = 0.5;
+  const auto& placed = checked.start;
+  if (deflection::mostSegments(placed.arm) == 0) return std::nullopt;
+  std::vector<const Measurement*> heaviest;
+  for (const auto& reading : checked.readings) heaviest.push_back(&reading);
+  std::stable_sort(heaviest.begin(), heaviest.end(), [](const auto* a, const auto* b) { return a->load > b->load; });
+  double worst = 0, allowed_there = 0;
+  int factor = 1;
+  for (std::size_t k = 0; k < heaviest.size(); k += std::max<std::size_t>(1, heaviest.size() / kMostSolved)) {
+    const Measurement& reading = *heaviest[k];
+    const double allowed = kOfNoise * reading.sigma;
+    if (!(allowed > 0)) continue;
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+    const auto found = deflection::discretisationOf(placed.arm, postureOf(reading, placed.arm, X_WB), allowed);
+    if (!(found.tip_error > allowed) || found.tip_error <= worst) continue;
+    worst = found.tip_error, allowed_there = allowed, factor = found.factor;
+  }
+  if (worst == 0) return std::nullopt;
+  const auto& unit = checked.units.coordinates;
+  std::string sentence = "the beams have too few segments for these loads: they leave the tip about " +
+                         shortText(worst / unit.factor) + " " + unit.name + " off, where the noise is " +
+                         shortText(allowed_there / kOfNoise / unit.factor);
+  if (factor > 1)
+    sentence += "; set `segments: " + std::to_string(factor * deflection::mostSegments(placed.arm)) + "` in each";
+  return MeasurementCheck{"segments", CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, "", {}};
 }
 
 /// So few that no error would show what is wrong with them.
@@ -142,8 +176,8 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
                               (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
                               std::to_string(measured) + " numbers for the " + std::to_string(free) +
                               " that are free: an error of the model would hardly show; measure more, or free fewer",
-                          kNaN,
-                          kNaN,
+                          kNoFigure,
+                          kNoFigure,
                           "",
                           {}};
 }
@@ -171,7 +205,7 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
 std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
                                           const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
-  for (const auto& look : {duplicates, smallAngles, heavyLoad, fewReadings})
+  for (const auto& look : {duplicates, smallAngles, heavyLoad, fewSegments, fewReadings})
     if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(),
                                                           [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));
@@ -199,8 +233,8 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
                           CheckSeverity::kRemark,
                           "farther from the base than the arm reaches (" + shortText(reach / kSlack / unit.factor) +
                               " " + unit.name + "): reading" + (ids.size() > 1 ? "s " : " ") + listOf(ids),
-                          kNaN,
-                          kNaN,
+                          kNoFigure,
+                          kNoFigure,
                           assumeWithout(ids),
                           {}};
 }

@@ -19,9 +19,9 @@ namespace {
 constexpr double kFreedom = 4;  // of Student's t
 constexpr double kBest = 0.9;   // share of the readings that an error is stated of
 constexpr int kScaleSteps = 40;
-constexpr double kLeastFreedom = 12;  // from which chi-square says anything of the noise
-constexpr double kConverged = 0.05;   // fall of the lack of fit by a step that asks for no further one
-constexpr int kMostTrials = 6;        // of a step, each shorter than the one before
+constexpr double kTellingFreedom = 12;  // from which chi-square says anything of the noise
+constexpr double kConverged = 0.05;     // fall of the lack of fit by a step that asks for no further one
+constexpr int kMostTrials = 6;          // of a step, each shorter than the one before
 
 /// Student's t about a common scale, for the whitened residuals of readings.
 class StudentLoss {
@@ -210,7 +210,7 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
   if (options.judges_noise) {
     const auto covariance = posteriorCovariance(at.jacobian, unknowns.list);
     const double freedom = weights->degrees_of_freedom - effectiveNumbers(covariance, unknowns.list);
-    if (freedom >= kLeastFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
+    if (freedom >= kTellingFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
   }
   fit.ok = std::isfinite(fit.error) && std::isfinite(fit.lack_of_fit);
   return fit;

@@ -20,7 +20,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
     return std::nullopt;
   Mend mend{"setup", value,
             "the tip was mounted anew between the set-ups: each has a tip of its own and is to be fitted alone"};
-  mend.apply = [value](std::vector<Measurement>& readings) {
+  mend.change = [value](std::vector<Measurement>& readings) {
     std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != value; });
   };
   mend.parts_setups = true;

@@ -28,7 +28,7 @@ inline void turnRound(const CheckedReadings& checked, bool of_rows, std::vector<
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   if ((value != "rows" && value != "columns") || !checked.sheet) return std::nullopt;
   Mend mend{"sheet-mirrored", value, "the sheet is mirrored: its " + value + " are counted from the other side"};
-  mend.apply = [checked = &checked, of_rows = value == "rows"](std::vector<Measurement>& readings) {
+  mend.change = [checked = &checked, of_rows = value == "rows"](std::vector<Measurement>& readings) {
     turnRound(*checked, of_rows, readings);
   };
   return mend;

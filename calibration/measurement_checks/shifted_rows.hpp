@@ -17,10 +17,14 @@ inline void takeMeasured(const Measurement& from, Measurement& to) {
   to.kind = from.kind;
   to.point = from.point;
   to.p_W = from.p_W;
+  to.direction_W = from.direction_W;
+  to.p_TQ = from.p_TQ;
   to.own = from.own;
+  to.row = from.row;
   to.reference = from.reference;
   to.sigma = from.sigma;
   to.sigma_W = from.sigma_W;
+  to.correlation_W = from.correlation_W;
   to.turn_sigma = from.turn_sigma;
 }
 
@@ -45,7 +49,7 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
   Mend mend{"shift", value,
             "what was measured stands " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
-  mend.apply = [by](std::vector<Measurement>& readings) { shift(by, readings); };
+  mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
   return mend;
 }
 

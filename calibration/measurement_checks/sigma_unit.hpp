@@ -12,7 +12,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto factor = factorOf(checked.units.sigmas, checked.units.sigma, value);
   if (!factor) return std::nullopt;
   Mend mend{"sigma", value, "sigma is in " + value + ", not in " + checked.units.sigma.name + " as its column says"};
-  mend.apply = [factor = *factor](std::vector<Measurement>& readings) {
+  mend.change = [factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       reading.sigma *= factor;
       if (reading.sigma_W) *reading.sigma_W *= factor;

@@ -14,7 +14,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
                    [&](const Measurement& reading) { return reading.id == value; }))
     return std::nullopt;
   Mend mend{"without", value, "reading " + value + " is left out"};
-  mend.apply = [value](std::vector<Measurement>& readings) {
+  mend.change = [value](std::vector<Measurement>& readings) {
     std::erase_if(readings, [&](const Measurement& reading) { return reading.id == value; });
   };
   return mend;

@@ -8,7 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Where the tool is, in the world. Of a displacement, `p_W` is that; its turn is not measured.
+/// Where the tool is, in the world; of a reading of a row's frame where that is. Of a displacement, `p_W` is that; its
+/// turn is not measured.
 struct ToolPose {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();       ///< m
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  ///< the tool frame; only for kinds that see the tool's turn
@@ -17,6 +18,9 @@ struct ToolPose {
 /// Measured values, up to 6 rows [m]: turns are counted as what they move at kTurnLever.
 using MeasuredValue = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using MeasuredRows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 6, 3>;
+
+/// Covariance of measured values [m^2], as many rows and columns as they have.
+using MeasuredCovariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
 /// How measured values change with the tool's pose in the world.
 struct MeasuredSlope {
@@ -57,6 +61,8 @@ struct MeasurementKindRow {
   bool counts_steps = false;      ///< own is (steps that went in, beyond, within): see steps.hpp
   bool is_by_scale = true;        ///< its lengths are of the measuring system's scale, which may be off
   bool sees_turn = false;         ///< the tool's turn matters
+  bool may_be_of_row =
+      false;  ///< what it reads may be fixed to a row of the arm (Measurement::row) and not to the tool
 
   MeasuredValue (*value)(const Measurement& reading, const ToolPose& tool);
   MeasuredSlope (*slope)(const Measurement& reading, const ToolPose& tool);

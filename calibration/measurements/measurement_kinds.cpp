@@ -1,7 +1,9 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "calibration/measurements/axis.hpp"
@@ -86,9 +88,44 @@ MeasuredValue rowSigmas(const Measurement& reading) {
   return sigmas;
 }
 
+double meanSigma(const Eigen::Vector3d& sigma_W) { return std::sqrt(sigma_W.squaredNorm() / 3); }
+
+Eigen::Matrix3d correlationMatrix(const Eigen::Vector3d& correlation) {
+  Eigen::Matrix3d matrix;
+  matrix << 1, correlation[0], correlation[1], correlation[0], 1, correlation[2], correlation[1], correlation[2], 1;
+  return matrix;
+}
+
+Eigen::Vector3d correlationNumbers(const Eigen::Matrix3d& matrix) { return {matrix(0, 1), matrix(0, 2), matrix(1, 2)}; }
+
+bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
+  constexpr double kLeastOwn = 1e-9;  // share of the variance that no combination of the others tells
+  if (!correlation.allFinite()) return false;
+  return correlationMatrix(correlation).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > kLeastOwn;
+}
+
+MeasuredCovariance statedCovariance(const Measurement& reading) {
+  constexpr double kLeastSigma = 1e-6;  // m
+  MeasuredValue sigmas = rowSigmas(reading);
+  for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeastSigma) : kLeastSigma;
+  MeasuredCovariance covariance = sigmas.array().square().matrix().asDiagonal();
+  if (!reading.correlation_W || !reading.sigma_W || !kindOf(reading).has_coordinates || sigmas.size() < 3)
+    return covariance;
+  covariance.topLeftCorner<3, 3>() =
+      sigmas.head<3>().asDiagonal() * correlationMatrix(*reading.correlation_W) * sigmas.head<3>().asDiagonal();
+  return covariance;
+}
+
 std::vector<std::string> measurementKindNames() {
   std::vector<std::string> names;
   for (const MeasurementKindRow& row : measurementKinds()) names.emplace_back(row.name);
+  return names;
+}
+
+std::vector<std::string> kindNamesOfRows() {
+  std::vector<std::string> names;
+  for (const MeasurementKindRow& row : measurementKinds())
+    if (row.may_be_of_row) names.emplace_back(row.name);
   return names;
 }
 

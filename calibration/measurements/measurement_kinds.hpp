@@ -22,6 +22,9 @@ namespace tubeplan::calibration {
 /// For messages: what would have been understood.
 [[nodiscard]] std::vector<std::string> measurementKindNames();
 
+/// Of the kinds that may be of a row's frame.
+[[nodiscard]] std::vector<std::string> kindNamesOfRows();
+
 [[nodiscard]] inline int rowsOf(const Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
   return kind.rows_of ? kind.rows_of(reading) : kind.rows;
@@ -38,12 +41,31 @@ namespace tubeplan::calibration {
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
 
+/// The reading that a way is taken from; null of readings that are no such way, whatever they were made from.
+[[nodiscard]] inline const Measurement* referenceOf(const Measurement& reading) {
+  return kindOf(reading).is_from_reading ? reading.reference.get() : nullptr;
+}
+
 /// Takes every reading's reference as it stands among these readings now; one that is not there any more stays as it
 /// is.
 void linkReferences(std::vector<Measurement>& readings);
 
 /// Of each row [m]: what the reading states; not numbers where it states nothing.
 [[nodiscard]] MeasuredValue rowSigmas(const Measurement& reading);
+
+/// The one standard deviation [m] that stands for those of x, y and z: their root mean square.
+[[nodiscard]] double meanSigma(const Eigen::Vector3d& sigma_W);
+
+/// A correlation matrix by its numbers for x with y, x with z, y with z; and the other way round.
+[[nodiscard]] Eigen::Matrix3d correlationMatrix(const Eigen::Vector3d& correlation);
+[[nodiscard]] Eigen::Vector3d correlationNumbers(const Eigen::Matrix3d& matrix);
+
+/// Whether errors of three coordinates can be correlated so: positive definite, beyond what rounding leaves.
+[[nodiscard]] bool isPossibleCorrelation(const Eigen::Vector3d& correlation);
+
+/// Covariance of its rows [m^2] by what the reading states; rows that state no sigma count as exact to a micrometre.
+/// The one place where a stated noise becomes a weight: what the encoders add to it is readingCovariance()'s.
+[[nodiscard]] MeasuredCovariance statedCovariance(const Measurement& reading);
 
 [[nodiscard]] inline bool isTouch(const Measurement& reading) { return kindOf(reading).is_touch; }
 

@@ -8,10 +8,16 @@
 
 namespace tubeplan::calibration {
 
-/// The posture that a reading states, for a base under which gravity has that direction (unit length, base axes). The
-/// one place where a reading's conditions reach the model.
-[[nodiscard]] inline deflection::Posture postureOf(const Measurement& reading, const Eigen::Vector3d& gravity_B) {
-  deflection::Posture posture{reading.q, reading.load, gravity_B};
+/// The posture that a reading states, for a base placed at X_WB. The one place where a reading's conditions reach the
+/// model.
+[[nodiscard]] inline deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
+                                                   const Eigen::Isometry3d& X_WB) {
+  deflection::Posture posture{reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
+  if (reading.wrench) {
+    const Eigen::Matrix3d R_BW = X_WB.linear().transpose();
+    posture.wrench = deflection::Wrench{R_BW * reading.wrench->force_W, R_BW * reading.wrench->moment_W};
+  }
+  posture.side_q = reading.side_q;
   posture.approach_directions = reading.approach_directions;
   posture.temperature = reading.temperature;
   posture.time = reading.time;
@@ -19,14 +25,20 @@ namespace tubeplan::calibration {
   return posture;
 }
 
+/// The same reading with nothing on its tip.
+[[nodiscard]] inline Measurement unloaded(Measurement reading) {
+  reading.load = 0;
+  reading.wrench.reset();
+  return reading;
+}
+
 /// Of a displacement, the posture that it is taken from: the same without its load, or that of another reading.
 [[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& reading,
-                                                                           const Eigen::Vector3d& gravity_B) {
+                                                                           const deflection::Arm& arm,
+                                                                           const Eigen::Isometry3d& X_WB) {
   if (!kindOf(reading).is_displacement) return std::nullopt;
-  if (reading.reference) return postureOf(*reading.reference, gravity_B);
-  deflection::Posture unloaded = postureOf(reading, gravity_B);
-  unloaded.load = 0;
-  return unloaded;
+  if (const auto* from = referenceOf(reading)) return postureOf(*from, arm, X_WB);
+  return postureOf(unloaded(reading), arm, X_WB);
 }
 
 }  // namespace tubeplan::calibration

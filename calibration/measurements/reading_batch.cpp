@@ -8,6 +8,14 @@ namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::Vector3d;
 
+bool isForBatch(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+  if (dependsOnPosture(arm)) return false;
+  return std::none_of(readings.begin(), readings.end(), [](const Measurement& reading) {
+    const Measurement* from = referenceOf(reading);
+    return reading.row || reading.wrench || (from && from->wrench);
+  });
+}
+
 void ReadingBatch::place(const Measurement& reading, double load, const Vector3d& gravity_B, Index at) {
   postures_.q.col(at) = reading.q;
   postures_.load[at] = load;
@@ -29,8 +37,8 @@ bool ReadingBatch::solve(const std::vector<BasePose>& base_poses, const std::vec
     const Vector3d& gravity = gravity_B[static_cast<std::size_t>(base_pose_of[first + k])];
     place(reading, reading.load, gravity, static_cast<Index>(k));
     if (from_[k] < 0) continue;
-    const bool is_elsewhere = reading.reference != nullptr;
-    place(is_elsewhere ? *reading.reference : reading, is_elsewhere ? reading.reference->load : 0, gravity, from_[k]);
+    const Measurement* from = referenceOf(reading);
+    place(from ? *from : reading, from ? from->load : 0, gravity, from_[k]);
   }
   kinematics_.solveWithDerivatives(postures_, variables, tips_);
   return std::all_of(tips_.status.begin(), tips_.status.end(),

@@ -9,7 +9,11 @@
 
 namespace tubeplan::calibration {
 
-/// For arms without effects: all that a reading says beside joints and load is of no matter to them.
+/// Whether joints, load and gravity are all that matters to the model of any of the readings: arms without effects,
+/// tips on which nothing but a load hangs. Readings of rows' frames are none for a batch: all that it knows is tips.
+[[nodiscard]] bool isForBatch(const deflection::Arm& arm, const std::vector<Measurement>& readings);
+
+/// Of readings for which isForBatch() holds.
 class ReadingBatch {
  public:
   /// `arm` must outlive this, and stay as it is.

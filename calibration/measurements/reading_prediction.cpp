@@ -3,22 +3,18 @@
 #include <cassert>
 #include <cmath>
 
-#include "calibration/measurements/measurement_posture.hpp"
 #include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/tip_differentiation.hpp"
 
 namespace tubeplan::calibration {
 
-using deflection::Variable;
 using Eigen::Matrix3d, Eigen::Matrix3Xd, Eigen::MatrixXd, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kLeastSigma = 1e-6;  // m
-
-bool isMeasurementScale(const deflection::Arm& arm, const Variable& variable) {
-  if (variable.type != Variable::Type::kParameter || variable.parameter.effect < 0) return false;
+bool isMeasurementScale(const deflection::Arm& arm, const deflection::Variable& variable) {
+  if (variable.type != deflection::Variable::Type::kParameter || variable.parameter.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(variable.parameter.effect));
   return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).stage ==
          deflection::EffectStage::kMeasurement;
@@ -44,7 +40,8 @@ void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, co
   if (prediction.by_joints.size()) prediction.by_joints.topRows(rows) *= scale;
 }
 
-/// The tool's pose with its derivatives, 6 rows: the tip's place [m], then the turn [rad] about the world's axes.
+/// The pose of the tool, or of a row's frame, with its derivatives, 6 rows: its place [m], then the turn [rad] about
+/// the world's axes.
 struct ToolPrediction {
   bool ok = false;
   ToolPose pose;
@@ -52,19 +49,21 @@ struct ToolPrediction {
 };
 
 ToolPrediction predictTool(deflection::TipDifferentiation& tip, const Eigen::Isometry3d& X_WB,
-                           const deflection::Posture& posture, const PredictionRequest& request) {
-  std::vector<Variable> variables = request.numbers;
+                           const deflection::Posture& posture, const PredictionRequest& request,
+                           const std::optional<int>& row = {}) {
+  std::vector<deflection::Variable> variables = request.numbers;
   const auto numbers = static_cast<Eigen::Index>(variables.size());
   if (request.by_base)
-    for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
+    for (int axis = 0; axis < 3; ++axis) variables.push_back(deflection::Variable::gravityTurn(axis));
   if (request.by_joints)
-    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(Variable::joint(joint));
+    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(deflection::Variable::joint(joint));
   ToolPrediction tool;
   const Matrix3d R = X_WB.linear();
-  tool.ok = tip.solve(posture, variables) == deflection::KinematicsStatus::kConverged;
-  const auto X_BD = tip.arm().X_BD();
-  const Vector3d r_W = R * X_BD.p;
-  tool.pose = {X_WB.translation() + r_W, R * X_BD.R};
+  tool.ok = (row ? tip.solveRow(*row, posture, variables) : tip.solve(posture, variables)) ==
+            deflection::KinematicsStatus::kConverged;
+  const auto X_BF = row ? tip.arm().X_BL(*row) : tip.arm().X_BD();
+  const Vector3d r_W = R * X_BF.p;
+  tool.pose = {X_WB.translation() + r_W, R * X_BF.R};
   if (variables.empty()) return tool;
   MatrixXd by(6, tip.columns().cols());
   by << R * tip.columns().topRows<3>(), R * tip.columns().bottomRows<3>();
@@ -107,11 +106,16 @@ void subtract(ToolPrediction& a, const ToolPrediction& b, bool shares_joints) {
   a.by_joints << own, -b.by_joints;
 }
 
-}  // namespace
-
-deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
-  return postureOf(reading, deflection::gravityInBase(arm, X_WB));
+/// Of the tool, or of a row's frame.
+std::optional<ToolPose> poseAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                               const std::optional<int>& row, const deflection::FlexibleKinematicsOptions& options) {
+  const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, arm, X_WB), options);
+  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
+  const auto& X_BF = row ? shape.rows.at(static_cast<std::size_t>(*row)).X_BL : shape.X_BD;
+  return ToolPose{X_WB * X_BF.p, X_WB.linear() * X_BF.R};
 }
+
+}  // namespace
 
 ReadingPredictor::ReadingPredictor(const deflection::Arm& arm)
     : arm_(arm), tip_(std::make_unique<deflection::TipDifferentiation>(arm)) {}
@@ -134,9 +138,9 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
 
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
-  ToolPrediction tool = predictTool(*tip_, X_WB, postureOf(reading, arm_, X_WB), request);
-  if (const auto from = referencePostureOf(reading, deflection::gravityInBase(arm_, X_WB)))
-    subtract(tool, predictTool(*tip_, X_WB, *from, request), !reading.reference);
+  ToolPrediction tool = predictTool(*tip_, X_WB, postureOf(reading, arm_, X_WB), request, reading.row);
+  if (const auto from = referencePostureOf(reading, arm_, X_WB))
+    subtract(tool, predictTool(*tip_, X_WB, *from, request), !referenceOf(reading));
   Prediction prediction = measured(reading, tool);
   if (!touchesUnknownPoint(reading)) scaleCoordinates(arm_, reading, request, prediction);
   return prediction;
@@ -151,9 +155,12 @@ Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
 
 std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                const deflection::FlexibleKinematicsOptions& options) {
-  const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, arm, X_WB), options);
-  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
-  return ToolPose{X_WB * shape.X_BD.p, X_WB.linear() * shape.X_BD.R};
+  return poseAt(arm, X_WB, reading, std::nullopt, options);
+}
+
+std::optional<ToolPose> frameAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                                const deflection::FlexibleKinematicsOptions& options) {
+  return poseAt(arm, X_WB, reading, reading.row, options);
 }
 
 MatrixXd encoderCovariance(const deflection::Arm& arm, const MatrixXd& by_joints) {
@@ -175,13 +182,7 @@ Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
 }
 
 MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading, const MatrixXd& by_joints) {
-  MatrixXd covariance = encoderCovariance(arm, by_joints);
-  const MeasuredValue sigmas = rowSigmas(reading);
-  for (Eigen::Index row = 0; row < sigmas.size(); ++row) {
-    const double sigma = std::isfinite(sigmas[row]) ? std::max(sigmas[row], kLeastSigma) : kLeastSigma;
-    covariance(row, row) += sigma * sigma;
-  }
-  return covariance;
+  return encoderCovariance(arm, by_joints) + statedCovariance(reading);
 }
 
 }  // namespace tubeplan::calibration

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/measurement_posture.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/tip_derivatives.hpp"
 
@@ -29,10 +30,6 @@ struct Prediction {
   Eigen::MatrixXd by_numbers, by_base, by_joints;  ///< rows x numbers; rows x 6, at a zero step; rows x joints,
                                                    ///< of a way from another reading those of that one after its own
 };
-
-/// The posture of a reading at a placing.
-[[nodiscard]] deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
-                                            const Eigen::Isometry3d& X_WB);
 
 /// Predicts reading after reading of one arm; each thread needs its own. `arm` must outlive it, and stay as it is.
 class ReadingPredictor {
@@ -62,10 +59,15 @@ class ReadingPredictor {
 [[nodiscard]] Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
                                     double load);
 
-/// The tool where the reading was taken; nothing where the shape does not converge.
+/// The tool where the reading was taken, whatever it is of; nothing where the shape does not converge.
 [[nodiscard]] std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                              const Measurement& reading,
                                              const deflection::FlexibleKinematicsOptions& options = {});
+
+/// The frame that the reading is of: the tool's, or that of its row.
+[[nodiscard]] std::optional<ToolPose> frameAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                              const Measurement& reading,
+                                              const deflection::FlexibleKinematicsOptions& options = {});
 
 /// Covariance [m^2] of what the joints' readings alone leave open, through `by_joints` (rows x joints).
 [[nodiscard]] Eigen::MatrixXd encoderCovariance(const deflection::Arm& arm, const Eigen::MatrixXd& by_joints);
@@ -74,8 +76,7 @@ class ReadingPredictor {
 [[nodiscard]] Eigen::Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
                                             const Eigen::Matrix<double, 6, 6>& base_covariance);
 
-/// Covariance [m^2] of a reading: its own noise on every coordinate, and the encoders' through `by_joints`. Readings
-/// that state no sigma count as exact to a micrometre.
+/// Covariance [m^2] of a reading: its own noise (statedCovariance), and the encoders' through `by_joints`.
 [[nodiscard]] Eigen::MatrixXd readingCovariance(const deflection::Arm& arm, const Measurement& reading,
                                                 const Eigen::MatrixXd& by_joints);
 

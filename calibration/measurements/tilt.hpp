@@ -1,5 +1,5 @@
-// An inclinometer on the tool: how far the tool frame's axes rise above the horizontal, as many of the three as it
-// reads. Where an axis stands upright its angle is lost.
+// An inclinometer on the tool, or on a row of the arm: how far the axes of the frame that it is fixed to rise above the
+// horizontal, as many of the three as it reads. Where an axis stands upright its angle is lost.
 #pragma once
 
 #include <algorithm>
@@ -49,6 +49,7 @@ inline MeasurementKindRow kind() {
           .is_to_gravity = true,
           .is_by_scale = false,
           .sees_turn = true,
+          .may_be_of_row = true,
           .value = value,
           .slope = slope,
           .measured = measured,

@@ -43,9 +43,9 @@ bool isStretched(const Matrix3Xd& jacobian, double reach, double floor) {
 }
 
 /// One search: the posture reached so far, and the Jacobian that its steps are taken with.
-class Search {
+class TipSearch {
  public:
-  Search(const Arm& arm, Posture start, const Vector3d& goal_B)
+  TipSearch(const Arm& arm, Posture start, const Vector3d& goal_B)
       : arm_(arm), goal_B_(goal_B), posture_(std::move(start)) {
     shape_ = deflection::solveFlexibleKinematics(arm_, posture_, kExact);
     refresh();
@@ -94,7 +94,7 @@ class Search {
 
 TipPlacement placeTip(const Arm& arm, const Posture& start, const Vector3d& p_BT, const TipPlacementOptions& options) {
   TipPlacement placement{TipPlacementStatus::kNotConverged, start.q};
-  Search search(arm, start, p_BT);
+  TipSearch search(arm, start, p_BT);
   if (!search.isConverged()) return placement;
   for (int k = 0; k < options.max_iterations && search.distance() >= options.tolerance; ++k)
     if (!search.advance()) break;

@@ -37,7 +37,7 @@ MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
 }
 
 /// The space that is left to a pattern beside what is fitted.
-struct Search {
+struct SearchedScene {
   const ReadingScene& scene;
   const ReadingWeights& weights;
   MatrixXd absorbed;  ///< orthonormal: the fitted unknowns' columns
@@ -100,7 +100,7 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
 }
 
 /// The error that follows the pattern beside what is fitted, of each reading along the frame's axes [m].
-Eigen::Matrix3Xd followedErrors(const Search& search, PatternFrame frame, const VectorXd& followed) {
+Eigen::Matrix3Xd followedErrors(const SearchedScene& search, PatternFrame frame, const VectorXd& followed) {
   const auto& scene = search.scene;
   Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
   for (std::size_t k = 0; k < scene.readings.size(); ++k) {
@@ -156,7 +156,8 @@ struct Followed {
   int numbers = 0;
 };
 
-Followed followFunctions(const Search& search, const Question& question, const MatrixXd& beside, const VectorXd& r) {
+Followed followFunctions(const SearchedScene& search, const Question& question, const MatrixXd& beside,
+                         const VectorXd& r) {
   const MatrixXd columns = search.columnsOf(question.variable->basis, question.frame, beside);
   return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
 }
@@ -172,7 +173,8 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
 /// Analysis of variance by groups: each group's mean is a number of its own. With B the projection on the groups' means
 /// and Q what is fitted, r^T B r has tr B - tr Q^T B Q degrees of freedom. Group by group, so that a group for every
 /// point costs no more than one for all.
-Followed followGroups(const Search& search, const Variable& variable, const MatrixXd& beside, const VectorXd& r) {
+Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
+                      const VectorXd& r) {
   Followed followed{VectorXd::Zero(r.size()), 0};
   double numbers = 0;
   for (const auto& group : membersOf(variable)) {
@@ -204,7 +206,7 @@ Followed followGroups(const Search& search, const Variable& variable, const Matr
 }
 
 /// `test.numbers` stays 0 where nothing is left to ask or nothing to ask it against.
-PatternTest ask(const Search& search, const Question& question, const MatrixXd& others) {
+PatternTest ask(const SearchedScene& search, const Question& question, const MatrixXd& others) {
   PatternTest test;
   const Variable& variable = *question.variable;
   test.kind = question.kind->name;
@@ -239,7 +241,7 @@ void correctByHolm(std::vector<PatternTest>& tests, double level) {
 }
 
 /// Findings by variable, each asked again beside all stronger ones that stand alone.
-std::vector<PatternTest> distinctFindings(const Search& search, const std::vector<Question>& questions,
+std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std::vector<Question>& questions,
                                           const std::vector<PatternTest>& tests, double level) {
   std::vector<PatternTest> findings;
   MatrixXd beside = search.absorbed;
@@ -266,8 +268,8 @@ PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& we
                              double level, const WorkHooks& hooks) {
   PatternSearch result;
   tell(hooks, "patterns");
-  Search search{scene,      weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()),
-                residual.r, 0,       hooks.stop};
+  SearchedScene search{scene,      weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()),
+                       residual.r, 0,       hooks.stop};
   search.freedom = weights.degrees_of_freedom - static_cast<int>(search.absorbed.cols());
   std::vector<std::vector<Variable>> variables;
   for (const auto& kind : patternKinds()) {

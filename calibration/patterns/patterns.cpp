@@ -27,7 +27,7 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 namespace {
 
 constexpr double kOnAxis = 1e-6;  // m from the axis of gravity within which "away from it" has no direction
-constexpr double kRounding = 1e-9;
+constexpr double kSameValue = 1e-9;
 
 Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
   const Vector3d up = -gravity.normalized();
@@ -98,7 +98,7 @@ VectorXd centred(const VectorXd& value, double (*function)(double)) {
 
 bool varies(const VectorXd& value) {
   const auto [least, most] = rangeOf(value);
-  return most - least > kRounding * std::max(std::abs(least), std::abs(most));
+  return most - least > kSameValue * std::max(std::abs(least), std::abs(most));
 }
 
 MatrixXd slowWaves(const VectorXd& value) {

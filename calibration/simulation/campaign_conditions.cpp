@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "deflection/rotation.hpp"
+#include "deflection/side_chains.hpp"
 
 namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kRest = 1e-9;  // rad or m: less is no motion
+constexpr double kWidest = deflection::kFullTurn / 2;  // rad or m, of a side chain's joint without limits
+constexpr double kNoMotion = 1e-9;                     // rad or m: less is no motion
 
 }  // namespace
 
@@ -17,21 +19,26 @@ std::vector<int> ReadingConditions::approach_directions(const Eigen::VectorXd& f
   std::vector<int> result;
   for (int k = 0; k < to.size(); ++k) {
     const double way = to[k] - from[k];
-    result.push_back(std::abs(way) < kRest ? rests[k] : (way > 0 ? turns[k] : -turns[k]));
+    result.push_back(std::abs(way) < kNoMotion ? rests[k] : (way > 0 ? turns[k] : -turns[k]));
   }
   return result;
 }
 
-ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, double sigma,
-                                 double turn_sigma, std::uint64_t seed)
+ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings,
+                                 const CampaignDesign& design, std::uint64_t seed)
     : pace_(pace),
-      sigma_(sigma),
-      turn_sigma_(turn_sigma),
+      noise_factor_(noiseFactor(design)),
+      turn_sigma_(design.turn_sigma),
+      push_(design.push),
       reference_(arm.reference_temperature),
       period_(std::min(pace.longest_period, readings * (pace.shortest + pace.longest))),
       conditions_(seed, CampaignRandom::Stream::kConditions),
-      noise_(seed, CampaignRandom::Stream::kNoise) {
-  phase_ = conditions_.uniform(0, kTurn);
+      noise_(seed, CampaignRandom::Stream::kNoise),
+      pushes_(seed, CampaignRandom::Stream::kPushes),
+      side_chains_(seed, CampaignRandom::Stream::kSideChains) {
+  for (const auto* joint : deflection::sideJoints(arm))
+    side_limits_.emplace_back(std::max(joint->lower, -kWidest), std::min(joint->upper, kWidest));
+  phase_ = conditions_.uniform(0, deflection::kFullTurn);
   for (const int row : deflection::activeRows(arm)) encoder_sigmas_.push_back(arm.rows[row].joint.encoder_sigma);
 }
 
@@ -41,16 +48,22 @@ ReadingConditions ConditionSeries::next() {
   time_ += is_first_ ? 0 : wait;
   is_first_ = false;
   reading.time = time_;
-  reading.temperature =
-      reference_ + pace_.swing * std::sin(kTurn * time_ / period_ + phase_) + conditions_.normal(pace_.flutter);
+  reading.temperature = reference_ + pace_.swing * std::sin(deflection::kFullTurn * time_ / period_ + phase_) +
+                        conditions_.normal(pace_.flutter);
   for (std::size_t k = 0; k < encoder_sigmas_.size(); ++k) {
     reading.turns.push_back(conditions_.uniform(0, 1) < pace_.overshoot ? -1 : 1);
     reading.rests.push_back(conditions_.uniform(0, 1) < 0.5 ? -1 : 1);
   }
-  reading.coordinate_noise = noise_.vector(sigma_);
+  reading.coordinate_noise = noise_factor_ * noise_.vector(1);
   reading.encoder_noise.resize(static_cast<Eigen::Index>(encoder_sigmas_.size()));
   for (int k = 0; k < reading.encoder_noise.size(); ++k) reading.encoder_noise[k] = noise_.normal(encoder_sigmas_[k]);
   if (turn_sigma_ > 0) reading.turn_noise = noise_.vector(turn_sigma_);
+  reading.side_q.resize(static_cast<Eigen::Index>(side_limits_.size()));
+  for (Eigen::Index k = 0; k < reading.side_q.size(); ++k) {
+    const auto& [lower, upper] = side_limits_[static_cast<std::size_t>(k)];
+    reading.side_q[k] = side_chains_.uniform(lower, upper);
+  }
+  if (push_ > 0) reading.push = push_ * pushes_.uniform(0, 1) * pushes_.vector(1).normalized();
   return reading;
 }
 

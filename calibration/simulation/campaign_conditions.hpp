@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calibration/measurement.hpp"
+#include "calibration/simulation/campaign_design.hpp"
 #include "calibration/simulation/campaign_random.hpp"
 #include "deflection/arm.hpp"
 
@@ -24,6 +25,8 @@ struct ReadingConditions {
   Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< rad
   Eigen::VectorXd encoder_noise;                               ///< rad or m
+  Eigen::VectorXd side_q;                                      ///< where the side chains' joints stand, rad or m
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();              ///< N, on the tip, in the world's axes
 
   /// The sense of each joint's last motion on the way from one posture to another.
   [[nodiscard]] std::vector<int> approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
@@ -32,18 +35,19 @@ struct ReadingConditions {
 /// A series of conditions, in order of time.
 class ConditionSeries {
  public:
-  /// For so many readings; sigma [m] of each coordinate, turn_sigma [rad] of each angle.
-  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, double sigma, double turn_sigma,
+  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, const CampaignDesign& design,
                   std::uint64_t seed);
 
   [[nodiscard]] ReadingConditions next();
 
  private:
   CampaignPace pace_;
-  double sigma_, turn_sigma_, reference_, period_, phase_ = 0, time_ = 0;
+  Eigen::Matrix3d noise_factor_;
+  double turn_sigma_, push_, reference_, period_, phase_ = 0, time_ = 0;
   std::vector<double> encoder_sigmas_;
+  std::vector<std::pair<double, double>> side_limits_;
   bool is_first_ = true;
-  CampaignRandom conditions_, noise_;
+  CampaignRandom conditions_, noise_, pushes_, side_chains_;
 };
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,6 @@
 #include "calibration/simulation/campaign_design.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,8 +46,20 @@ constexpr std::array<NamedDesign, 3> kDesigns{{
     {"touch", "touches of unknown points, each under every load", makeTouch},
 }};
 
-int readingsPerPoint(const CampaignDesign& design) {
-  return static_cast<int>(design.loads.size()) * design.postures_per_point;
+int readingsPerPoint(const CampaignDesign& design) { return readingsPerPosture(design) * design.postures_per_point; }
+
+std::string findNoiseProblem(const CampaignDesign& design) {
+  for (const double sigma : {design.sigma, design.turn_sigma})
+    if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma that is negative or not finite";
+  if (design.sigma_W && !(design.sigma_W->minCoeff() > 0 && design.sigma_W->allFinite()))
+    return "a sigma of x, y or z that is not above zero";
+  if (design.sigma_W && !kindOf(design.kind).has_coordinates)
+    return std::string("sigmas of x, y and z for readings of kind ") + kindOf(design.kind).name +
+           ", which measure no x, y, z";
+  if (design.correlation_W && !design.sigma_W) return "correlations without the sigmas of x, y and z";
+  if (design.correlation_W && !isPossibleCorrelation(*design.correlation_W))
+    return "correlations that no errors can have together";
+  return {};
 }
 
 std::string findLoadProblem(const CampaignDesign& design) {
@@ -73,6 +86,8 @@ std::string findKindProblem(const CampaignDesign& design) {
   if (!is_of_holes && design.place == CampaignPlace::kHoles) return "holes that are neither touched nor looked at";
   if (kind.names_hole && !is_touch && design.place != CampaignPlace::kHoles)
     return std::string("readings of kind ") + kind.name + " elsewhere than at holes of the sheet";
+  if (!design.rows.empty() && !kind.may_be_of_row)
+    return std::string("readings of kind ") + kind.name + " of rows of the arm";
   if (!is_touch && design.postures_per_point != 1) return "several postures for a point that is not touched";
   if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
     return "unknown points, each touched only once, which tell nothing";
@@ -90,6 +105,16 @@ const NamedDesign* findCampaignDesign(std::string_view name) {
 
 std::vector<double> usualLoads() { return {0, 20 * kPoundForce, 40 * kPoundForce}; }
 
+Eigen::Matrix3d noiseFactor(const CampaignDesign& design) {
+  if (!design.sigma_W) return design.sigma * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d R = correlationMatrix(design.correlation_W.value_or(Eigen::Vector3d::Zero()));
+  return design.sigma_W->asDiagonal() * Eigen::Matrix3d(R.llt().matrixL());
+}
+
+int readingsPerPosture(const CampaignDesign& design) {
+  return static_cast<int>(design.loads.size() * std::max<std::size_t>(1, design.rows.size()));
+}
+
 int pointsOf(const CampaignDesign& design, int readings) {
   const int each = readingsPerPoint(design);
   return (readings + each - 1) / each;
@@ -98,8 +123,7 @@ int pointsOf(const CampaignDesign& design, int readings) {
 std::string findDesignProblem(const CampaignDesign& design, int readings) {
   if (readings < 1 || readings > kMostReadings)
     return std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
-  for (const double sigma : {design.sigma, design.turn_sigma})
-    if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma that is negative or not finite";
+  if (auto problem = findNoiseProblem(design); !problem.empty()) return problem;
   if (!(design.held_out >= 0 && design.held_out < 1)) return "a held-out share that is not from 0 to below 1";
   if (design.postures_per_point < 1 || design.setups < 1) return "no posture for a point, or no set-up";
   if (auto problem = findLoadProblem(design); !problem.empty()) return problem;

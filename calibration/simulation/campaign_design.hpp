@@ -29,16 +29,20 @@ struct CampaignDesign {
   std::string name;
   MeasurementKind kind = MeasurementKind::kPosition;
   CampaignPlace place = CampaignPlace::kAnywhere;
-  bool points_known = true;                     ///< of kind touch
-  std::vector<double> loads;                    ///< N; every posture is read under each of them in turn
-  int postures_per_point = 1;                   ///< of kind touch: how many postures touch the same point
-  int setups = 1;                               ///< base poses, one after the other
+  bool points_known = true;    ///< of kind touch
+  std::vector<double> loads;   ///< N; every posture is read under each of them in turn
+  double push = 0;             ///< N; a force of any direction up to that size on the tip as well
+  std::vector<int> rows;       ///< of the arm, each read at every posture, of kinds that may; else the tool
+  int postures_per_point = 1;  ///< of kind touch: how many postures touch the same point
+  int setups = 1;              ///< base poses, one after the other
   std::optional<Eigen::Vector3d> anchor_W;      ///< m, of kinds that measure from an anchor
   std::optional<Eigen::Vector3d> direction_W;   ///< a unit vector, of kinds that measure along one
   std::optional<Eigen::AlignedBox3d> region_W;  ///< m, where the tip stays; else in front of the base's own plane
   double sigma = kPositionSigma;                ///< m, one standard deviation of a coordinate; 0: exact readings
-  double turn_sigma = 0;                        ///< rad, the same of an angle, of kinds that measure some
-  double held_out = 0;                          ///< share of the points or postures that are kept from the fit
+  std::optional<Eigen::Vector3d> sigma_W;  ///< m, of x, y and z apart, of kinds that measure them; goes before `sigma`
+  std::optional<Eigen::Vector3d> correlation_W;  ///< beside it: of x with y, x with z, y with z
+  double turn_sigma = 0;                         ///< rad, the same of an angle, of kinds that measure some
+  double held_out = 0;                           ///< share of the points or postures that are kept from the fit
 };
 
 /// A design that has a name. An open table: a new one is one row in campaign_design.cpp.
@@ -54,6 +58,12 @@ struct NamedDesign {
 
 /// The loads of the thesis's trials, 0, 20 and 40 lbf [N].
 [[nodiscard]] std::vector<double> usualLoads();
+
+/// What makes the noise of the coordinates [m] of three independent normal numbers of variance 1.
+[[nodiscard]] Eigen::Matrix3d noiseFactor(const CampaignDesign& design);
+
+/// How many readings one posture takes: one of each row under each load.
+[[nodiscard]] int readingsPerPosture(const CampaignDesign& design);
 
 /// How many different points (or postures, where none is touched) so many readings take.
 [[nodiscard]] int pointsOf(const CampaignDesign& design, int readings);

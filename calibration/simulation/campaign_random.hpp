@@ -10,7 +10,7 @@ namespace tubeplan::calibration {
 
 class CampaignRandom : public RandomStream {
  public:
-  enum class Stream : std::uint32_t { kTruth = 1, kPostures, kConditions, kNoise, kSplit };
+  enum class Stream : std::uint32_t { kTruth = 1, kPostures, kConditions, kNoise, kSplit, kPushes, kSideChains };
 
   CampaignRandom(std::uint64_t seed, Stream stream) : RandomStream(sourceOf(seed, stream)) {}
 

@@ -11,8 +11,10 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
+constexpr deflection::FlexibleKinematicsOptions kShapeExactly{1e-13, 100};
+
 std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
-  return toolAt(arm, site.X_WB, reading, {1e-13, 100});
+  return toolAt(arm, site.X_WB, reading, kShapeExactly);
 }
 
 /// What the reading states beside what it measures.
@@ -40,11 +42,14 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
                        ToolPose tool, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
   if (kind.is_displacement && !kind.is_from_reading) {
-    Measurement unloaded = reading;
-    unloaded.load = 0;
-    const auto rest = toolIn(arm, site, unloaded);
+    const auto rest = toolIn(arm, site, unloaded(reading));
     if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
+  }
+  if (reading.row) {
+    const auto frame = frameAt(arm, site.X_WB, reading, kShapeExactly);
+    if (!frame) return PostureRefusal::kNotConverged;
+    tool = *frame;
   }
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
   return kind.is_above_zero && reading.own[0] <= 0 ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
@@ -55,9 +60,18 @@ Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site,
   Measurement reading;
   reading.kind = design.kind;
   reading.setup = site.name;
-  reading.load = design.loads[index % design.loads.size()];
+  const std::size_t rows = std::max<std::size_t>(1, design.rows.size());
+  if (!design.rows.empty()) reading.row = design.rows[index % rows];
+  reading.load = design.loads[index / rows % design.loads.size()];
+  reading.side_q = conditions.side_q;
+  if (design.push > 0) reading.wrench = TipWrench{conditions.push};
   const MeasurementKindRow& kind = kindOf(reading);
   if (design.sigma > 0 && kind.rows > kind.turn_rows && !kind.counts_steps) reading.sigma = design.sigma;
+  if (design.sigma_W) {
+    reading.sigma = meanSigma(*design.sigma_W);
+    reading.sigma_W = design.sigma_W;
+    reading.correlation_W = design.correlation_W;
+  }
   if (design.turn_sigma > 0 && kind.turn_rows > 0) reading.turn_sigma = design.turn_sigma;
   reading.temperature = conditions.temperature;
   reading.time = conditions.time;
@@ -82,7 +96,7 @@ StationReadings CampaignStation::read(const CampaignSite& site, int number,
   taken.name = (kindOf(design_.kind).is_touch ? "H" : "P") + std::to_string(number);
   VectorXd here = here_, q = here_;
   for (std::size_t k = 0; k < conditions.size(); ++k) {
-    if (k % design_.loads.size() == 0) taken.refusal = begin(site, taken, q);
+    if (k % static_cast<std::size_t>(readingsPerPosture(design_)) == 0) taken.refusal = begin(site, taken, q);
     if (taken.refusal != PostureRefusal::kNone) return taken;
     Measurement reading = readingUnder(design_, site, k, conditions[k]);
     reading.point = taken.name;
@@ -155,7 +169,7 @@ PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const Reading
                                          const Vector3d& goal_W, const VectorXd& here, Measurement& reading) const {
   constexpr int kMostPasses = 4;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const auto placed = placeTip(arm_, postureOf(reading, site.gravity_B), site.X_WB.inverse() * goal_W);
+    const auto placed = placeTip(arm_, postureOf(reading, arm_, site.X_WB), site.X_WB.inverse() * goal_W);
     if (placed.status == TipPlacementStatus::kStretched) return PostureRefusal::kStretched;
     if (placed.status != TipPlacementStatus::kPlaced) return PostureRefusal::kOutOfReach;
     reading.q = placed.q;

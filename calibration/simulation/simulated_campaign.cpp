@@ -57,7 +57,7 @@ class CampaignMaker {
         options_(options),
         hooks_(hooks),
         sites_(sitesOf(truth)),
-        series_(truth.arm, options.pace, options.readings, design.sigma, design.turn_sigma, options.seed),
+        series_(truth.arm, options.pace, options.readings, design, options.seed),
         station_(truth.arm, design, options) {}
 
   SimulatedCampaign make() {
@@ -105,7 +105,7 @@ class CampaignMaker {
 
   /// All readings of one point, or of one posture.
   bool addPoint(const CampaignSite& site, int number) {
-    const std::size_t each = design_.loads.size() * static_cast<std::size_t>(design_.postures_per_point);
+    const auto each = static_cast<std::size_t>(readingsPerPosture(design_) * design_.postures_per_point);
     const std::size_t left = static_cast<std::size_t>(options_.readings) - result_.readings.size();
     std::vector<ReadingConditions> conditions;
     while (conditions.size() < std::min(each, left)) conditions.push_back(series_.next());

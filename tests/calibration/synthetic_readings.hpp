@@ -1,9 +1,11 @@
 // Readings as an arm that is wholly known would give them, with noise or without.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
+#include <cmath>
 
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/steps.hpp"
@@ -44,11 +46,13 @@ class ReadingMaker {
       : truth_(std::move(truth)), random_(seed), has_noise_(noise == Noise::kStated), touch_sigma_(touch_sigma) {}
 
   std::vector<Measurement> readings;
+  std::optional<Eigen::Vector3d> sigma_W, correlation_W;  ///< stated and drawn, of kinds that measure x, y and z
 
-  /// Readings of any kind but touch at postures of their own.
-  void add(MeasurementKind kind, int count, const std::string& setup = "") {
+  /// Readings of any kind but touch at postures of their own; of a row's frame where one is named.
+  void add(MeasurementKind kind, int count, const std::string& setup = "", std::optional<int> of_row = {}) {
     for (int k = 0; k < count; ++k) {
       Measurement m = blank(kind, setup);
+      m.row = of_row;
       m.q = drawPosture();
       m.load = uniform(10, 40) * kPound;
       const MeasurementKindRow& row = kindOf(kind);
@@ -67,6 +71,13 @@ class ReadingMaker {
       MeasuredValue noise_of_rows(row.rows);
       for (int i = 0; i < row.rows; ++i)
         noise_of_rows[i] = i < row.rows - row.turn_rows ? noise(m.sigma) : kTurnLever * noise(m.turn_sigma);
+      if (sigma_W && row.has_coordinates) {
+        m.sigma_W = sigma_W;
+        m.correlation_W = correlation_W;
+        m.sigma = std::sqrt(sigma_W->squaredNorm() / 3);
+        const Eigen::Matrix3d R = correlationMatrix(correlation_W.value_or(Eigen::Vector3d::Zero()));
+        noise_of_rows.head<3>() = sigma_W->asDiagonal() * Eigen::Matrix3d(R.llt().matrixL()) * noise3(1);
+      }
       row.record(tool, 1, noise_of_rows, m);
       if (row.counts_steps && !settleSteps(m)) {
         --k;
@@ -118,7 +129,7 @@ class ReadingMaker {
   /// The tool in the world; of a deflection the tip's displacement.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
     const auto& X_WB = truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
-    ToolPose tool = *toolAt(truth_.arm, X_WB, m);
+    ToolPose tool = *frameAt(truth_.arm, X_WB, m);
     Measurement unloaded = m;
     unloaded.load = 0;
     if (kindOf(m).is_displacement && !kindOf(m).is_from_reading) tool.p_W -= toolAt(truth_.arm, X_WB, unloaded)->p_W;

@@ -6,28 +6,13 @@
 #include <set>
 
 #include "calibration/estimation/held_out.hpp"
+#include "tests/calibration/estimation/freeing.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
 using Noise = ReadingMaker::Noise;
-
-IdentificationOptions freeing(const std::vector<std::string>& names) {
-  IdentificationOptions options;
-  options.free.names = names;
-  options.folds = 0;
-  options.intervals_by_profile = false;
-  return options;
-}
-
-/// Without priors, as exact readings of an arm that is far from its file want it.
-IdentificationOptions freeingBlindly(const std::vector<std::string>& names) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  IdentificationOptions options = freeing(names);
-  options.free.priors = {kNone, kNone, kNone, kNone, {}};
-  return options;
-}
 
 double& stiffnessOf(deflection::Arm& arm, const std::string& name) {
   return deflection::locate(arm, deflection::findParameter(arm, name)->path);

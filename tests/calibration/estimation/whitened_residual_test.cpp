@@ -59,6 +59,19 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   }
 }
 
+// A reading that was made from a way to another one keeps its reference: of another kind it is of no matter.
+TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
+  const PlacedArm placed = cobra();
+  ReadingMaker maker(placed, 6);
+  maker.add(MeasurementKind::kRelative, 3);
+  for (auto& reading : maker.readings) reading.kind = MeasurementKind::kPosition;
+  auto alone = maker.readings;
+  for (auto& reading : alone) reading.reference = nullptr;
+  const auto with = weighReadings(placed, maker.readings), without = weighReadings(placed, alone);
+  ASSERT_TRUE(with && without);
+  for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(with->noise[k], without->noise[k]);
+}
+
 /// Readings side by side and one by one: an effect of size nothing keeps the kernels off.
 TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calibration/measurement_checks/shifted_rows.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
 namespace tubeplan::calibration {
@@ -64,6 +65,22 @@ TEST(MeasurementChecksOf, AnArmThriceAsSoftAsDrawnIsNoMistake) {
   EXPECT_EQ(grossMistake(checksOf(*set)), nullptr);
 }
 
+TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
+  auto set = simulatedSet("bench.yaml", "bench", 60, {}, 4);
+  ASSERT_TRUE(set);
+  const auto has = [&] {
+    const auto checks = checksOf(*set).checks;
+    return std::any_of(checks.begin(), checks.end(), [](const auto& check) { return check.name == "segments"; });
+  };
+  EXPECT_FALSE(has());
+  for (auto& row : set->cell.arm.rows)
+    if (row.beam) row.beam->E /= 30;
+  EXPECT_TRUE(has());
+  for (auto& row : set->cell.arm.rows)
+    if (row.beam) row.beam->segments = 32;
+  EXPECT_FALSE(has());
+}
+
 TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   const auto set = simulatedSet("bench.yaml", "bench", 12, {}, 5);
   ASSERT_TRUE(set);
@@ -75,6 +92,22 @@ TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   std::vector<std::string> columns;
   for (const auto& missing : checksOf(readings).missing) columns.push_back(missing.column);
   EXPECT_EQ(columns, (std::vector<std::string>{"<joint>_dir", "temperature", "time"}));
+}
+
+// A tilt has its direction with it, a position its point of the tool, whatever was read at those joints.
+TEST(MeasurementChecksOf, ShiftedRowsKeepWholeWhatWasMeasured) {
+  std::vector<Measurement> readings(3);
+  readings[1].kind = MeasurementKind::kTilt;
+  readings[1].direction_W = Eigen::Vector3d::UnitZ();
+  readings[1].row = 2;
+  readings[2].p_TQ = Eigen::Vector3d(0.1, 0, 0);
+  mistakes::shifted_rows::shift(1, readings);
+  ASSERT_EQ(readings.size(), 2u);
+  EXPECT_EQ(readings[0].kind, MeasurementKind::kTilt);
+  EXPECT_TRUE(readings[0].direction_W);
+  EXPECT_EQ(readings[0].row, 2);
+  EXPECT_FALSE(readings[1].direction_W || readings[1].row);
+  EXPECT_TRUE(readings[1].p_TQ);
 }
 
 TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {

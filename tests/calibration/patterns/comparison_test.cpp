@@ -239,6 +239,17 @@ TEST(Repeats, closedFormOfPureErrorAndLackOfFit) {
   EXPECT_NEAR(repeats.noise_p_value, 2 * (std::erfc(2.) + 4 * std::exp(-4.) / std::sqrt(EIGEN_PI)), 1e-9);
 }
 
+TEST(Repeats, areUnderTheSameLoadsAndBesideTheSameSideChains) {
+  auto readings = makeCampaign(deflection::cobraArm(), 1, {1, 1, 0, kReadingSigma});
+  readings.resize(4, readings[0]);
+  for (auto& reading : readings) reading.side_q = Eigen::Vector2d(0.3, -0.2);
+  EXPECT_EQ(groupRepeats(readings), (std::vector<int>{0, 0, 0, 0}));
+  readings[1].wrench = TipWrench{{40, 0, 0}};
+  readings[2].wrench = TipWrench{{0, 40, 0}};
+  readings[3].side_q[1] += 0.5;
+  EXPECT_EQ(groupRepeats(readings), (std::vector<int>{0, 1, 2, 3}));
+}
+
 TEST(Repeats, understatedNoiseIsSaidAndDoesNotCondemnTheModel) {
   CampaignPlan plan{18, 4, 4 * kReadingSigma, kReadingSigma};
   const auto result = compareCobra(makeCampaign(deflection::cobraArm(), 12, plan));

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "calibration/estimation/base_calibration.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "tests/calibration/bench_campaign.hpp"
 
@@ -137,6 +138,30 @@ TEST(SimulatedCampaign, CoordinateNoiseHasTheStatedDeviation) {
     const double n = static_cast<double>(errors.size());
     EXPECT_NEAR(deviation(errors) / sigma, 1, 4 / std::sqrt(2 * n)) << "four standard errors";
     EXPECT_LE(std::abs(sum / n), 4 * sigma / std::sqrt(n));
+  }
+}
+
+TEST(SimulatedCampaign, CoordinateNoiseHasTheStatedCovariance) {
+  const CampaignTruth truth = benchTruth();
+  CampaignDesign design = designOf(MeasurementKind::kPosition, 1e-4);
+  design.sigma_W = Vector3d(1e-4, 5e-4, 3e-4);
+  design.correlation_W = Vector3d(0.9, -0.4, -0.5);
+  const auto campaign = simulate(truth, design, 3000);
+  ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+  Eigen::Matrix3d drawn = Eigen::Matrix3d::Zero();
+  for (const auto& reading : campaign.readings) {
+    ASSERT_TRUE(reading.sigma_W && reading.correlation_W);
+    const Vector3d off = (*reading.p_W - tipOf(truth, reading, reading.load)).cwiseQuotient(*design.sigma_W);
+    drawn += off * off.transpose() / 3000;
+  }
+  const Eigen::Matrix3d stated = correlationMatrix(*design.correlation_W);
+  EXPECT_LE((drawn - stated).cwiseAbs().maxCoeff(), 4 * std::sqrt(2. / 3000)) << "four standard errors";
+  for (auto change : {+[](CampaignDesign& d) { d.sigma_W->x() = 0; }, +[](CampaignDesign& d) { d.sigma_W.reset(); },
+                      +[](CampaignDesign& d) { d.correlation_W->x() = -0.999; },
+                      +[](CampaignDesign& d) { d.kind = MeasurementKind::kTilt; }}) {
+    CampaignDesign wrong = design;
+    change(wrong);
+    EXPECT_EQ(simulate(truth, wrong, 30).status, CampaignStatus::kRefused);
   }
 }
 

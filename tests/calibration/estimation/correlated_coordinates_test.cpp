@@ -1,0 +1,119 @@
+// Coordinates whose errors go together: what such a reading weighs, and what a fit that knows it gains.
+#include <gtest/gtest.h>
+
+#include "calibration/estimation/identification.hpp"
+#include "calibration/measurement_checks/axes.hpp"
+#include "calibration/measurement_checks/shifted_rows.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d;
+
+Measurement correlated(MeasurementKind kind) {
+  Measurement m;
+  m.kind = kind;
+  m.p_W = Vector3d(1, 2, 3);
+  m.own.setZero();
+  m.sigma_W = Vector3d(1e-4, 5e-4, 2e-4);
+  m.correlation_W = Vector3d(0.9, -0.5, -0.3);
+  m.sigma = 3e-4;
+  m.turn_sigma = 1e-4;
+  return m;
+}
+
+TEST(CorrelatedCoordinates, WeighByTheirWholeCovariance) {
+  for (const auto& row : measurementKinds()) {
+    const Measurement m = correlated(row.kind);
+    Measurement apart = m;
+    apart.correlation_W.reset();
+    const MatrixXd with = statedCovariance(m), without = statedCovariance(apart);
+    EXPECT_TRUE(with.diagonal().isApprox(without.diagonal())) << row.name;
+    MatrixXd expected = without;
+    if (row.has_coordinates) {
+      expected(0, 1) = expected(1, 0) = 0.9 * 1e-4 * 5e-4;
+      expected(0, 2) = expected(2, 0) = -0.5 * 1e-4 * 2e-4;
+      expected(1, 2) = expected(2, 1) = -0.3 * 5e-4 * 2e-4;
+    }
+    EXPECT_TRUE(with.isApprox(expected)) << row.name;
+  }
+}
+
+TEST(CorrelatedCoordinates, AreThoseOfAPositiveDefiniteCovariance) {
+  EXPECT_TRUE(isPossibleCorrelation({0.9, 0.9, 0.9}));
+  EXPECT_TRUE(isPossibleCorrelation({0, 0, -0.999}));
+  EXPECT_FALSE(isPossibleCorrelation({0.9, 0.9, -0.9})) << "each possible, not the three";
+  EXPECT_FALSE(isPossibleCorrelation({1, 0, 0}));
+  EXPECT_FALSE(isPossibleCorrelation({0, -1.5, 0}));
+  EXPECT_FALSE(isPossibleCorrelation({0, std::numeric_limits<double>::quiet_NaN(), 0}));
+}
+
+// What is turned is the covariance: x, y, z of the file are -y, x, z of the world.
+TEST(CorrelatedCoordinates, TurnWithTheAxesThatTheyAreWrittenIn) {
+  const Measurement m = correlated(MeasurementKind::kPosition);
+  const Matrix3d to_world = *mistakes::axes::matrixOf("-yxz");
+  std::vector<Measurement> turned{m};
+  mistakes::axes::turn(to_world, turned);
+  const Matrix3d before = statedCovariance(m), after = statedCovariance(turned.front());
+  EXPECT_TRUE(after.isApprox(to_world * before * to_world.transpose()));
+  EXPECT_FALSE(after.isApprox(before));
+}
+
+TEST(CorrelatedCoordinates, GoWithWhatWasMeasuredWhereRowsAreShifted) {
+  std::vector<Measurement> readings(3, correlated(MeasurementKind::kPosition));
+  for (std::size_t k = 0; k < 3; ++k) (*readings[k].correlation_W)[0] = 0.1 * static_cast<double>(k);
+  mistakes::shifted_rows::shift(1, readings);
+  ASSERT_EQ(readings.size(), 2u);
+  EXPECT_EQ((*readings[0].correlation_W)[0], 0.1);
+  EXPECT_EQ((*readings[1].correlation_W)[0], 0.2);
+}
+
+/// How often 95 % intervals hold the truth, and how wide they are on average beside those with the whole covariance.
+struct Coverage {
+  int holds = 0, count = 0;
+  double width = 0;
+};
+
+void fit(const PlacedArm& truth, const std::vector<Measurement>& readings, const std::vector<std::string>& names,
+         Coverage& coverage) {
+  IdentificationOptions options;
+  options.free = {names, false};
+  options.folds = 0;
+  options.intervals_by_profile = false;
+  const auto result = identify(truth, readings, options);
+  ASSERT_EQ(result.status, IdentificationStatus::kDone);
+  for (const auto& number : result.numbers) {
+    const double value = deflection::findParameter(truth.arm, number.unknown.name)->value;
+    ++coverage.count;
+    coverage.holds += number.lower <= value && value <= number.upper;
+    coverage.width += (1 / number.lower - 1 / number.upper) * value;  // of the compliance, as a share of it
+  }
+}
+
+// A tracker that looks along x: 1 in the range, 5 across, and errors that go together by 0.9. The encoders are good, so
+// that its noise is most of what there is.
+TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
+  const std::vector<std::string> names{"tool.joint_stiffness.z", "forearm.joint_stiffness.z",
+                                       "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
+  PlacedArm truth = cobra();
+  for (auto& row : truth.arm.rows) row.joint.encoder_sigma /= 20;
+  Coverage whole, apart;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated);
+    maker.sigma_W = Vector3d(0.001, 0.005, 0.005) * kInch;
+    maker.correlation_W = Vector3d(0.9, 0.9, 0.9);
+    maker.add(MeasurementKind::kPosition, 40);
+    fit(truth, maker.readings, names, whole);
+    for (auto& reading : maker.readings) reading.correlation_W.reset();
+    fit(truth, maker.readings, names, apart);
+  }
+  ASSERT_EQ(whole.count, 800);
+  EXPECT_GE(whole.holds, 0.93 * 800);
+  EXPECT_LE(whole.holds, 0.97 * 800);
+  EXPECT_LT(whole.width, 0.5 * apart.width);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,28 @@
+// What a test's fit frees: numbers by name, without folds and profiles, which it does not look at.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "calibration/estimation/identification.hpp"
+
+namespace tubeplan::calibration {
+
+inline IdentificationOptions freeing(const std::vector<std::string>& names) {
+  IdentificationOptions options;
+  options.free.names = names;
+  options.folds = 0;
+  options.intervals_by_profile = false;
+  return options;
+}
+
+/// Without priors, as exact readings of an arm that is far from its file want it.
+inline IdentificationOptions freeingBlindly(const std::vector<std::string>& names) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  IdentificationOptions options = freeing(names);
+  options.free.priors = {kNone, kNone, kNone, kNone, {}};
+  return options;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,130 @@
+// Campaigns of inclinometers on rows of the arm: how they are simulated, and what hides that they name.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/studies/measurements/discrimination_candidates.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "deflection/effects/effect.hpp"
+#include "tests/calibration/bench_campaign.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+int rowNamed(const deflection::Arm& arm, const std::string& name) {
+  for (std::size_t k = 0; k < arm.rows.size(); ++k)
+    if (arm.rows[k].name == name) return static_cast<int>(k);
+  throw std::invalid_argument(name);
+}
+
+CampaignDesign tiltsOfRows(const deflection::Arm& arm, const std::vector<const char*>& rows) {
+  CampaignDesign design = designOf(MeasurementKind::kTilt, 0);
+  design.turn_sigma = kAngleSigma;
+  for (const char* row : rows) design.rows.push_back(rowNamed(arm, row));
+  return design;
+}
+
+TEST(RowCampaigns, ASimulatedPostureIsReadOnEveryRowUnderEveryLoad) {
+  const CampaignTruth truth = benchTruth();
+  CampaignDesign design = tiltsOfRows(truth.arm, {"base-link", "forearm"});
+  design.turn_sigma = 0;
+  const auto campaign = simulate(truth, design, 60);
+  ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
+  for (std::size_t k = 0; k < campaign.readings.size(); ++k) {
+    const Measurement& reading = campaign.readings[k];
+    EXPECT_EQ(reading.row, design.rows[k % 2]);
+    EXPECT_EQ(reading.load, design.loads[k / 2 % 3]);
+    EXPECT_EQ(reading.q, campaign.readings[k - k % 6].q);
+    EXPECT_EQ(rowsOf(reading), 2) << "an axis upright is not read";
+    const auto expected = predictReading(truth.arm, truth.bases.front().X_WB, reading).value;
+    EXPECT_LE((expected - kindOf(reading).measured(reading)).norm(), 1e-9);
+  }
+  design.kind = MeasurementKind::kPosition;
+  EXPECT_EQ(simulate(truth, design, 60).status, CampaignStatus::kRefused);
+}
+
+/// By inclinometers on rows, or on the tool where none is named.
+Diagnosis diagnosisOfTilts(const deflection::Arm& arm, const std::string& effect, const std::string& at,
+                           const std::vector<double>& values, const std::vector<const char*>& rows,
+                           std::uint64_t seed) {
+  deflection::Arm truth = arm;
+  truth.effects.push_back(deflection::makeEffect(arm, effect, at).effect);
+  truth.effects.back().values = values;
+  auto readings = simulate(drawTruth(truth, benchCell().X_WB), tiltsOfRows(arm, rows), 120, seed).readings;
+  for (auto& reading : readings) reading.sigma = kTurnLever * reading.turn_sigma;
+  DiagnosisOptions options;
+  options.baseline.free = {{"tool.joint_stiffness.z"}, false};
+  return diagnose(placeForReadings(arm, benchCell().X_WB, true, readings), readings, options);
+}
+
+const FoundEffect* findEffect(const Explanation& explanation, const std::string& effect, const std::string& at) {
+  for (const auto& found : explanation.effects)
+    if (found.effect == effect && found.at == at) return &found;
+  return nullptr;
+}
+
+/// It is in the answer with its size, and the error falls to the noise; how many explanations have nothing else.
+int expectNamed(const Diagnosis& found, const std::string& effect, const std::string& at, double value) {
+  bool is_named = false;
+  int alone = 0;
+  for (const auto& explanation : found.alternatives) {
+    const auto* named = findEffect(explanation, effect, at);
+    if (!named) continue;
+    is_named = true;
+    alone += explanation.effects.size() == 1;
+    EXPECT_NEAR(named->fitted.values.front(), value, 0.05 * value);
+  }
+  EXPECT_TRUE(is_named) << found.alternatives.size() << " alternatives";
+  EXPECT_LT(found.heldout_after.rms, 1.15 * found.noise_floor);
+  EXPECT_GT(found.heldout_before.rms, 2 * found.noise_floor);
+  return alone;
+}
+
+const std::vector<const char*> kFourRows{"base-link", "latch-link", "forearm", "tool"};
+
+// What turns theta2 under load: its joint gives, or the cable that drives it. Whether the joint before it gives as
+// well, about an axis that stands upright, tilts hardly say.
+TEST(RowCampaigns, NameAHiddenCompliance) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto found = diagnosisOfTilts(benchCell().arm, "joint-compliance", "latch-link.z", {1e-5}, kFourRows, seed);
+    expectNamed(found, "joint-compliance", "latch-link.z", 1e-5);
+    for (const auto& explanation : found.alternatives)
+      EXPECT_TRUE(findEffect(explanation, "joint-compliance", "latch-link.z") ||
+                  findEffect(explanation, "cable-stretch", "theta2"));
+  }
+}
+
+TEST(RowCampaigns, NameAHiddenSagByGravity) {
+  deflection::Arm weightless = benchCell().arm;
+  for (auto& row : weightless.rows) row.weight = {};
+  int alone = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    alone += expectNamed(diagnosisOfTilts(weightless, "gravity-sag", "theta2", {0.003, 0, 0.002}, kFourRows, seed),
+                         "gravity-sag", "theta2", 0.003);
+  EXPECT_GE(alone, 5) << "one in twenty may have something beside it";
+}
+
+// What is to be read next is read on the same rows, and is a reading: it has numbers.
+TEST(RowCampaigns, AreGoneOnWithOnTheSameRows) {
+  const auto& cell = benchCell();
+  const CampaignDesign design = tiltsOfRows(cell.arm, {"base-link", "forearm"});
+  const auto readings = simulate(drawTruth(cell.arm, cell.X_WB), design, 60).readings;
+  const PlacedArm placed = placeForReadings(cell.arm, cell.X_WB, true, readings);
+  const auto candidates = app::discriminationCandidates(cell, placed, readings);
+  ASSERT_GT(candidates.size(), 10u);
+  std::set<int> rows;
+  for (const auto& candidate : candidates)
+    for (const auto& reading : candidate.readings) {
+      ASSERT_TRUE(reading.row);
+      rows.insert(*reading.row);
+      EXPECT_EQ(reading.kind, MeasurementKind::kTilt);
+      EXPECT_EQ(rowsOf(reading), 2);
+      EXPECT_TRUE(predictReading(cell.arm, cell.X_WB, reading).value.allFinite());
+      EXPECT_EQ(reading.turn_sigma, kAngleSigma);
+    }
+  EXPECT_EQ(rows, std::set<int>(design.rows.begin(), design.rows.end()));
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
