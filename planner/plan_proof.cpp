@@ -10,7 +10,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& options, const JointSpeeds& speeds,
                      const PathSegment& segment) {
@@ -18,11 +18,11 @@ SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& opti
   check.accuracy = options.report_accuracy;
   const ContactRule rule = segment.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach;
   const PostureClearance margin = sideBySide(clearance, rule, 0);
-  SegmentProof proof{kInfinity, {}};
+  SegmentProof proof{kUnbounded, {}};
   const std::vector<Eigen::VectorXd> corners = cornersOf(segment, speeds);
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     const MotionCheckResult result = checkMotion(corners[k], corners[k + 1], margin, clearance.travel(), check);
-    const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -kInfinity;
+    const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -kUnbounded;
     if (proved < proof.margin) proof = {proved, result.tightest};
   }
   return proof;
@@ -30,7 +30,7 @@ SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& opti
 
 /// A retreat is its approach backwards: proved with it.
 void fillIn(const std::vector<MotionEnds>& ends, const PlanCache& cache, VisitPlan& plan) {
-  plan.min_margin = kInfinity;
+  plan.min_margin = kUnbounded;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
     const SegmentProof& proof = cache.proofs.at(ends[k]);
     plan.segments[k].margin = proof.margin;

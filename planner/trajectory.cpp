@@ -7,20 +7,20 @@ namespace tubeplan::planner {
 namespace {
 
 /// A place in a move: when, how fast, and the acceleration from there on, all of the progress s.
-struct Place {
+struct MovePlace {
   double time, speed, acceleration;
 };
 
-std::vector<Place> placesOf(const TimedMove& move) {
+std::vector<MovePlace> placesOf(const TimedMove& move) {
   if (move.ramp_time <= 0) return {{0, move.peak_speed, 0}};
   const double acceleration = move.peak_speed / move.ramp_time;
-  std::vector<Place> places{{0, 0, acceleration}};
+  std::vector<MovePlace> places{{0, 0, acceleration}};
   if (move.cruise_time > 0) places.push_back({move.ramp_time, move.peak_speed, 0});
   places.push_back({move.ramp_time + move.cruise_time, move.peak_speed, -acceleration});
   return places;
 }
 
-TrajectoryPoint pointAt(const TimedMove& move, const Place& place, double start) {
+TrajectoryPoint pointAt(const TimedMove& move, const MovePlace& place, double start) {
   const Eigen::VectorXd way = move.to - move.from;
   return {start + place.time, sampleMove(move, place.time), place.speed * way, place.acceleration * way};
 }
@@ -49,7 +49,7 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
     }
     for (const TimedMove& move : timePolyline(segment.waypoints, speeds).moves) {
       if (move.duration <= 0) continue;
-      for (const Place& place : placesOf(move)) add(pointAt(move, place, start));
+      for (const MovePlace& place : placesOf(move)) add(pointAt(move, place, start));
       start += move.duration;
     }
   }

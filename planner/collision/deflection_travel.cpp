@@ -20,7 +20,7 @@ constexpr double kBowShare = 0.3;  // of what a member's end moves: how far its 
 
 /// All numbers are greatest values over every posture. A row's origin stands for the place of its joint's element, the
 /// far end of its member for that of its beam.
-struct Place {
+struct FlexiblePlace {
   int row;
   bool is_member;
   double compliance;  ///< rad/(N m)
@@ -93,7 +93,7 @@ class Bound {
   }
 
   [[nodiscard]] bool bendsLittle() const {
-    return std::ranges::all_of(places_, [](const Place& place) { return place.bending <= kMostBending; });
+    return std::ranges::all_of(places_, [](const FlexiblePlace& place) { return place.bending <= kMostBending; });
   }
 
   /// Travel per radian of the joint at a row's origin; not finite where the series does not converge.
@@ -117,12 +117,12 @@ class Bound {
 
  private:
   /// Whether an element is on the far side of the joint at a row's origin: that joint's own element turns with it.
-  static bool isBeyond(const Place& place, int row) { return place.row >= row; }
+  static bool isBeyond(const FlexiblePlace& place, int row) { return place.row >= row; }
 
   /// The displacement of a member's end for the rotation that it gains.
-  static double displacement(const Place& place) { return place.length * (1 + 2 * place.bending); }
+  static double displacement(const FlexiblePlace& place) { return place.length * (1 + 2 * place.bending); }
 
-  void add(Place place) {
+  void add(FlexiblePlace place) {
     if (place.compliance <= 0) return;
     place.bending = place.compliance * place.moment;
     places_.push_back(place);
@@ -134,8 +134,8 @@ class Bound {
     spread_ = Eigen::MatrixXd::Zero(count, count);
     for (Eigen::Index e = 0; e < count; ++e)
       for (Eigen::Index other = 0; other < count; ++other) {
-        const Place& here = places_[static_cast<std::size_t>(e)];
-        const Place& there = places_[static_cast<std::size_t>(other)];
+        const FlexiblePlace& here = places_[static_cast<std::size_t>(e)];
+        const FlexiblePlace& there = places_[static_cast<std::size_t>(other)];
         const double by_displacement = there.weight * displacement(there);
         // What turns before an element, itself included, turns gravity as the loads beyond it see it.
         const double moment = other < e ? here.moment : there.moment + by_displacement;
@@ -147,7 +147,7 @@ class Bound {
   [[nodiscard]] double moved(const Eigen::VectorXd& rotations) const {
     double travel = 0;
     for (std::size_t e = 0; e < places_.size(); ++e) {
-      const Place& place = places_[e];
+      const FlexiblePlace& place = places_[e];
       const double bow = kBowShare * displacement(place);
       travel += rotations[static_cast<Eigen::Index>(e)] * ((1 + 2 * place.bending) * place.reach + bow);
     }
@@ -155,7 +155,7 @@ class Bound {
   }
 
   const Arm& arm_;
-  std::vector<Place> places_, at_origin_;
+  std::vector<FlexiblePlace> places_, at_origin_;
   Eigen::MatrixXd spread_;
 };
 

@@ -15,9 +15,9 @@ using Eigen::VectorXd;
 // m of travel by one joint: how far beside the straight move a way round is looked for, and how finely it is shaped.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
 constexpr std::array kFinerAndFiner{0.16, 0.08, 0.04, 0.02, 0.01, 0.005};
-constexpr long kMostChecks = 20'000;  // of postures, for one way round
-constexpr int kMostRounds = 12;       // at one fineness
-constexpr double kLeastGain = 1e-3;   // s
+constexpr long kMostChecks = 20'000;      // of postures, for one way round
+constexpr int kMostRounds = 12;           // at one fineness
+constexpr double kLeastTimeSaved = 1e-3;  // s
 
 bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
   return (q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all();
@@ -69,7 +69,7 @@ struct Shaping {
   bool take(Waypoints shape) {
     if (isSpent()) return false;
     const double now = flowTime(shape, problem);
-    if (!(now < time - kLeastGain) || !isFree(checkFlow(shape, problem, options, checks))) return false;
+    if (!(now < time - kLeastTimeSaved) || !isFree(checkFlow(shape, problem, options, checks))) return false;
     best = std::move(shape);
     time = now;
     return true;

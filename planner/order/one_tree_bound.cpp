@@ -131,12 +131,15 @@ OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options) {
   }
   const PostureTable table(route);
   Ascent ascent(table, options);
-  ascent.prove();
+  // A tree on the complete graph takes a quarter of a second for 4,674 visits: none is begun after a stop.
+  const auto is_stopped = [&] { return options.stop && options.stop(); };
+  if (!is_stopped()) ascent.prove();
   const int rounds = std::max(1, options.rounds);
   const bool several = table.postures() > table.nodes();
   for (int round = 0; round < rounds; ++round) {
     const Detail detail = several && (round > 0 || rounds == 1) ? Detail::kPostures : Detail::kNodes;
     ascent.climb(options.iterations / rounds, kFirstStep / (1 + round), detail);
+    if (is_stopped()) break;
     ascent.prove();
   }
   result.lower_bound = ascent.proved();

@@ -57,12 +57,12 @@ Candidate settled(const PostureTable& table, TourSearch& search, Candidate candi
   }
 }
 
-bool shouldStop(const VisitOrderOptions& options) { return options.stop && options.stop(); }
+bool isStopped(const VisitOrderOptions& options) { return options.stop && options.stop(); }
 
 Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate& candidate, long kicks,
                  std::mt19937_64& random, const VisitOrderOptions& options) {
   search.restart(candidate.order, candidate.posture_of_node);
-  for (long done = 0; done < kicks && !shouldStop(options); done += kKicksBetweenStops)
+  for (long done = 0; done < kicks && !isStopped(options); done += kKicksBetweenStops)
     search.kick(std::min(kKicksBetweenStops, kicks - done), random);
   Candidate next = settled(table, search, withBestPostures(table, search.order()));
   return next.time < candidate.time ? next : candidate;

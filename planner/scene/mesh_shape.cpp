@@ -13,11 +13,8 @@ using Eigen::AlignedBox3d;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-double leastAlong(const AlignedBox3d& box, const Vector3d& direction) {
+double leastOfBox(const AlignedBox3d& box, const Vector3d& direction) {
   return direction.dot(box.center()) - 0.5 * direction.cwiseAbs().dot(box.sizes());
-}
-double leastAlong(const Corners& t, const Vector3d& direction) {
-  return std::min({direction.dot(t[0]), direction.dot(t[1]), direction.dot(t[2])});
 }
 
 /// The triangle nearest to a body, found in the mesh's frame. What is no nearer than the nearest so far is mostly known
@@ -34,7 +31,7 @@ class NearestTriangle {
   template <class GapTo, class Reach>
   void search(const TriangleTree& tree, const GapTo& gap_to, const Reach& reach) {
     const auto bound = [&](const AlignedBox3d& box, double enough) {
-      const double quick = std::max(around_.exteriorDistance(box) - radius_, leastAlong(box, least.across) - reach_);
+      const double quick = std::max(around_.exteriorDistance(box) - radius_, leastOfBox(box, least.across) - reach_);
       return quick >= enough ? quick : std::max(quick, gapToBox(box, from_, to_) - radius_);
     };
     const auto look = [&](const Corners& t) {
@@ -65,8 +62,6 @@ TriangleGap nearestTriangle(const TriangleTree& tree, const Vector3d& from, cons
   return nearest.least;
 }
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 MeshShape::MeshShape(const TriangleMesh& mesh, const Isometry3d& X_FM) : survey_(surveyMesh(mesh)), tree_(mesh, X_FM) {}
@@ -83,7 +78,7 @@ double MeshShape::pointDistance(const Vector3d& p) const {
 }
 
 Separation MeshShape::separationFrom(const Capsule& body) const {
-  const TriangleGap least = nearestTriangle(tree_, body.from, body.to, kInfinity);
+  const TriangleGap least = nearestTriangle(tree_, body.from, body.to, std::numeric_limits<double>::infinity());
   if (!(least.distance > kTriangleContact) || isInside(body.from))
     return {-std::max(body.radius, kTriangleContact), least.point};
   return {least.distance - body.radius, least.point + body.radius * least.across};
@@ -94,7 +89,7 @@ Separation MeshShape::separationFrom(const Isometry3d& X_FB, const Solid& body) 
   const Capsule around = transformed(X_FB, body.around());
   const Isometry3d X_BF = X_FB.inverse();
   const double rounding = body.core().rounding;
-  NearestTriangle nearest(around.from, around.to, around.radius, kInfinity);
+  NearestTriangle nearest(around.from, around.to, around.radius, std::numeric_limits<double>::infinity());
   const auto gap_to = [&](const Corners& t) {
     const TriangleGap gap = gapTo({X_BF * t[0], X_BF * t[1], X_BF * t[2]}, body);
     return TriangleGap{gap.distance, X_FB * gap.point, X_FB.linear() * gap.across};

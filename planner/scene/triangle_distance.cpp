@@ -28,11 +28,6 @@ bool isOver(const Corners& t, const Vector3d& normal, const Vector3d& p) {
   return true;
 }
 
-/// Least of the triangle along a direction.
-double leastAlong(const Corners& t, const Vector3d& direction) {
-  return std::min({direction.dot(t[0]), direction.dot(t[1]), direction.dot(t[2])});
-}
-
 struct Segment {
   const Vector3d &from, &to;
   [[nodiscard]] SegmentNearest nearestTo(const Vector3d& a, const Vector3d& b) const {

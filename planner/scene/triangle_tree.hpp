@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -12,6 +13,11 @@
 namespace tubeplan::planner {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// Least of the triangle along a direction.
+[[nodiscard]] inline double leastAlong(const Corners& triangle, const Eigen::Vector3d& direction) {
+  return std::min({direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
+}
 
 class TriangleTree {
  public:

@@ -9,7 +9,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-struct Stretch {
+struct CapsuleStretch {
   double from, to, distance_from, distance_to;
   /// Least distance that could hide between the two ends.
   double bound(double length) const { return (distance_from + distance_to - (to - from) * length) / 2; }
@@ -30,12 +30,12 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   // A capsule that is nowhere is clear of nothing.
   if (!std::isfinite(length)) return -std::numeric_limits<double>::infinity();
   const auto at = [&](double s) { return shape.pointDistance(capsule.from + s * along) - capsule.radius; };
-  std::vector<Stretch> open{{0, 1, at(0), at(1)}};
+  std::vector<CapsuleStretch> open{{0, 1, at(0), at(1)}};
   double least = std::min(open.front().distance_from, open.front().distance_to);
   double proved = least;
   // Coarse stretches before fine ones: `least` is then soon near its end value, and most stretches need no halving.
   for (std::size_t next = 0; next < open.size(); ++next) {
-    const Stretch stretch = open[next];
+    const CapsuleStretch stretch = open[next];
     const double slack = std::max(options.accuracy, options.share * (least - options.required));
     const double bound = stretch.bound(length);
     if (bound >= std::min(least - slack, options.enough)) {

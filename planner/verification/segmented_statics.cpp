@@ -88,10 +88,9 @@ class SegmentedArm {
   double pass() {
     place();
     const Vector3d& g = posture_.gravity_B;
-    const double contact = arm_.tip_load ? arm_.tip_load->contact_force : 0;
-    const Vector3d aside = arm_.tip_load ? arm_.tip_load->payload_offset : Vector3d::Zero();
-    Vector3d force = (posture_.load - contact) * g;
-    Vector3d moment = posture_.load * (frames_.back() * aside).cross(g);  // about the tip
+    const auto tip = arm_.tip_load.value_or(deflection::TipLoad<double>{});
+    Vector3d force = (posture_.load - tip.contact_force) * g + tip.force;
+    Vector3d moment = posture_.load * (frames_.back() * tip.payload_offset).cross(g) + tip.moment;  // about the tip
     double change = 0;
     for (std::size_t k = steps_.size(); k-- > 0;) {
       Step& step = steps_[k];
@@ -158,14 +157,18 @@ class SegmentedArm {
   void addLumps(const Row& row, const Vector3d& member) {
     const bool gives = member.squaredNorm() > 0 && !curvatureOf(row, member.normalized()).isZero(0);
     Step& frame = steps_.emplace_back();
+    const auto hang = [&](const deflection::Lump<double>& lump) {
+      frame.end_weight += lump.weight;
+      frame.end_moment += lump.weight * lump.at;
+    };
+    if (row.effect_terms) std::for_each(row.effect_terms->hung.begin(), row.effect_terms->hung.end(), hang);
     for (const auto& lump : row.weight.lumps) {
       const double share = gives ? std::clamp(lump.at.dot(member) / member.squaredNorm(), 0., 1.) : 0;
       if (share > 0) {
         pending_.push_back({share, lump});
         continue;
       }
-      frame.end_weight += lump.weight;
-      frame.end_moment += lump.weight * lump.at;
+      hang(lump);
     }
   }
 
