@@ -8,6 +8,7 @@
 
 #include "app/files/input_error.hpp"
 #include "app/files/quantities.hpp"
+#include "app/files/suggestion.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 
@@ -173,6 +174,22 @@ std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, con
   return followed;
 }
 
+deflection::SideChain<double> readSideChain(const YamlNode& node, const Units& units, const Arm& arm) {
+  node.expectKeys({"on", "links"}, {});
+  const YamlNode& on = node.at("on");
+  const auto names = deflection::rowNames(arm);
+  const auto carrier = deflection::findRow(arm, on.text());
+  if (!carrier) on.fail("the unknown link " + inQuotes(on.text()), alternatives(names), suggestion(on.text(), names));
+  deflection::SideChain<double> chain{*carrier, {}};
+  for (const YamlNode& row : node.at("links").list()) {
+    chain.rows.push_back(readRow(row, units));
+    if (const YamlNode* joint = row.find("joint"); joint && joint->find("follows"))
+      joint->at("follows").fail("a joint with a reading of its own, in a side chain");
+  }
+  if (chain.rows.empty()) node.at("links").fail("one link or more");
+  return chain;
+}
+
 void readTool(const YamlNode& node, ArmSource& source) {
   node.expectKeys({"tip"}, {"axis"});
   source.arm.p_LT = readVector(node.at("tip"), source.units, dimension::kLength);
@@ -191,13 +208,16 @@ void checkArm(const YamlNode& node, const Arm& arm) {
   throw InputError(at.where(first.path), first.found + value, first.expected);
 }
 
-const YamlNode* findRow(const YamlNode& arm, std::string_view name) {
-  const YamlNode* links = arm.find("links");
-  if (!links) return nullptr;
-  for (const YamlNode& row : links->items) {
-    const YamlNode* row_name = row.find("name");
-    if (row_name && row_name->scalar == name) return &row;
-  }
+/// Among the links of the arm or of one of its side chains.
+const YamlNode* findRow(const YamlNode& node, std::string_view name) {
+  if (const YamlNode* links = node.find("links"))
+    for (const YamlNode& row : links->items) {
+      const YamlNode* row_name = row.find("name");
+      if (row_name && row_name->scalar == name) return &row;
+    }
+  if (const YamlNode* chains = node.find("side_chains"))
+    for (const YamlNode& chain : chains->items)
+      if (const YamlNode* row = findRow(chain, name)) return row;
   return nullptr;
 }
 
@@ -219,11 +239,12 @@ std::string pathBelow(std::string_view rest) {
 }  // namespace
 
 ArmSource readArm(const YamlNode& node) {
-  node.expectKeys({"units", "links", "tool"}, {"name", "gravity", "reference_temperature"});
+  node.expectKeys({"units", "links", "tool"}, {"name", "gravity", "reference_temperature", "side_chains", "pair"});
   ArmSource source;
   source.units = Units(node.at("units"));
   Arm& arm = source.arm;
   if (const YamlNode* name = node.find("name")) arm.name = name->text();
+  if (const YamlNode* pair = node.find("pair")) source.pair = pair->text();
   if (const YamlNode* gravity = node.find("gravity")) arm.gravity_W = readDirection(*gravity);
   if (const YamlNode* reference = node.find("reference_temperature"))
     arm.reference_temperature = source.units.temperatureToInternal(reference->number());
@@ -233,6 +254,8 @@ ArmSource readArm(const YamlNode& node) {
     if (const YamlNode* follows = joint ? joint->find("follows") : nullptr)
       arm.rows[k].joint.follows = readFollowed(*follows, arm);
   }
+  if (const YamlNode* chains = node.find("side_chains"))
+    for (const YamlNode& chain : chains->list()) arm.side_chains.push_back(readSideChain(chain, source.units, arm));
   readTool(node.at("tool"), source);
   checkArm(node, arm);
   return source;

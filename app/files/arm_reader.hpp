@@ -15,6 +15,7 @@ struct ArmSource {
   deflection::Arm arm;
   Units units;
   bool names_tool_axis = false;  ///< else the axis is the default and a cell may know better
+  std::string pair;              ///< of the cell that was written together with it; empty where none was
 };
 
 /// Reads the map of an arm file, or the same map inline in a cell. Throws InputError for what is not known, missing,

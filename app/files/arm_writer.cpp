@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cmath>
 
-#include "deflection/chain.hpp"
-#include "deflection/rotation.hpp"
+#include "app/files/yaml/yaml_text.hpp"
 
 namespace tubeplan::app {
 
@@ -16,8 +15,6 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d;
 using ArmRow = deflection::Row<double>;
-
-constexpr double kGravity = 9.80665;  // m/s^2, as in urdf_reader.cpp
 
 /// A map in one line, key after key.
 class FlowMap {
@@ -44,16 +41,6 @@ class FlowMap {
   std::vector<std::string> entries_;
 };
 
-std::string quoted(const std::string& name) {
-  const bool is_plain =
-      name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos &&
-      !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
-  if (is_plain) return name;
-  std::string out = "\"";
-  for (const char c : name) out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-  return out + "\"";
-}
-
 std::string placementText(const ArmRow& row, const Units& units) {
   FlowMap map(units);
   if (const auto* dh = std::get_if<deflection::DenavitHartenberg<double>>(&row.placement)) {
@@ -72,7 +59,7 @@ std::string placementText(const ArmRow& row, const Units& units) {
 std::string followsText(const Arm& arm, const deflection::Joint<double>& joint) {
   std::vector<std::string> terms;
   for (const auto& followed : joint.follows)
-    terms.push_back(fmt::format("{}: {}", quoted(arm.rows[static_cast<std::size_t>(followed.row)].joint.name),
+    terms.push_back(fmt::format("{}: {}", yamlName(arm.rows[static_cast<std::size_t>(followed.row)].joint.name),
                                 formatNumber(followed.ratio)));
   return fmt::format("{{{}}}", fmt::join(terms, ", "));
 }
@@ -81,7 +68,7 @@ std::string jointText(const Arm& arm, const deflection::Joint<double>& joint, co
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const Dimension unit = joint.type == JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
   FlowMap map(units);
-  map.add("name", quoted(joint.name));
+  map.add("name", yamlName(joint.name));
   map.add("type", joint.type == JointType::kPrismatic ? "prismatic" : "revolute");
   map.addUnless(0, "offset", joint.offset, unit);
   if (!joint.follows.empty()) {
@@ -124,118 +111,21 @@ std::string weightText(const deflection::Weight<double>& weight, const Units& un
   return map.empty() ? "" : map.text();
 }
 
-std::string rowText(const Arm& arm, const ArmRow& row, const Units& units) {
+/// A row of a list that stands so far to the right.
+std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const char* margin) {
   constexpr const char* kAxes[] = {"x", "y", "z"};
-  std::string text = fmt::format("  - name: {}\n    {}\n", quoted(row.name), placementText(row, units));
-  if (!row.joint.name.empty()) text += fmt::format("    joint: {}\n", jointText(arm, row.joint, units));
+  std::string text = fmt::format("{}- name: {}\n", margin, yamlName(row.name));
+  const auto add = [&](const std::string& entry) { text += fmt::format("{}  {}\n", margin, entry); };
+  add(placementText(row, units));
+  if (!row.joint.name.empty()) add("joint: " + jointText(arm, row.joint, units));
   FlowMap stiffness(units);
   for (int k = 0; k < 3; ++k)
     stiffness.addUnless(deflection::kRigid, kAxes[k], row.joint_stiffness[k], dimension::kTorquePerAngle);
-  if (!stiffness.empty()) text += fmt::format("    joint_stiffness: {}\n", stiffness.text());
-  if (row.beam) text += fmt::format("    beam: {}\n", beamText(*row.beam, units));
-  if (const std::string weight = weightText(row.weight, units); !weight.empty())
-    text += fmt::format("    weight: {}\n", weight);
+  if (!stiffness.empty()) add("joint_stiffness: " + stiffness.text());
+  if (row.beam) add("beam: " + beamText(*row.beam, units));
+  if (const std::string weight = weightText(row.weight, units); !weight.empty()) add("weight: " + weight);
   return text;
 }
-
-std::string triple(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z()); }
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return out;
-}
-
-/// All that hangs from a row, as one mass [kg] at its centre in the row's frame. `to_next` as in chain.hpp.
-std::string inertialText(const ArmRow& row, const Vector3d& to_next) {
-  double weight = row.weight.end + row.weight.distributed * to_next.norm();
-  Vector3d moment = row.weight.end * to_next + row.weight.distributed * to_next.norm() * to_next / 2;
-  for (const auto& lump : row.weight.lumps) weight += lump.weight, moment += lump.weight * lump.at;
-  if (!(weight > 0)) return "";
-  return fmt::format(
-      "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{:.17g}\"/>\n"
-      "      <inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/>\n    </inertial>\n",
-      triple(moment / weight), weight / kGravity);
-}
-
-class UrdfWriter {
- public:
-  explicit UrdfWriter(const Arm& arm) : arm_(arm) {}
-
-  UrdfText write() {
-    text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"base\"/>\n",
-                        escaped(arm_.name.empty() ? "arm" : arm_.name));
-    std::string parent = "base";
-    for (std::size_t k = 0; k < arm_.rows.size(); ++k) {
-      addRow(k, parent);
-      parent = arm_.rows[k].name;
-    }
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), arm_.tool_axis_L).toRotationMatrix();
-    text_ += "  <link name=\"tip\"/>\n";
-    addJoint("tip", "fixed", parent, "tip", arm_.p_LT, turn, "");
-    text_ += "</robot>\n";
-    if (has_stiffness_) left_out_.emplace_back("stiffnesses and beams: URDF's links are rigid");
-    if (!arm_.effects.empty()) left_out_.emplace_back("effects: URDF has no place for them");
-    return {std::move(text_), std::move(left_out_)};
-  }
-
- private:
-  void addRow(std::size_t k, const std::string& parent) {
-    const ArmRow& row = arm_.rows[k];
-    has_stiffness_ = has_stiffness_ || row.beam || std::isfinite(row.joint_stiffness.minCoeff());
-    const Vector3d to_next = deflection::offsetToNext<double>(arm_, k);
-    text_ += fmt::format("  <link name=\"{}\">\n{}  </link>\n", escaped(row.name), inertialText(row, to_next));
-    Vector3d position = deflection::offsetInPreviousAxes<double>(row);
-    Eigen::Matrix3d turn = deflection::rotationFromPrevious<double>(row);
-    const bool slides = row.joint.type == JointType::kPrismatic;
-    if (slides) position += turn.col(2) * row.joint.offset;
-    if (row.joint.type == JointType::kRevolute) turn = turn * deflection::rotationZ<double>(row.joint.offset);
-    const bool is_moving = deflection::turns(row.joint) || slides;
-    const std::string name = row.joint.name.empty() ? row.name + "-fixed" : row.joint.name;
-    addJoint(name,
-             !is_moving             ? "fixed"
-             : slides               ? "prismatic"
-             : isBounded(row.joint) ? "revolute"
-                                    : "continuous",
-             parent, row.name, position, turn, is_moving ? limitsText(row.joint) + mimicText(row) : "");
-  }
-
-  static bool isBounded(const deflection::Joint<double>& joint) {
-    return std::isfinite(joint.lower) && std::isfinite(joint.upper);
-  }
-
-  static std::string limitsText(const deflection::Joint<double>& joint) {
-    std::string text = "    <axis xyz=\"0 0 1\"/>\n    <limit effort=\"0\"";
-    if (isBounded(joint)) text += fmt::format(" lower=\"{:.17g}\" upper=\"{:.17g}\"", joint.lower, joint.upper);
-    return text + fmt::format(" velocity=\"{:.17g}\"/>\n", std::isfinite(joint.max_speed) ? joint.max_speed : 0);
-  }
-
-  /// URDF lets a joint follow one other, by its reading: the offset of that one is added here.
-  std::string mimicText(const ArmRow& row) {
-    if (row.joint.follows.empty()) return "";
-    if (row.joint.follows.size() > 1)
-      left_out_.push_back("all but the first of the joints that " + row.joint.name + " follows");
-    const auto& first = row.joint.follows.front();
-    const auto& leader = arm_.rows[static_cast<std::size_t>(first.row)].joint;
-    return fmt::format("    <mimic joint=\"{}\" multiplier=\"{:.17g}\" offset=\"{:.17g}\"/>\n", escaped(leader.name),
-                       first.ratio, row.joint.offset + first.ratio * leader.offset);
-  }
-
-  void addJoint(const std::string& name, const char* type, const std::string& parent, const std::string& child,
-                const Vector3d& position, const Eigen::Matrix3d& turn, const std::string& more) {
-    text_ += fmt::format(
-        "  <joint name=\"{}\" type=\"{}\">\n    <origin xyz=\"{}\" rpy=\"{}\"/>\n    <parent link=\"{}\"/>\n"
-        "    <child link=\"{}\"/>\n{}  </joint>\n",
-        escaped(name), type, triple(position), triple(deflection::fixedAnglesOf(turn)), escaped(parent), escaped(child),
-        more);
-  }
-
-  const Arm& arm_;
-  std::string text_;
-  std::vector<std::string> left_out_;
-  bool has_stiffness_ = false;
-};
 
 }  // namespace
 
@@ -243,14 +133,17 @@ std::string armYaml(const Arm& arm, const Units& units) {
   std::string text =
       fmt::format("units: {{length: {}, angle: {}, force: {}, temperature: {}, time: {}}}\n", units.length().name,
                   units.angle().name, units.force().name, units.temperature().name, units.time().name);
-  if (!arm.name.empty()) text += fmt::format("name: {}\n", quoted(arm.name));
+  if (!arm.name.empty()) text += fmt::format("name: {}\n", yamlName(arm.name));
   const FlowMap map(units);
   text += fmt::format("gravity: {}\nlinks:\n", map.listOf(arm.gravity_W, dimension::kNone));
-  for (const auto& row : arm.rows) text += rowText(arm, row, units);
+  for (const auto& row : arm.rows) text += rowText(arm, row, units, "  ");
+  if (!arm.side_chains.empty()) text += "side_chains:\n";
+  for (const auto& chain : arm.side_chains) {
+    text += fmt::format("  - on: {}\n    links:\n", yamlName(arm.rows[static_cast<std::size_t>(chain.row)].name));
+    for (const auto& row : chain.rows) text += rowText(arm, row, units, "      ");
+  }
   return text + fmt::format("tool: {{tip: {}, axis: {}}}\n", map.listOf(arm.p_LT, dimension::kLength),
                             map.listOf(arm.tool_axis_L, dimension::kNone));
 }
-
-UrdfText urdfOf(const Arm& arm) { return UrdfWriter(arm).write(); }
 
 }  // namespace tubeplan::app

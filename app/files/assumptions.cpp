@@ -5,7 +5,6 @@
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
@@ -32,7 +31,6 @@ void take(const std::string& assumption, MeasurementTable& table, Cell& cell) {
   const auto mend = kind->mend(checked, assumption.substr(equals + 1));
   if (!mend) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
   mend->apply(table.readings);
-  linkReferences(table.readings);
   if (table.readings.empty())
     throw InputError("--assume", inQuotes(assumption), "one that leaves readings", "take fewer away");
   if (mend->frees_base) cell.base_known = false;

@@ -1,6 +1,5 @@
 #include "app/files/atomic_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,8 +7,6 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
-#include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "app/files/input_error.hpp"
@@ -20,47 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const std::string& option, const fs::path& path, const std::string& why) {
-  throw InputError(option, fmt::format("'{}': {}", path.string(), why), "a place that can be written",
-                   "choose another");
-}
-
-// The folders on the way to `folder` that do not exist yet, outermost first.
-std::vector<fs::path> missingFolders(const fs::path& folder) {
-  std::vector<fs::path> missing;
-  std::error_code error;
-  for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
-    missing.insert(missing.begin(), at);
-    if (at == at.parent_path()) break;
-  }
-  return missing;
-}
-
-std::vector<fs::path> makeFolders(const fs::path& folder, const std::string& option) {
-  const std::vector<fs::path> missing = missingFolders(folder);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    for (auto made = missing.rbegin(); made != missing.rend(); ++made) {
-      std::error_code ignored;
-      fs::remove(*made, ignored);
-    }
-    fail(option, folder, error ? error.message() : "not a folder");
-  }
-  return missing;
-}
-
-// Only those still empty go.
-void removeFolders(const std::vector<fs::path>& folders) {
-  std::error_code ignored;
-  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) fs::remove(*folder, ignored);
-}
-
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 fs::path temporaryBeside(const fs::path& path) {
   return folderOf(path) / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
 }
+
+std::string asideName(const fs::path& path) { return path.filename().string() + ".old"; }
 
 /// The number in ".NAME.1234.part"; 0 in any other name.
 int writerOf(const std::string& file, const std::string& name) {
@@ -81,27 +44,21 @@ bool isSpecialFile(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-void writeContent(const fs::path& path, const std::string& content, const std::string& option) {
-  errno = 0;
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (stream.fail()) {
-    const std::string why = errno ? std::strerror(errno) : "cannot be written";
-    if (isSpecialFile(path)) fail(option, path, why);
-    std::error_code ignored;
-    fs::remove(path, ignored);
-    fail(option, path.parent_path(), why);
-  }
+// The file behind a link is replaced, not the link.
+fs::path behindLink(const fs::path& named) {
+  std::error_code error;
+  return fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
 }
 
-/// Waits until a file's content, or a folder's list of files, is on the disk: what was renamed over an older file
-/// before its content was there would be neither after a power cut. A file system that cannot is not waited for.
-void sync(const fs::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
-  (void)::fsync(file);
-  ::close(file);
+constexpr const char* kScratch = "tubeplan";  // of an OutputFolder, within it
+
+/// " (process 1234)": the one whose scratch stands in the folder.
+std::string holderOf(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (const int writer = writerOf(entry.path().filename().string(), kScratch); writer > 0 && isRunning(writer))
+      return fmt::format(" (process {})", writer);
+  return "";
 }
 
 void refuseFolder(const fs::path& path, const std::string& option) {
@@ -112,37 +69,36 @@ void refuseFolder(const fs::path& path, const std::string& option) {
 
 }  // namespace
 
-void checkWritableFile(const fs::path& path, const std::string& option) {
-  refuseFolder(path, option);
+void checkWritableFile(const fs::path& named, const std::string& option) {
+  refuseFolder(named, option);
+  const fs::path path = behindLink(named);
   if (isSpecialFile(path)) return;
-  const auto made = makeFolders(folderOf(path), option);
-  const fs::path probe = temporaryBeside(path);
-  try {
-    writeContent(probe, "", option);
-  } catch (const InputError&) {
-    removeFolders(made);
-    throw;
-  }
-  std::error_code ignored;
-  fs::remove(probe, ignored);
-  removeFolders(made);
+  MadeFolders made;
+  made.make(folderOf(path), option);
+  removeLeftovers(folderOf(path), path.filename().string());
+  removeLeftovers(folderOf(path), asideName(path));
+  StagedFiles(option).add(temporaryBeside(path), {}, path, "");
 }
 
-void writeFileAtomically(const fs::path& named, const std::string& content, const std::string& option) {
-  refuseFolder(named, option);
-  std::error_code error;
-  // The file behind a link is replaced, not the link.
-  const fs::path path = fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
-  if (isSpecialFile(path)) return writeContent(path, content, option);
-  makeFolders(folderOf(path), option);
-  const fs::path temporary = temporaryBeside(path);
-  writeContent(temporary, content, option);
-  sync(temporary);
-  fs::rename(temporary, path, error);
-  if (!error) return sync(folderOf(path));
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  fail(option, path, error.message());
+void writeFileAtomically(const fs::path& path, const std::string& content, const std::string& option) {
+  writeFilesTogether({{path, content}}, option);
+}
+
+void writeFilesTogether(const std::vector<TextFile>& files, const std::string& option) {
+  MadeFolders made;
+  StagedFiles staged(option);
+  for (const TextFile& file : files) {
+    refuseFolder(file.path, option);
+    const fs::path path = behindLink(file.path);
+    if (isSpecialFile(path)) {
+      if (const auto error = writeToDisk(path, file.text)) failToWrite(option, path, error.message());
+      continue;
+    }
+    made.make(folderOf(path), option);
+    staged.add(temporaryBeside(path), temporaryBeside(folderOf(path) / asideName(path)), path, file.text);
+  }
+  made.sync(option);
+  staged.putInPlace();
 }
 
 void removeLeftovers(const fs::path& folder, const std::string& name) {
@@ -155,44 +111,39 @@ void removeLeftovers(const fs::path& folder, const std::string& name) {
 }
 
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
-    : path_(fs::absolute(path).lexically_normal()), option_(option) {
+    : path_(fs::absolute(path).lexically_normal()), option_(option), staged_(option) {
   if (!path_.has_filename()) path_ = path_.parent_path();  // a name that ends with a slash
   std::error_code error;
-  if (fs::exists(path_, error) && !fs::is_directory(path_)) fail(option, path_, "a file, not a folder");
-  made_ = makeFolders(path_, option);
-  removeLeftovers(path_, "tubeplan");
-  scratch_ = path_ / fmt::format(".tubeplan.{}.part", ::getpid());
+  if (fs::exists(path_, error) && !fs::is_directory(path_)) failToWrite(option, path_, "a file, not a folder");
+  made_.make(path_, option);
+  if (!lock_.tryTake(path_))
+    throw InputError(option, fmt::format("'{}', to which another tubeplan writes{}", path_.string(), holderOf(path_)),
+                     "a folder of its own", "wait until that has ended, or choose another");
+  removeLeftovers(path_, kScratch);
+  scratch_ = path_ / fmt::format(".{}.{}.part", kScratch, ::getpid());
   fs::create_directory(scratch_, error);
-  if (!error) return;
-  removeFolders(made_);
-  fail(option, path_, error.message());
+  if (error) failToWrite(option, path_, error.message());
 }
 
+// Without anything that could fail for want of memory.
 OutputFolder::~OutputFolder() {
+  staged_.discard();
   std::error_code ignored;
-  fs::remove_all(scratch_, ignored);
-  removeFolders(made_);
+  fs::remove(scratch_, ignored);
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
   assert(name.find('/') == std::string::npos);
-  writeContent(scratch_ / name, content, option_);
-  names_.push_back(name);
+  staged_.add(scratch_ / name, scratch_ / (name + ".old"), path_ / name, content);
 }
 
-void OutputFolder::remove(const std::string& name) { stale_.push_back(name); }
+void OutputFolder::remove(const std::string& name) { stale_.push_back(path_ / name); }
 
 void OutputFolder::commit() {
-  for (const std::string& name : names_) sync(scratch_ / name);
-  for (const std::string& name : names_) {
-    std::error_code error;
-    fs::rename(scratch_ / name, path_ / name, error);
-    if (error) fail(option_, path_ / name, error.message());
-  }
-  names_.clear();
-  sync(path_);
+  made_.sync(option_);
+  staged_.putInPlace();
   std::error_code ignored;  // a stale file that stays does no harm beyond itself
-  for (const std::string& name : stale_) fs::remove(path_ / name, ignored);
+  for (const fs::path& path : stale_) fs::remove(path, ignored);
 }
 
 }  // namespace tubeplan::app

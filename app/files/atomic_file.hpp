@@ -5,15 +5,29 @@
 #include <string>
 #include <vector>
 
+#include "app/files/made_folders.hpp"
+#include "app/files/staged_files.hpp"
+
 namespace tubeplan::app {
 
+/// A file to be written.
+struct TextFile {
+  std::filesystem::path path;
+  std::string text;
+};
+
 /// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, and the
-/// place is no folder. Leaves nothing behind. For use before long work.
+/// place is no folder. Leaves nothing behind, not even what a program that was killed left. For use before long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes beside the place and renames, so that no reader ever sees half a file; a device or pipe is written to as it
-/// is, never replaced. Makes missing folders. Throws InputError naming the option.
+/// Writes beside the place, waits for the disk and renames, so that no reader ever sees half a file, nor one after a
+/// power cut; a device or pipe is written to as it is, never replaced. Makes missing folders. Throws InputError naming
+/// the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
+
+/// The same for files that belong together: where one cannot be written, none is. They go to their places in this
+/// order, each on the disk before the next.
+void writeFilesTogether(const std::vector<TextFile>& files, const std::string& option);
 
 /// Removes what programs that were killed while they wrote `name` left beside it.
 void removeLeftovers(const std::filesystem::path& folder, const std::string& name);
@@ -22,7 +36,8 @@ void removeLeftovers(const std::filesystem::path& folder, const std::string& nam
 /// nothing remains, not even folders that had to be made.
 class OutputFolder {
  public:
-  /// Throws InputError, naming the option, for a folder that cannot be made or written.
+  /// Throws InputError, naming the option, for a folder that cannot be made or written, or that another program writes
+  /// to: files of two runs would be mixed.
   OutputFolder(const std::filesystem::path& path, const std::string& option);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -36,14 +51,16 @@ class OutputFolder {
   /// A file of an earlier run that would not belong to these: gone after commit().
   void remove(const std::string& name);
 
-  /// Puts all files in place, over older ones of the same names; others in the folder stay.
+  /// Puts all files in place, over older ones of the same names, or none; others in the folder stay.
   void commit();
 
  private:
+  MadeFolders made_;
+  FolderLock lock_;
   std::filesystem::path path_, scratch_;
   std::string option_;
-  std::vector<std::filesystem::path> made_;  ///< folders that did not exist, outermost first
-  std::vector<std::string> names_, stale_;
+  StagedFiles staged_;
+  std::vector<std::filesystem::path> stale_;
 };
 
 }  // namespace tubeplan::app

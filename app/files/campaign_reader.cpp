@@ -1,5 +1,6 @@
 #include "app/files/campaign_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -62,6 +63,21 @@ Eigen::AlignedBox3d readRegion(const YamlNode& node, const Units& units) {
   return {from, to};
 }
 
+int rowOfArmNamed(const YamlNode& node, const deflection::Arm& arm) {
+  if (const auto row = deflection::findRow(arm, node.text())) return *row;
+  refuseWord(node, deflection::rowNames(arm));
+}
+
+std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
+  std::vector<int> rows;
+  for (const YamlNode& item : node.list()) {
+    rows.push_back(rowOfArmNamed(item, arm));
+    if (std::count(rows.begin(), rows.end(), rows.back()) > 1) item.fail("every row once");
+  }
+  if (rows.empty()) node.fail("one row of the arm or more", "leave the key out for the tool");
+  return rows;
+}
+
 // A key that means nothing for this kind would be a wish unheard.
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   const calibration::MeasurementKindRow& kind = kindOf(design.kind);
@@ -78,6 +94,9 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
       root.at("kind").fail(std::string("readings of kind ") + kind.name + " without " + what, "what they are read from",
                            std::string("add ") + key + ": [x, y, z]");
   };
+  if (const YamlNode* rows = root.find("rows"); rows && !kind.may_be_of_row)
+    rows->fail("`rows` of a kind that reads the tool", "it with kind: " + alternatives(calibration::kindNamesOfRows()),
+               "remove it");
   check("anchor", &calibration::MeasurementKindRow::has_anchor, "an anchor");
   check("direction", &calibration::MeasurementKindRow::has_direction, "a direction");
   if (const YamlNode* node = root.find("turn_sigma"); node && kind.turn_rows == 0)
@@ -103,6 +122,25 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   return design;
 }
 
+void readNoiseOfAxes(const YamlNode& node, const Units& units, CampaignDesign& design) {
+  design.sigma_W = readVector(node, units, dimension::kLength);
+  if (!(design.sigma_W->minCoeff() > 0)) node.fail("three lengths above zero");
+  if (!kindOf(design.kind).has_coordinates)
+    node.fail("`sigmas` of a kind that measures no x, y, z", "`sigma` alone", "remove it");
+  design.sigma = calibration::meanSigma(*design.sigma_W);
+}
+
+void readCorrelationList(const YamlNode& node, CampaignDesign& design) {
+  if (!design.sigma_W)
+    node.fail("`correlations` without `sigmas`", "the sigmas of x, y and z", "add sigmas: [x, y, z]");
+  if (node.list().size() != 3) node.fail("three numbers: of x with y, x with z, y with z");
+  Eigen::Vector3d numbers;
+  for (std::size_t k = 0; k < 3; ++k) numbers[static_cast<Eigen::Index>(k)] = node.list()[k].number();
+  if (!calibration::isPossibleCorrelation(numbers))
+    node.fail("correlations that three errors can have together, each between -1 and 1");
+  design.correlation_W = numbers;
+}
+
 void readShare(const YamlNode& node, double& share) {
   share = node.number();
   if (share < 0 || share >= 1) node.fail("a share from 0 to below 1");
@@ -118,22 +156,28 @@ void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
   if (const YamlNode* node = root.find("direction")) design.direction_W = readDirection(*node);
   if (const YamlNode* node = root.find("region")) design.region_W = readRegion(*node, units);
   if (const YamlNode* node = root.find("split")) readShare(*node, design.held_out);
+  design.push = readQuantityOr(root, "push", units, dimension::kForce, design.push);
+  if (design.push < 0) root.at("push").fail("zero or more");
   design.sigma = readQuantityOr(root, "sigma", units, dimension::kLength, design.sigma);
   if (design.sigma < 0) root.at("sigma").fail("zero or more");
+  if (const YamlNode* node = root.find("sigmas")) readNoiseOfAxes(*node, units, design);
+  if (const YamlNode* node = root.find("correlations")) readCorrelationList(*node, design);
   design.turn_sigma = readQuantityOr(root, "turn_sigma", units, dimension::kAngle, design.turn_sigma);
   if (design.turn_sigma < 0) root.at("turn_sigma").fail("zero or more");
 }
 
 }  // namespace
 
-CampaignFile readCampaignFile(const std::string& path, const Units& units, bool has_sheet) {
+CampaignFile readCampaignFile(const std::string& path, const deflection::Arm& arm, const Units& units, bool has_sheet) {
   const YamlFile source = readYamlFile(path);
-  source.root.expectKeys({"kind"}, {"name", "at", "points", "postures", "postures_per_point", "loads", "anchor",
-                                    "direction", "region", "setups", "split", "sigma", "turn_sigma"});
+  source.root.expectKeys({"kind"},
+                         {"name", "at", "points", "postures", "postures_per_point", "loads", "push", "rows", "anchor",
+                          "direction", "region", "setups", "split", "sigma", "sigmas", "correlations", "turn_sigma"});
   CampaignFile file{designOfKind(source.root, has_sheet), std::nullopt};
   file.design.name = std::filesystem::path(path).stem().string();
   if (const YamlNode* name = source.root.find("name")) file.design.name = name->text();
   readNumbers(source.root, units, file);
+  if (const YamlNode* rows = source.root.find("rows")) file.design.rows = readRowList(*rows, arm);
   checkBelongs(source.root, file.design);
   return file;
 }

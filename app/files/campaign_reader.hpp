@@ -15,9 +15,11 @@ struct CampaignFile {
 };
 
 /// Reads {kind: position | touch | deflection | distance, at: anywhere | plane | holes, points: known | unknown,
-/// postures, postures_per_point, loads: [...], anchor: [x, y, z], region: {from: [x, y, z], to: [x, y, z]}, setups,
-/// split, sigma, name}, all but the kind optional (the anchor of distances is not), in the cell's units. Throws
+/// postures, postures_per_point, loads: [...], rows: [...], anchor: [x, y, z], region: {from: [x, y, z], to: [x, y,
+/// z]}, setups, split, sigma, sigmas: [x, y, z], correlations: [xy, xz, yz], turn_sigma, name}, all but the kind
+/// optional (the anchor of distances is not), in the cell's units; rows by the names that they have in the arm. Throws
 /// InputError, with the line, for what is not as documented.
-[[nodiscard]] CampaignFile readCampaignFile(const std::string& path, const Units& units, bool has_sheet);
+[[nodiscard]] CampaignFile readCampaignFile(const std::string& path, const deflection::Arm& arm, const Units& units,
+                                            bool has_sheet);
 
 }  // namespace tubeplan::app

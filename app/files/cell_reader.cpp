@@ -94,17 +94,16 @@ void readPark(const YamlNode& node, Cell& cell) {
 // What stands otherwise in a set-up of the base than in the arm's file: rows that are as rigid as a bench.
 void readSetups(const YamlNode& node, deflection::Arm& arm) {
   if (node.kind != YamlNode::Kind::kMap) node.fail("SETUP: {rigid: [rows]} for each set-up");
-  std::vector<std::string> rows;
-  for (const auto& row : arm.rows) rows.push_back(row.name);
   for (std::size_t k = 0; k < node.items.size(); ++k) {
     const YamlNode& setup = node.items[k];
     setup.expectKeys({"rigid"}, {});
     deflection::RigidMounting mounting{node.keys[k], {}};
     for (const YamlNode& item : setup.at("rigid").list()) {
-      const auto row = std::find(rows.begin(), rows.end(), item.text());
-      if (row == rows.end())
-        item.fail("the unknown row '" + item.text() + "'", "a row of the arm file", suggestion(item.text(), rows));
-      mounting.rows.push_back(static_cast<int>(row - rows.begin()));
+      const auto row = deflection::findRow(arm, item.text());
+      if (!row)
+        item.fail("the unknown row '" + item.text() + "'", "a row of the arm file",
+                  suggestion(item.text(), deflection::rowNames(arm)));
+      mounting.rows.push_back(*row);
     }
     arm.mountings.push_back(std::move(mounting));
   }
@@ -121,6 +120,16 @@ void readIdentify(const YamlNode& node, Cell& cell) {
       item.fail("'" + name + "' again", "every name once", "");
     cell.identify.push_back(name);
   }
+}
+
+/// A cell and an arm that were written together have the same word for it, whatever is changed in them by hand: of a
+/// pair of which one was replaced and the other not, nothing right would come.
+void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cell) {
+  if (pair.text() == arm.pair) return;
+  const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
+  pair.fail(fmt::format("'{}', but '{}' has {}", pair.text(), cell.arm_path, found),
+            "the arm file that was written with this cell",
+            "write both again, or take the key `pair` out where another arm is meant");
 }
 
 // Reads the arm: inline, from text at hand or from its own file.
@@ -160,10 +169,12 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   const std::string path = cell.path = file.path;
   cell.source = std::move(file);
   const YamlNode& root = cell.source.root;
-  root.expectKeys({"arm", "base"}, {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene",
-                                    "link_shapes", "clearance", "park", "gravity", "prior", "model_error", "setups"});
+  root.expectKeys({"arm", "base"},
+                  {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance",
+                   "park", "gravity", "prior", "model_error", "setups", "pair"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
+  if (const YamlNode* pair = root.find("pair")) requireSamePair(*pair, source, cell);
   cell.arm = source.arm;
   cell.units = source.units;
   if (const YamlNode* gravity = root.find("gravity")) cell.arm.gravity_W = readDirection(*gravity);

@@ -9,8 +9,10 @@
 #include <iterator>
 #include <vector>
 
+#include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/quantities.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 #include "calibration/estimation/held_out.hpp"
 #include "deflection/rotation.hpp"
@@ -20,12 +22,6 @@ namespace tubeplan::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
-  std::vector<std::string> numbers;
-  for (const double value : values) numbers.push_back(formatNumber(units.toFile(value, dimension)));
-  return fmt::format("[{}]", fmt::join(numbers, ", "));
-}
 
 std::string covarianceText(const Matrix6d& covariance, const Units& units) {
   const auto scale = [&](int i) { return units.factor(i < 3 ? dimension::kLength : dimension::kAngle); };
@@ -64,7 +60,7 @@ std::optional<ModelError> modelErrorOf(const calibration::Identification& result
   return ModelError{sigma, result.degrees_of_freedom, "identify"};
 }
 
-std::string withBase(std::string text, const Cell& cell, const BaseChange& base) {
+std::string withBaseText(std::string text, const Cell& cell, const BaseChange& base) {
   const Eigen::Vector3d rpy = rollPitchYaw(base.X_WB.linear());
   text = withYamlValue(text, "base.position", listText(base.X_WB.translation(), cell.units, dimension::kLength));
   text = withYamlValue(text, "base.rpy", listText(rpy, cell.units, dimension::kAngle));
@@ -156,7 +152,7 @@ std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
     fs::path path = out;
     path.replace_filename(out.stem().string() + "-setup-" + fileNamePart(result.fitted, k) + out.extension().string());
     const auto covariance = baseCovariance(result, static_cast<int>(k));
-    files.push_back({path, withBase(text, cell, {base_poses[k].X_WB, covariance, cell.base_known})});
+    files.push_back({path, withBaseText(text, cell, {base_poses[k].X_WB, covariance, cell.base_known})});
   }
   return files;
 }
@@ -207,7 +203,7 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
     arm_path.replace_filename(out.stem().string() + "-arm.yaml");
     const std::string found = withArmParameters(cell.arm_source.text, arm_node, source, numbers);
     files.arm = {arm_path, withoutArmParameters(found, arm_node, rigid)};
-    text = withYamlValue(text, "arm", '"' + arm_path.filename().string() + '"');
+    makePair(text, *files.arm);
   }
   if (!result.fitted.arm.effects.empty())
     text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
@@ -215,7 +211,8 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   if (result.fitted.base_poses.size() > 1)
     files.of_setups = cellsOfSetups(text, cell, result, out);
   else if (!result.fitted.base_poses.front().is_known)
-    text = withBase(text, cell, {result.fitted.base_poses.front().X_WB, baseCovariance(result, 0), cell.base_known});
+    text =
+        withBaseText(text, cell, {result.fitted.base_poses.front().X_WB, baseCovariance(result, 0), cell.base_known});
   files.cell = {out, text};
   return files;
 }
@@ -223,10 +220,9 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
 }  // namespace
 
 std::vector<TextFile> CellFiles::inOrder() const {
-  std::vector<TextFile> files;
-  if (arm) files.push_back(*arm);
-  files.insert(files.end(), of_setups.begin(), of_setups.end());
+  std::vector<TextFile> files = of_setups;
   files.push_back(cell);
+  if (arm) files.push_back(*arm);
   return files;
 }
 
@@ -239,6 +235,14 @@ CellFiles identifiedCell(const Cell& cell, const calibration::Identification& re
   CellFiles files = filesOf(cell, result, out);
   requireReproduced(files, result, readings, cell.units);
   return files;
+}
+
+void makePair(std::string& cell, TextFile& arm) {
+  // Of the same arm always the same word.
+  const std::string pair = '"' + fingerprintOf(withYamlValue(arm.text, "pair", "\"\"")) + '"';
+  cell = withYamlValue(cell, "arm", '"' + arm.path.filename().string() + '"');
+  cell = withYamlValue(cell, "pair", pair);
+  arm.text = withYamlValue(arm.text, "pair", pair);
 }
 
 std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect) {
@@ -276,7 +280,7 @@ std::string cellTextAt(const Cell& cell, const fs::path& out) {
 }
 
 std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {
-  return withBase(cellTextAt(cell, out), cell, base);
+  return withBaseText(cellTextAt(cell, out), cell, base);
 }
 
 }  // namespace tubeplan::app

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
 #include "calibration/estimation/identification.hpp"
 
@@ -21,19 +22,14 @@ struct BaseChange {
 /// The cell's text with another base, to be written at `out`: the files it names are named relative to there.
 [[nodiscard]] std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const std::filesystem::path& out);
 
-/// A file to be written.
-struct TextFile {
-  std::filesystem::path path;
-  std::string text;
-};
-
 /// A cell to be written, with all that goes with it.
 struct CellFiles {
   std::optional<TextFile> arm;      ///< where the arm stands in a file of its own
   std::vector<TextFile> of_setups;  ///< a cell for each set-up whose base was found, where there are several
   TextFile cell;
 
-  /// The arm first, the cell last: what names others is there after them.
+  /// The cell first, the arm last: should the writing end in between, as at a power cut, the cell names a pair that
+  /// the arm is not of, and the reader says so.
   [[nodiscard]] std::vector<TextFile> inOrder() const;
 
   /// As it will be read again.
@@ -49,6 +45,9 @@ struct CellFiles {
 [[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
                                        const std::vector<calibration::Measurement>& readings,
                                        const std::filesystem::path& out);
+
+/// The cell's text with the name of its arm's file, and in both the same word by which they are known as a pair.
+void makePair(std::string& cell, TextFile& arm);
 
 /// Names of an effect's numbers that a fit may free: all but a step's time, which has no derivative.
 [[nodiscard]] std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect);

@@ -46,15 +46,20 @@ bool namesCsvFile(const std::string& request) { return std::filesystem::path(req
 
 Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                             const std::string& option) {
-  const auto active = deflection::activeRows(arm);
+  std::vector<const deflection::Joint<double>*> joints;
+  for (const int row : deflection::activeRows(arm)) joints.push_back(&arm.rows[static_cast<std::size_t>(row)].joint);
+  return parseJointsOf(text, joints, units, option, "the arm");
+}
+
+Eigen::VectorXd parseJointsOf(const std::string& text, const std::vector<const deflection::Joint<double>*>& joints,
+                              const Units& units, const std::string& option, const std::string& whose) {
   const auto parts = splitAtCommas(text);
-  if (parts.size() != active.size())
+  if (parts.size() != joints.size())
     throw InputError(option, fmt::format("{} numbers", parts.size()),
-                     fmt::format("{}, one for each joint of the arm", active.size()), "write " + option + "=A,B,...");
-  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t i = 0; i < active.size(); ++i)
-    q[static_cast<Eigen::Index>(i)] =
-        parseJoint(parts[i], arm.rows[static_cast<std::size_t>(active[i])].joint, units, option);
+                     fmt::format("{}, one for each joint of {}", joints.size(), whose), "write " + option + "=A,B,...");
+  Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    q[static_cast<Eigen::Index>(i)] = parseJoint(parts[i], *joints[i], units, option);
   return q;
 }
 

@@ -17,6 +17,11 @@ namespace tubeplan::app {
 [[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                                           const std::string& option = "--joints");
 
+/// The same of any joints; `whose` they are is for the message.
+[[nodiscard]] Eigen::VectorXd parseJointsOf(const std::string& text,
+                                            const std::vector<const deflection::Joint<double>*>& joints,
+                                            const Units& units, const std::string& option, const std::string& whose);
+
 /// The hung load in the cell's unit of force, to N. Throws InputError unless it is finite and not negative.
 [[nodiscard]] double parseLoad(double load, const Units& units);
 

@@ -19,7 +19,7 @@ using deflection::Effect, deflection::EffectKind, deflection::EffectStatus;
 
 constexpr const char* kFormula = "formula";
 
-const EffectKind& kindOf(const Effect& effect) {
+const EffectKind& effectKindOf(const Effect& effect) {
   return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
 }
 
@@ -55,7 +55,7 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
 }
 
 /// The effect at the start of its numbers: a formula, or one of the catalogue.
-Effect startOf(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
+Effect effectAtStart(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   if (node.at("effect").text() == kFormula) {
     const YamlNode& text = node.at(kFormula);
     const YamlNode* at = node.find("at");
@@ -75,7 +75,7 @@ Effect startOf(const YamlNode& node, const deflection::Arm& arm, const Units& un
 }
 
 Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
-  Effect effect = startOf(node, arm, units);
+  Effect effect = effectAtStart(node, arm, units);
   std::vector<std::string> numbers;
   for (const auto& parameter : deflection::numbersOf(effect)) numbers.emplace_back(parameter.name);
   if (effect.formula) {
@@ -125,7 +125,7 @@ double readSize(const std::string& text, double lower, double upper, Dimension u
 void readSizes(const std::string& text, const deflection::Arm& arm, const Units& units, const std::string& where,
                Effect& effect) {
   std::vector<std::string> names;
-  for (const auto& parameter : kindOf(effect).parameters) names.emplace_back(parameter.name);
+  for (const auto& parameter : effectKindOf(effect).parameters) names.emplace_back(parameter.name);
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(',', from), text.size());
     const std::string part = text.substr(from, to - from);
@@ -190,7 +190,7 @@ std::string effectText(const deflection::Arm& arm, const Effect& effect, const U
 std::string effectsText(const deflection::Arm& arm, const Units& units) {
   std::vector<std::string> items;
   for (const Effect& effect : arm.effects) {
-    const EffectKind& kind = kindOf(effect);
+    const EffectKind& kind = effectKindOf(effect);
     std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::placeText(arm, effect));
     // A formula has neither quotes nor backslashes.
     if (effect.formula) item += fmt::format(", {}: \"{}\"", kFormula, effect.formula->text);

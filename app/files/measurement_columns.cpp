@@ -7,12 +7,11 @@
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "deflection/side_chains.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-using deflection::JointType;
 
 /// Takes columns out of a header one by one; what is left over at the end is unknown.
 class Header {
@@ -50,6 +49,17 @@ class Header {
     missing(quantity + "_" + unitNames(kind).front());
   }
 
+  ColumnTriple takeThree(const std::array<const char*, 3>& names, UnitKind kind) {
+    ColumnTriple columns;
+    for (std::size_t i = 0; i < 3; ++i) columns[i] = takeNumber(names[i], kind);
+    return columns;
+  }
+
+  std::optional<NumberColumn> takePlain(const std::string& name) {
+    const auto index = take(name);
+    return index ? std::optional(NumberColumn{*index, nullptr, name}) : std::nullopt;
+  }
+
   void refuseUnknown() const {
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       const std::string& name = table_.columns[i];
@@ -71,7 +81,8 @@ class Header {
       if (!taken_.contains(i)) left.push_back(table_.columns[i]);
     const std::string near = suggestion(name, left);
     fail("no column " + inQuotes(name), "one",
-         near.empty() ? "add it to the header" : "is it " + near.substr(near.find('\'')));
+         near.empty() ? std::string("add it to the header, or ") + kReadForeign
+                      : "is it " + near.substr(near.find('\'')));
   }
 
   void refuseOtherUnit(const std::string& quantity, UnitKind kind) const {
@@ -89,12 +100,14 @@ class Header {
   std::vector<std::string> known_;
 };
 
+NumberColumn takeJoint(Header& header, const deflection::Joint<double>& joint) {
+  return header.takeRequiredNumber(joint.name, unitKindOf(joint));
+}
+
 void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& columns) {
-  for (const int row : deflection::activeRows(arm)) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
-    columns.joints.push_back(header.takeRequiredNumber(
-        joint.name, joint.type == JointType::kPrismatic ? UnitKind::kLength : UnitKind::kAngle));
-  }
+  for (const int row : deflection::activeRows(arm))
+    columns.joints.push_back(takeJoint(header, arm.rows[static_cast<std::size_t>(row)].joint));
+  for (const auto* joint : deflection::sideJoints(arm)) columns.side_joints.push_back(takeJoint(header, *joint));
   for (const int row : deflection::activeRows(arm))
     if (const auto approach_direction = header.take(arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir"))
       columns.approach_directions.push_back(*approach_direction);
@@ -108,11 +121,8 @@ void takeOwn(Header& header, MeasurementColumns& columns) {
   for (const auto& kind : calibration::measurementKinds())
     for (const auto& [name, quantity] : kind.columns) {
       if (columns.own.contains(name)) continue;
-      std::optional<NumberColumn> found;
-      if (quantity != deflection::Quantity::kNone)
-        found = header.takeNumber(name, unitKindOf(quantity));
-      else if (const auto index = header.take(name))
-        found = NumberColumn{*index, nullptr, name};
+      const auto found = quantity == deflection::Quantity::kNone ? header.takePlain(name)
+                                                                 : header.takeNumber(name, unitKindOf(quantity));
       if (found) columns.own[name] = *found;
     }
 }
@@ -121,6 +131,10 @@ void takeOwn(Header& header, MeasurementColumns& columns) {
 
 UnitKind unitKindOf(deflection::Quantity quantity) {
   return quantity == deflection::Quantity::kAngle ? UnitKind::kAngle : UnitKind::kLength;
+}
+
+UnitKind unitKindOf(const deflection::Joint<double>& joint) {
+  return joint.type == deflection::JointType::kPrismatic ? UnitKind::kLength : UnitKind::kAngle;
 }
 
 MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file, const deflection::Arm& arm) {
@@ -132,21 +146,17 @@ MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::str
   columns.setup = header.take("setup");
   columns.split = header.take("split");
   columns.from = header.take("from");
+  columns.row = header.take("row");
   takeJoints(header, arm, columns);
   columns.load = header.takeNumber("load", UnitKind::kForce);
-  columns.x = header.takeNumber("x", UnitKind::kLength);
-  columns.y = header.takeNumber("y", UnitKind::kLength);
-  columns.z = header.takeNumber("z", UnitKind::kLength);
-  columns.tool_x = header.takeNumber("tool_x", UnitKind::kLength);
-  columns.tool_y = header.takeNumber("tool_y", UnitKind::kLength);
-  columns.tool_z = header.takeNumber("tool_z", UnitKind::kLength);
+  columns.force = header.takeThree({"force_x", "force_y", "force_z"}, UnitKind::kForce);
+  columns.moment = header.takeThree({"moment_x", "moment_y", "moment_z"}, UnitKind::kTorque);
+  columns.place = header.takeThree({"x", "y", "z"}, UnitKind::kLength);
+  columns.tool_point = header.takeThree({"tool_x", "tool_y", "tool_z"}, UnitKind::kLength);
   takeOwn(header, columns);
-  columns.dx = header.take("dx");
-  columns.dy = header.take("dy");
-  columns.dz = header.take("dz");
-  columns.sigma_x = header.takeNumber("sigma_x", UnitKind::kLength);
-  columns.sigma_y = header.takeNumber("sigma_y", UnitKind::kLength);
-  columns.sigma_z = header.takeNumber("sigma_z", UnitKind::kLength);
+  columns.direction = {header.takePlain("dx"), header.takePlain("dy"), header.takePlain("dz")};
+  columns.sigmas = header.takeThree({"sigma_x", "sigma_y", "sigma_z"}, UnitKind::kLength);
+  columns.correlations = {header.takePlain("rho_xy"), header.takePlain("rho_xz"), header.takePlain("rho_yz")};
   columns.sigma = header.takeNumber("sigma", UnitKind::kLength);
   columns.turn_sigma = header.takeNumber("turn_sigma", UnitKind::kAngle);
   columns.temperature = header.takeNumber("temperature", UnitKind::kTemperature);

@@ -1,6 +1,7 @@
 // The columns of a measurement table: which one holds what, in which unit.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,19 +20,28 @@ struct NumberColumn {
   std::string name;
 };
 
+/// The columns of three numbers that belong together.
+using ColumnTriple = std::array<std::optional<NumberColumn>, 3>;
+
 struct MeasurementColumns {
   std::size_t id = 0, kind = 0;
-  std::optional<std::size_t> point, setup, split, from;
-  std::optional<NumberColumn> load, x, y, z, tool_x, tool_y, tool_z, sigma, sigma_x, sigma_y, sigma_z, turn_sigma,
-      temperature, time;
-  std::optional<std::size_t> dx, dy, dz;
+  std::optional<std::size_t> point, setup, split, from, row;
+  std::optional<NumberColumn> load, sigma, turn_sigma, temperature, time;
+  ColumnTriple place, tool_point, sigmas, correlations, direction, force, moment;
   std::vector<NumberColumn> joints;              ///< one for each active row
+  std::vector<NumberColumn> side_joints;         ///< one for each joint of a side chain
   std::vector<std::size_t> approach_directions;  ///< one for each active row, or none
   std::map<std::string, NumberColumn> own;       ///< by name, of the kinds' own
 };
 
+/// What to do with a table that another program wrote.
+inline constexpr const char* kReadForeign = "let `tubeplan readings` make a measurement table of the file";
+
 /// In which units a kind's own numbers of that quantity may stand: lengths or angles.
 [[nodiscard]] UnitKind unitKindOf(deflection::Quantity quantity);
+
+/// Of a joint's reading.
+[[nodiscard]] UnitKind unitKindOf(const deflection::Joint<double>& joint);
 
 /// Throws InputError for columns that are unknown, missing, twice there in two units, or without a known unit.
 [[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file,

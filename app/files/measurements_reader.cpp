@@ -41,9 +41,6 @@ class RowReader {
   }
 
   /// NaN where there is no such column or nothing in it.
-  [[nodiscard]] double numberOrNaN(const std::optional<std::size_t>& index) const {
-    return index && !field(*index).empty() ? number(*index) : std::numeric_limits<double>::quiet_NaN();
-  }
   [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const {
     return column && !field(column->index).empty() ? number(*column) : std::numeric_limits<double>::quiet_NaN();
   }
@@ -82,38 +79,32 @@ bool isPast(const deflection::Joint<double>& joint, double q) {
   return !(q >= joint.lower - slack && q <= joint.upper + slack);
 }
 
-Eigen::VectorXd readJoints(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm) {
-  const auto active = deflection::activeRows(arm);
-  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t i = 0; i < active.size(); ++i) q[static_cast<Eigen::Index>(i)] = row.number(columns.joints[i]);
+Eigen::VectorXd readJoints(const RowReader& row, const std::vector<NumberColumn>& columns) {
+  Eigen::VectorXd q(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) q[static_cast<Eigen::Index>(i)] = row.number(columns[i]);
   return q;
 }
 
-/// Three numbers that are there together or not at all, NaN where one is not.
-std::optional<Eigen::Vector3d> allOrNone(const RowReader& row, const Eigen::Vector3d& numbers, const char* names) {
+/// Three numbers that are there together or not at all.
+std::optional<Eigen::Vector3d> readTriple(const RowReader& row, const ColumnTriple& columns, const char* names) {
+  const Eigen::Vector3d numbers(row.numberOrNaN(columns[0]), row.numberOrNaN(columns[1]), row.numberOrNaN(columns[2]));
   const auto missing = numbers.array().isNaN().count();
   if (missing == 3) return std::nullopt;
   if (missing > 0) row.failRow(fmt::format("some of the {}", names), "all three or none");
   return numbers;
 }
 
-std::optional<Eigen::Vector3d> readCoordinates(const RowReader& row, const MeasurementColumns& columns) {
-  return allOrNone(row, {row.numberOrNaN(columns.x), row.numberOrNaN(columns.y), row.numberOrNaN(columns.z)},
-                   "coordinates x, y, z");
-}
-
-std::optional<Eigen::Vector3d> readToolPoint(const RowReader& row, const MeasurementColumns& columns) {
-  return allOrNone(row,
-                   {row.numberOrNaN(columns.tool_x), row.numberOrNaN(columns.tool_y), row.numberOrNaN(columns.tool_z)},
-                   "measured point's tool_x, tool_y, tool_z");
+std::optional<calibration::TipWrench> readWrench(const RowReader& row, const MeasurementColumns& columns) {
+  const auto force = readTriple(row, columns.force, "forces force_x, force_y, force_z");
+  const auto moment = readTriple(row, columns.moment, "moments moment_x, moment_y, moment_z");
+  if (!force && !moment) return std::nullopt;
+  return calibration::TipWrench{force.value_or(Eigen::Vector3d::Zero()), moment.value_or(Eigen::Vector3d::Zero())};
 }
 
 /// Standard deviations of the coordinates apart, of kinds that measure them.
 std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
                                           const MeasurementKindRow& kind) {
-  const auto sigmas = allOrNone(
-      row, {row.numberOrNaN(columns.sigma_x), row.numberOrNaN(columns.sigma_y), row.numberOrNaN(columns.sigma_z)},
-      "coordinates' sigma_x, sigma_y, sigma_z");
+  const auto sigmas = readTriple(row, columns.sigmas, "coordinates' sigma_x, sigma_y, sigma_z");
   if (!sigmas) return std::nullopt;
   if (!(sigmas->minCoeff() > 0))
     row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
@@ -123,13 +114,47 @@ std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const Measuremen
   return sigmas;
 }
 
-std::optional<Eigen::Vector3d> readDirection(const RowReader& row, const MeasurementColumns& columns) {
-  const auto direction =
-      allOrNone(row, {row.numberOrNaN(columns.dx), row.numberOrNaN(columns.dy), row.numberOrNaN(columns.dz)},
-                "direction's dx, dy, dz");
+/// How the errors of the coordinates go together, beside their standard deviations.
+std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const MeasurementColumns& columns,
+                                                const std::optional<Eigen::Vector3d>& sigmas) {
+  const auto correlations = readTriple(row, columns.correlations, "correlations rho_xy, rho_xz, rho_yz");
+  if (!correlations) return std::nullopt;
+  if (!sigmas)
+    row.failRow("correlations rho_xy, rho_xz, rho_yz without the coordinates' own sigmas",
+                "them beside sigma_x, sigma_y, sigma_z", "add those columns, or leave the correlations out");
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(std::abs((*correlations)[static_cast<Eigen::Index>(k)]) < 1))
+      row.fail(columns.correlations[k]->index, row.field(columns.correlations[k]->index),
+               "a correlation between -1 and 1, without either",
+               "a covariance becomes one divided by the two standard deviations");
+  if (!calibration::isPossibleCorrelation(*correlations))
+    row.failRow("correlations rho_xy, rho_xz, rho_yz that no three errors can have together",
+                "those of a positive definite covariance",
+                "check their order and signs, or write more of their digits");
+  return correlations;
+}
+
+std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const MeasurementColumns& columns) {
+  const auto direction = readTriple(row, columns.direction, "direction's dx, dy, dz");
   if (!direction) return std::nullopt;
   if (!(direction->norm() > 0)) row.failRow("the direction 0, 0, 0", "one that points somewhere");
   return direction->normalized();
+}
+
+/// The row of the arm whose frame is read, by its name; nothing said: the tool.
+std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind,
+                                const deflection::Arm& arm) {
+  const std::string name = row.textOr(columns.row);
+  if (name.empty()) return std::nullopt;
+  if (!kind.may_be_of_row)
+    row.fail(*columns.row, fmt::format("the row {} for a reading of kind {}", inQuotes(name), kind.name),
+             fmt::format("nothing: only readings of kind {} are of a row of the arm",
+                         fmt::join(calibration::kindNamesOfRows(), ", ")),
+             "leave the field empty");
+  if (const auto found = deflection::findRow(arm, name)) return found;
+  const auto names = deflection::rowNames(arm);
+  row.fail(*columns.row, "the unknown row " + inQuotes(name), alternatives(names) + ", or nothing for the tool",
+           suggestion(name, names));
 }
 
 std::vector<int> readApproachDirections(const RowReader& row, const MeasurementColumns& columns) {
@@ -206,6 +231,9 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
                 "its direction in the columns dx, dy, dz (of any length)");
   if (m.p_TQ && kind.is_displacement)
     row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
+  if (m.p_TQ && m.row)
+    row.failRow("tool_x, tool_y, tool_z of a reading of a row of the arm", "a row or a point of the tool, not both",
+                "leave one of them empty");
   if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
   if (m.turn_sigma <= 0) row.failRow("a turn_sigma that is not above zero", "one standard deviation of an angle");
   if (m.load < 0) row.failRow("a negative load", "zero or more");
@@ -222,15 +250,19 @@ Measurement readRow(const RowReader& row, const MeasurementColumns& columns, con
   m.point = row.textOr(columns.point);
   m.setup = row.textOr(columns.setup);
   m.load = columns.load ? row.number(*columns.load) : 0;
-  m.q = readJoints(row, columns, arm);
-  m.p_W = readCoordinates(row, columns);
+  m.wrench = readWrench(row, columns);
+  m.q = readJoints(row, columns.joints);
+  m.side_q = readJoints(row, columns.side_joints);
+  m.p_W = readTriple(row, columns.place, "coordinates x, y, z");
   if (!m.p_W && kind.names_hole) m.p_W = holeCentre(row, columns, m.point, sheet);
   m.own = readOwn(row, columns, kind);
-  m.p_TQ = readToolPoint(row, columns);
-  m.direction_W = kind.is_to_gravity ? std::optional<Eigen::Vector3d>(-arm.gravity_W) : readDirection(row, columns);
+  m.row = readRowOfArm(row, columns, kind, arm);
+  m.p_TQ = readTriple(row, columns.tool_point, "measured point's tool_x, tool_y, tool_z");
+  m.direction_W = kind.is_to_gravity ? std::optional<Eigen::Vector3d>(-arm.gravity_W) : directionOfRow(row, columns);
   m.sigma = row.numberOrNaN(columns.sigma);
   m.sigma_W = readSigmas(row, columns, kind);
-  if (m.sigma_W) m.sigma = std::sqrt(m.sigma_W->squaredNorm() / 3);
+  m.correlation_W = readCorrelations(row, columns, m.sigma_W);
+  if (m.sigma_W) m.sigma = calibration::meanSigma(*m.sigma_W);
   m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
   m.approach_directions = readApproachDirections(row, columns);
   m.temperature = row.numberOrNaN(columns.temperature);
@@ -317,7 +349,7 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   for (const auto& [name, column] : columns.own)
     if (column.unit && column.unit->kind == UnitKind::kLength)
       units.coordinates = {std::string(column.unit->name), column.unit->factor};
-  take(columns.x, units.coordinates);
+  take(columns.place[0], units.coordinates);
   take(columns.load, units.loads);
   units.sigma = units.coordinates;
   take(columns.sigma, units.sigma);
@@ -341,7 +373,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   const tubesheets::CsvTable table = tubesheets::parseCsv(text);
   if (table.problem)
     throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found,
-                     table.problem->expected, table.problem->advice);
+                     table.problem->expected, table.problem->advice.empty() ? kReadForeign : table.problem->advice);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
   MeasurementTable read;

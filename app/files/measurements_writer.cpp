@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,6 +12,7 @@
 
 #include "app/files/joint_units.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "deflection/side_chains.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
@@ -32,19 +34,31 @@ bool anyHas(const std::vector<Measurement>& readings, Has has) {
   return std::any_of(readings.begin(), readings.end(), has);
 }
 
+constexpr std::array<const char*, 3> kCorrelationColumns{"rho_xy", "rho_xz", "rho_yz"};
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class Table {
  public:
   Table(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units)
-      : readings_(readings), arm_(arm), units_(units), active_(deflection::activeRows(arm)) {}
+      : readings_(readings),
+        arm_(arm),
+        units_(units),
+        active_(deflection::activeRows(arm)),
+        side_joints_(deflection::sideJoints(arm)) {}
 
   std::string text() {
     addNames();
     addJoints();
     addCoordinates();
-    if (anyHas(readings_, [](const auto& m) { return m.reference != nullptr; }))
-      add("from", [](const auto& m) { return m.reference ? tubesheets::csvField(m.reference->id) : std::string(); });
+    if (anyHas(readings_, [](const auto& m) { return referenceOf(m) != nullptr; }))
+      add("from", [](const auto& m) {
+        const Measurement* from = referenceOf(m);
+        return from ? tubesheets::csvField(from->id) : std::string();
+      });
+    if (anyHas(readings_, [](const auto& m) { return m.row.has_value(); }))
+      add("row", [this](const auto& m) {
+        return m.row ? tubesheets::csvField(arm_.rows.at(static_cast<std::size_t>(*m.row)).name) : std::string();
+      });
     addConditions();
     std::vector<std::string> names;
     for (const Column& column : columns_) names.push_back(column.name);
@@ -77,9 +91,27 @@ class Table {
   void addJoints() {
     add("load_" + std::string(units_.force().name),
         [this](const auto& m) { return formatNumber(units_.toFile(m.load, dimension::kForce)); });
+    if (anyHas(readings_, [](const auto& m) { return m.wrench.has_value(); })) addWrench();
     for (std::size_t k = 0; k < active_.size(); ++k)
       add(jointColumn(joint(k), units_), [this, k](const auto& m) {
         return formatNumber(units_.toFile(m.q[static_cast<Eigen::Index>(k)], jointDimension(joint(k))));
+      });
+    for (std::size_t k = 0; k < side_joints_.size(); ++k)
+      add(jointColumn(*side_joints_[k], units_), [this, k](const auto& m) {
+        return formatNumber(units_.toFile(m.side_q[static_cast<Eigen::Index>(k)], jointDimension(*side_joints_[k])));
+      });
+  }
+
+  void addWrench() {
+    const std::string force(units_.force().name), torque = force + std::string(units_.length().name);
+    for (Eigen::Index k = 0; k < 3; ++k)
+      add(fmt::format("force_{}_{}", "xyz"[k], force), [this, k](const auto& m) {
+        return numberOrNothing(m.wrench ? units_.toFile(m.wrench->force_W[k], dimension::kForce) : kNothing);
+      });
+    if (!anyHas(readings_, [](const auto& m) { return m.wrench && !m.wrench->moment_W.isZero(0); })) return;
+    for (Eigen::Index k = 0; k < 3; ++k)
+      add(fmt::format("moment_{}_{}", "xyz"[k], torque), [this, k](const auto& m) {
+        return numberOrNothing(m.wrench ? units_.toFile(m.wrench->moment_W[k], dimension::kTorque) : kNothing);
       });
   }
 
@@ -107,6 +139,10 @@ class Table {
       for (Eigen::Index k = 0; k < 3; ++k)
         addLength(std::string("sigma_") + "xyz"[k],
                   [k](const auto& m) { return m.sigma_W ? (*m.sigma_W)[k] : kNothing; });
+    if (anyHas(readings_, [](const auto& m) { return m.correlation_W.has_value(); }))
+      for (Eigen::Index k = 0; k < 3; ++k)
+        add(kCorrelationColumns[static_cast<std::size_t>(k)],
+            [k](const auto& m) { return numberOrNothing(m.correlation_W ? (*m.correlation_W)[k] : kNothing); });
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.turn_sigma); }))
       add("turn_sigma_" + std::string(units_.angle().name),
           [this](const auto& m) { return numberOrNothing(units_.toFile(m.turn_sigma, dimension::kAngle)); });
@@ -149,6 +185,7 @@ class Table {
   const deflection::Arm& arm_;
   const Units& units_;
   std::vector<int> active_;
+  std::vector<const deflection::Joint<double>*> side_joints_;
   std::vector<Column> columns_;
 };
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +15,7 @@
 
 #include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/lower_case.hpp"
 
 namespace tubeplan::app {
 
@@ -23,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 256u << 20;
+constexpr std::uintmax_t kLargestMesh = 256u << 20;
 constexpr std::size_t kMostCorners = 1000;      // of a polygon
 constexpr std::size_t kLongestLine = 1u << 15;  // of an OBJ file: a face of the most corners, three numbers each
-constexpr std::array<std::string_view, 3> kKinds{"stl", "obj", "ply"};
+constexpr std::array<std::string_view, 3> kMeshKinds{"stl", "obj", "ply"};
 
 /// Files that a mesh names beside itself are none of its business.
 class NoOtherFiles : public Assimp::IOSystem {
@@ -37,11 +37,10 @@ class NoOtherFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream*) override {}
 };
 
-std::string kindOf(const std::string& path) {
-  std::string kind = fs::path(path).extension().string();
-  std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::string meshKindOf(const std::string& path) {
+  std::string kind = lowerCase(fs::path(path).extension().string());
   if (!kind.empty()) kind.erase(0, 1);
-  if (std::ranges::find(kKinds, kind) == kKinds.end())
+  if (std::ranges::find(kMeshKinds, kind) == kMeshKinds.end())
     throw InputError(path, "a file of another kind", "a mesh: .stl, .obj or .ply", "export the part as STL");
   return kind;
 }
@@ -52,7 +51,7 @@ std::string bytesOf(const std::string& path) {
   if (status.type() == fs::file_type::not_found)
     throw InputError(path, "no such file", "a mesh, named relative to the cell's folder", "check the name");
   if (!fs::is_regular_file(status)) throw InputError(path, "something that is no plain file", "a mesh");
-  if (fs::file_size(path, error) > kLargestFile)
+  if (fs::file_size(path, error) > kLargestMesh)
     throw InputError(path, "more than 256 MB", "a mesh of at most 256 MB", "export it coarser");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path, std::strerror(errno), "a file that can be read", "check the file's permissions");
@@ -131,7 +130,7 @@ void append(const aiMesh& part, const std::string& path, planner::TriangleMesh& 
 }  // namespace
 
 MeshFile readMeshFile(const std::string& path) {
-  const std::string kind = kindOf(path), bytes = bytesOf(path);
+  const std::string kind = meshKindOf(path), bytes = bytesOf(path);
   // Without the end of its header a PLY file keeps the library busy for ever.
   if (kind == "ply" && (!bytes.starts_with("ply") || bytes.find("end_header") == std::string::npos))
     throw InputError(path, "a PLY file without a whole header", "ply ... end_header", "export the part again");

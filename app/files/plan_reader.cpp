@@ -79,13 +79,13 @@ void readTubesOf(const json& document, const std::string& path, const Cell& cell
     files.plan.unreachable.emplace_back(valueAt<int>(tube, "row", path), valueAt<int>(tube, "column", path));
 }
 
-SegmentKind kindOf(const std::string& name, const std::string& where) {
+SegmentKind segmentKindOf(const std::string& name, const std::string& where) {
   for (SegmentKind kind : {SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat})
     if (planner::nameOf(kind) == name) return kind;
   throw InputError(where, inQuotes(name), "travel, approach or retreat");
 }
 
-double numberOf(const std::string& text, const std::string& where) {
+double cellNumber(const std::string& text, const std::string& where) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
@@ -117,16 +117,19 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
     const auto cells = cellsOf(line);
     if (cells.size() != columns)
       throw InputError(where, std::to_string(cells.size()) + " columns", std::to_string(columns));
-    planner::PathRow row{
-        numberOf(cells[0], where), static_cast<int>(numberOf(cells[1], where)) - 1, kindOf(cells[2], where), {}};
+    planner::PathRow row{cellNumber(cells[0], where),
+                         static_cast<int>(cellNumber(cells[1], where)) - 1,
+                         segmentKindOf(cells[2], where),
+                         {}};
     row.q.resize(static_cast<Eigen::Index>(active.size()));
-    for (std::size_t k = 0; k < active.size(); ++k) row.q[static_cast<Eigen::Index>(k)] = numberOf(cells[3 + k], where);
+    for (std::size_t k = 0; k < active.size(); ++k)
+      row.q[static_cast<Eigen::Index>(k)] = cellNumber(cells[3 + k], where);
     numbers.add(row.time, row.segment + 1, row.q);
     row.q.array() *= factors.array();
     files.plan.path.push_back(std::move(row));
     if (has_echo)
-      files.path_echoes.push_back({cells[columns - 3], static_cast<int>(numberOf(cells[columns - 2], where)),
-                                   static_cast<int>(numberOf(cells[columns - 1], where))});
+      files.path_echoes.push_back({cells[columns - 3], static_cast<int>(cellNumber(cells[columns - 2], where)),
+                                   static_cast<int>(cellNumber(cells[columns - 1], where))});
   }
   files.path_fingerprint = numbers.fingerprint();
 }

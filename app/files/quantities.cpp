@@ -1,5 +1,8 @@
 #include "app/files/quantities.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <Eigen/Geometry>
 
 namespace tubeplan::app {
@@ -25,6 +28,12 @@ double readQuantityOr(const YamlNode& map, std::string_view key, const Units& un
                       double otherwise) {
   const YamlNode* node = map.find(key);
   return node ? readQuantity(*node, units, dimension) : otherwise;
+}
+
+std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
+  std::vector<std::string> numbers;
+  for (const double value : values) numbers.push_back(formatNumber(units.toFile(value, dimension)));
+  return fmt::format("[{}]", fmt::join(numbers, ", "));
 }
 
 }  // namespace tubeplan::app

@@ -1,7 +1,8 @@
-// Numbers with units out of a YAML file.
+// Numbers with units out of a YAML file, and into one.
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <string_view>
 
 #include "app/files/units.hpp"
@@ -21,5 +22,8 @@ namespace tubeplan::app {
 /// Of a map; `otherwise` (internal units) where the key is missing.
 [[nodiscard]] double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension,
                                     double otherwise);
+
+/// "[x, y, z]", in file units.
+[[nodiscard]] std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension);
 
 }  // namespace tubeplan::app

@@ -17,7 +17,7 @@ namespace {
 using planner::ShapeQuantity;
 using planner::ShapeRow;
 
-Dimension dimensionOf(ShapeQuantity quantity) {
+Dimension shapeDimensionOf(ShapeQuantity quantity) {
   switch (quantity) {
     case ShapeQuantity::kPosition:
     case ShapeQuantity::kSize:
@@ -72,7 +72,7 @@ NamedShape findShape(const YamlNode& node, const std::string& prefix, const std:
 
 void readField(const YamlNode& node, const planner::ShapeField& field, const Units& units,
                std::vector<double>& numbers) {
-  const Dimension unit = dimensionOf(field.quantity);
+  const Dimension unit = shapeDimensionOf(field.quantity);
   if (field.count == 1) {
     numbers.push_back(readQuantity(node, units, unit));
     return;

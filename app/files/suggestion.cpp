@@ -1,13 +1,12 @@
 #include "app/files/suggestion.hpp"
 
 #include <algorithm>
-#include <cctype>
+
+#include "app/files/lower_case.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 // Changed, missing, added and swapped letters (optimal string alignment), blind to case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -18,9 +17,10 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
         cost[i][j] = i + j;
         continue;
       }
-      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      const bool same = lowerCase(a[i - 1]) == lowerCase(b[j - 1]);
       cost[i][j] = std::min({cost[i - 1][j - 1] + (same ? 0 : 1), cost[i - 1][j] + 1, cost[i][j - 1] + 1});
-      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      const bool swapped =
+          i > 1 && j > 1 && lowerCase(a[i - 1]) == lowerCase(b[j - 2]) && lowerCase(a[i - 2]) == lowerCase(b[j - 1]);
       if (swapped) cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
     }
   return cost[a.size()][b.size()];

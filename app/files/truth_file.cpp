@@ -4,26 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/files/effects_reader.hpp"
 #include "app/files/joint_units.hpp"
+#include "app/files/quantities.hpp"
+#include "app/files/yaml/yaml_text.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
-  std::vector<std::string> numbers;
-  for (const double value : values) numbers.push_back(formatNumber(units.toFile(value, dimension)));
-  return fmt::format("[{}]", fmt::join(numbers, ", "));
-}
-
-// A JSON string is a YAML string, whatever the user's names hold.
-std::string inYamlQuotes(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 std::string headText(const TruthFile& file) {
   const Units& units = file.cell.units;
@@ -37,7 +27,7 @@ std::string headText(const TruthFile& file) {
       "cell: {}\ndesign: {}\nseed: {}\nreadings: {}\n"
       "units: {{length: {}, angle: {}, force: {}, temperature: {}, time: {}}}\n"
       "sigma: {}\nencoder_sigma: [{}]\nspread: {}\nbase_error: [{}, {}]\n",
-      inYamlQuotes(file.cell.path), inYamlQuotes(file.design.name), file.seed, file.campaign.readings.size(),
+      yamlQuoted(file.cell.path), yamlQuoted(file.design.name), file.seed, file.campaign.readings.size(),
       units.length().name, units.angle().name, units.force().name, units.temperature().name, units.time().name,
       formatNumber(units.toFile(file.design.sigma, dimension::kLength)), fmt::join(encoders, ", "),
       formatNumber(file.spread), formatNumber(units.toFile(file.base_shift, dimension::kLength)),
@@ -50,9 +40,9 @@ std::string parametersText(const TruthFile& file) {
   std::string text;
   for (const auto& parameter : identifiedParameters(file.cell)) {
     const Dimension unit = dimensionOf(parameter.quantity);
-    text += fmt::format("  - {{name: {}, value: {}, nominal: {}, unit: {}}}\n", inYamlQuotes(parameter.name),
+    text += fmt::format("  - {{name: {}, value: {}, nominal: {}, unit: {}}}\n", yamlQuoted(parameter.name),
                         formatNumber(units.toFile(deflection::locate(truth, parameter.path), unit)),
-                        formatNumber(units.toFile(parameter.value, unit)), inYamlQuotes(units.nameOf(unit)));
+                        formatNumber(units.toFile(parameter.value, unit)), yamlQuoted(units.nameOf(unit)));
   }
   return text;
 }

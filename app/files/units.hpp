@@ -13,7 +13,10 @@ namespace tubeplan::app {
 
 struct YamlNode;
 
-enum class UnitKind { kLength, kAngle, kForce, kTemperature, kTime };
+enum class UnitKind { kLength, kAngle, kForce, kTorque, kTemperature, kTime };
+
+/// N: at standard gravity. Files of kilograms, and of arms as masses, are weights here.
+inline constexpr double kWeightOfKilogram = 9.80665;
 
 /// internal = (value + offset) * factor
 struct Unit {

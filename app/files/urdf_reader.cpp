@@ -21,24 +21,36 @@ namespace {
 using deflection::JointType;
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Vector3d;
 
-constexpr double kGravity = 9.80665;  // m/s^2, standard: URDF has masses, an arm's file weights
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Takes what the parser has to say, in place of the terminal.
+/// Takes what the parser has to say, in place of the terminal. urdfdom gives pieces of the file to printf as its
+/// format: where they may hold a percent sign, as it stands or as a character by its number, nothing may be said at
+/// all.
 class ParserMessages : public console_bridge::OutputHandler {
  public:
-  ParserMessages() { console_bridge::useOutputHandler(this); }
-  ~ParserMessages() override { console_bridge::restorePreviousOutputHandler(); }
+  explicit ParserMessages(const std::string& text) : level_(console_bridge::getLogLevel()) {
+    console_bridge::useOutputHandler(this);
+    const bool may_format = text.find('%') != std::string::npos || text.find("&#") != std::string::npos;
+    console_bridge::setLogLevel(may_format ? console_bridge::CONSOLE_BRIDGE_LOG_NONE
+                                           : console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
+  }
+  ~ParserMessages() override {
+    console_bridge::setLogLevel(level_);
+    console_bridge::restorePreviousOutputHandler();
+  }
   ParserMessages(const ParserMessages&) = delete;
   ParserMessages& operator=(const ParserMessages&) = delete;
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first.empty()) first = text;
   }
   std::string first;
+
+ private:
+  console_bridge::LogLevel level_;
 };
 
 urdf::ModelInterfaceSharedPtr modelOf(const std::string& text, const std::string& file) {
-  ParserMessages messages;
+  ParserMessages messages(text);
   auto model = urdf::parseURDF(text);
   if (!model || !model->getRoot())
     throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a robot as URDF has it",
@@ -195,7 +207,7 @@ class ChainReader {
   void addBody(std::size_t row, const urdf::Link& link, const Isometry3d& X_LK) {
     if (link.inertial && link.inertial->mass > 0) {
       const Vector3d centre = X_LK * poseOf(link.inertial->origin).translation();
-      out_.arm.rows[row].weight.lumps.push_back({kGravity * link.inertial->mass, centre});
+      out_.arm.rows[row].weight.lumps.push_back({kWeightOfKilogram * link.inertial->mass, centre});
       has_inertia_ = has_inertia_ || link.inertial->ixx > 0;
     }
     for (const auto& collision : link.collision_array)

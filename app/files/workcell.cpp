@@ -14,6 +14,12 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
       throw InputError(cell.path, "the joint " + row.joint.name + ", which follows others",
                        "joints with readings of their own: needed to " + purpose,
                        "give it a reading of its own: motions of linkages are not planned");
+  if (!cell.arm.side_chains.empty())
+    throw InputError(
+        cell.path,
+        "the side chain at " + cell.arm.rows[static_cast<std::size_t>(cell.arm.side_chains.front().row)].name,
+        "an arm without side chains: needed to " + purpose,
+        "where it stands still, write its weight as a lump of the link that carries it");
   planner::Workcell work;
   work.arm = cell.arm;
   work.arm.mountings.clear();  // of set-ups on a bench: the arm is planned for on its own mounting

@@ -1,5 +1,7 @@
 #include "app/files/checkpoint/checkpoint_file.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/files/input_error.hpp"
@@ -45,5 +47,7 @@ std::string checkpointText(const CheckpointFormat& format, const PlanKey& questi
   const json head = {{"format", format.name}, {"question", question}, {"checksum", fingerprintOf(payload)}};
   return head.dump() + "\n" + payload + "\n";
 }
+
+void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
 
 }  // namespace tubeplan::app

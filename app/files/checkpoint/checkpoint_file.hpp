@@ -10,6 +10,8 @@
 
 namespace tubeplan::app {
 
+inline constexpr int kLeastShareOfWriting = 20;  ///< pauses are so many times as long as a write
+
 /// What kind of file it is, and the words for one that is damaged.
 struct CheckpointFormat {
   const char* name;      ///< "tubeplan plan memory 1"
@@ -34,5 +36,8 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
 
 [[nodiscard]] std::string checkpointText(const CheckpointFormat& format, const PlanKey& question,
                                          const std::string& payload);
+
+/// On stderr: what was found of earlier work, and what is done with it.
+void say(const std::string& sentence);
 
 }  // namespace tubeplan::app

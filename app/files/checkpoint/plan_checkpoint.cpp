@@ -18,13 +18,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr CheckpointFormat kFormat{"tubeplan plan memory 1", "a file as tubeplan plan leaves it",
-                                   "remove it and plan anew"};
-constexpr int kLeastShareOfWriting = 20;  // pauses are so many times as long as a write
+constexpr CheckpointFormat kPlanFormat{"tubeplan plan memory 1", "a file as tubeplan plan leaves it",
+                                       "remove it and plan anew"};
 
 planner::PlanCache cacheOf(const CheckpointFile& file, const fs::path& path) {
   planner::PlanCache cache;
-  readPayload(kFormat, path, file, [&](const json& payload) { cache = cacheFrom(payload); });
+  readPayload(kPlanFormat, path, file, [&](const json& payload) { cache = cacheFrom(payload); });
   return cache;
 }
 
@@ -32,8 +31,6 @@ bool isThere(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
 }
-
-void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
 
 std::string summaryOf(const planner::PlanCache& cache) {
   if (cache.reach.empty()) return "";
@@ -51,7 +48,7 @@ PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::str
   if (!isThere(path))
     throw InputError("--from", inQuotes(from) + " without " + kCacheFile, "the folder of a plan that was completed",
                      "plan without --from");
-  const CheckpointFile file = readCheckpoint(kFormat, path);
+  const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   from_fingerprint_ = file.checksum;
   from_question_ = file.question;
   from_cache_ = cacheOf(file, path);
@@ -69,7 +66,7 @@ void PlanCheckpoint::begin(const PlanKey& question) {
 bool PlanCheckpoint::takeStopped(const PlanKey& question) {
   const fs::path path = folder_ / kProgressFile;
   if (!isThere(path)) return false;
-  const CheckpointFile file = readCheckpoint(kFormat, path);
+  const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   const auto differences = findDifferences(file.question, question);
   if (differences.empty()) {
     cache_ = cacheOf(file, path);
@@ -86,7 +83,7 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
 bool PlanCheckpoint::takeDone(const PlanKey& question) {
   const fs::path path = folder_ / kCacheFile;
   if (!isThere(path)) return false;
-  const CheckpointFile file = readCheckpoint(kFormat, path);
+  const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   if (!findDifferences(file.question, question).empty()) return false;
   cache_ = cacheOf(file, path);
   say(fmt::format("the plan in {} is complete; it is written again", folder_.string()));
@@ -132,6 +129,6 @@ void PlanCheckpoint::discard() {
 
 std::string PlanCheckpoint::summary() const { return summaryOf(cache_); }
 
-std::string PlanCheckpoint::text() const { return checkpointText(kFormat, question_, cacheJson(cache_).dump()); }
+std::string PlanCheckpoint::text() const { return checkpointText(kPlanFormat, question_, cacheJson(cache_).dump()); }
 
 }  // namespace tubeplan::app

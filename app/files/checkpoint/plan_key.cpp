@@ -18,8 +18,8 @@ namespace {
 
 // What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
 // own part; the tool's steps judge a plan, they do not shape it.
-constexpr std::array<std::string_view, 7> kOtherKeys{"name", "base",       "identify", "tubesheet", "calibration_tool",
-                                                     "park", "model_error"};
+constexpr std::array<std::string_view, 8> kOtherKeys{"name", "base",        "identify", "tubesheet", "calibration_tool",
+                                                     "park", "model_error", "pair"};
 constexpr std::array<std::string_view, 7> kModelParts{"program",   "arm and scene", "base", "load",
                                                       "clearance", "compensation",  "sheet"};
 

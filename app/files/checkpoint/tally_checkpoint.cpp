@@ -17,16 +17,15 @@ namespace {
 
 using nlohmann::json;
 
-constexpr CheckpointFormat kFormat{"tubeplan campaign tally 1", "a file as tubeplan campaign leaves it",
-                                   "remove it to begin anew"};
-constexpr int kLeastShareOfWriting = 20;  // pauses are so many times as long as a write
+constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file as tubeplan campaign leaves it",
+                                        "remove it to begin anew"};
 
 RunSet runsFrom(const json& ranges, const fs::path& path) {
   RunSet set;
   std::uint64_t last = 0;
   for (const auto& range : ranges) {
     const RunRange runs{range.at(0), range.at(1)};
-    if (runs.first < last || runs.end <= runs.first) refuseDamaged(kFormat, path, "runs out of order");
+    if (runs.first < last || runs.end <= runs.first) refuseDamaged(kTallyFormat, path, "runs out of order");
     set.insert(runs);
     last = runs.end;
   }
@@ -35,7 +34,7 @@ RunSet runsFrom(const json& ranges, const fs::path& path) {
 
 TallySoFar tallyOf(const CheckpointFile& file, const fs::path& path) {
   TallySoFar tally;
-  readPayload(kFormat, path, file, [&](const json& payload) {
+  readPayload(kTallyFormat, path, file, [&](const json& payload) {
     tally.done = runsFrom(payload.at("done"), path);
     payload.at("total").get_to(tally.total);
   });
@@ -45,10 +44,8 @@ TallySoFar tallyOf(const CheckpointFile& file, const fs::path& path) {
 std::string tallyText(const PlanKey& question, const TallySoFar& tally) {
   json done = json::array();
   for (const auto& range : tally.done.ranges()) done.push_back({range.first, range.end});
-  return checkpointText(kFormat, question, json{{"done", done}, {"total", tally.total}}.dump());
+  return checkpointText(kTallyFormat, question, json{{"done", done}, {"total", tally.total}}.dump());
 }
-
-void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
 
 }  // namespace
 
@@ -66,7 +63,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
                        std::string("a folder with ") + kTallyFile, "leave out --resume to begin anew");
     return std::nullopt;
   }
-  const CheckpointFile file = readCheckpoint(kFormat, path());
+  const CheckpointFile file = readCheckpoint(kTallyFormat, path());
   TallySoFar tally = tallyOf(file, path());
   auto differences = findDifferences(file.question, question);
   const auto& ranges = tally.done.ranges();

@@ -64,6 +64,48 @@ TEST_F(AtomicFile, replacesTheFileBehindALink) {
   EXPECT_EQ(entries(), 2);
 }
 
+TEST_F(AtomicFile, filesThatBelongTogetherAreAllNewOrAllOld) {
+  write("cell.yaml", "old cell");
+  const std::vector<TextFile> files = {{folder / "cell.yaml", "new cell"}, {folder / "new/arm.yaml", "new arm"}};
+  writeFilesTogether(files, "--out");
+  EXPECT_EQ(contentOf(folder / "cell.yaml"), "new cell");
+  EXPECT_EQ(contentOf(folder / "new/arm.yaml"), "new arm");
+  EXPECT_EQ(entries(), 3);
+  // The last one has no place: the others stay as they are, and what was made for them goes.
+  const std::vector<TextFile> too_many = {
+      {folder / "cell.yaml", "newer"}, {folder / "newer/arm.yaml", "newer"}, {"/proc/none/a.txt", "newer"}};
+  expectSays(messageOf([&] { writeFilesTogether(too_many, "--out"); }), "--out: found");
+  EXPECT_EQ(contentOf(folder / "cell.yaml"), "new cell");
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(AtomicFile, folderThatCannotTakeAllFilesTakesNone) {
+  write("a.txt", "old");
+  std::filesystem::create_directory(folder / "c.txt");  // a file cannot be renamed over a folder
+  {
+    OutputFolder out(folder, "--out");
+    for (const char* name : {"a.txt", "b.txt", "c.txt", "d.txt"}) out.write(name, "new");
+    expectSays(messageOf([&] { out.commit(); }), "c.txt");
+  }
+  EXPECT_EQ(contentOf(folder / "a.txt"), "old");
+  EXPECT_FALSE(fs::exists(folder / "b.txt"));
+  EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(AtomicFile, folderIsOfOneProgramAtATime) {
+  {
+    OutputFolder out(folder, "--out");
+    const std::string message = messageOf([&] { OutputFolder second(folder, "--out"); });
+    expectSays(message, "to which another tubeplan writes (process " + std::to_string(::getpid()) + ")");
+  }
+  // A program that was killed holds nothing, whatever it left.
+  fs::create_directory(folder / ".tubeplan.1999999999.part");
+  OutputFolder again(folder, "--out");
+  again.write("a.txt", "a");
+  again.commit();
+  EXPECT_EQ(contentOf(folder / "a.txt"), "a");
+}
+
 TEST_F(AtomicFile, folderShowsAllFilesAtCommit) {
   write("old.txt", "old");
   OutputFolder out(folder, "--out");

@@ -1,6 +1,8 @@
 // Design files: what they mean and what is refused.
 #include "app/files/campaign_reader.hpp"
 
+#include <cmath>
+
 #include "app/files/cell_reader.hpp"
 #include "tests/app/test_files.hpp"
 
@@ -13,10 +15,10 @@ constexpr double kInch = 0.0254, kPound = 4.4482216152605;
 
 class CampaignReader : public FolderTest {
  protected:
-  const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
+  const Cell cell = readCell((shippedCells() / "bench.yaml").string());
 
   [[nodiscard]] CampaignFile read(const std::string& text, bool has_sheet = false) const {
-    return readCampaignFile(write("design.yaml", text), units, has_sheet);
+    return readCampaignFile(write("design.yaml", text), cell.arm, cell.units, has_sheet);
   }
   void expectRefused(const std::string& text, const std::vector<std::string>& words) const {
     const std::string message = messageOf([&] { (void)read(text); });
@@ -58,6 +60,26 @@ TEST_F(CampaignReader, TakesWhatSuitsTheKindForWhatIsLeftOut) {
   EXPECT_NEAR(read("kind: touch\n").design.sigma, 0.005 * kInch, 1e-12);
   EXPECT_EQ(read("kind: position\nat: holes\n", true).design.loads, std::vector<double>{0});
   EXPECT_EQ(read("kind: deflection\n").design.loads.front(), 20 * kPound) << "no load bends nothing";
+}
+
+TEST_F(CampaignReader, ReadsTheRowsThatAreReadAndTheNoiseOfEachCoordinate) {
+  const auto tilt = read("kind: tilt\nrows: [forearm, base-link]\n").design;
+  ASSERT_EQ(tilt.rows.size(), 2u);
+  EXPECT_EQ(cell.arm.rows.at(static_cast<std::size_t>(tilt.rows[0])).name, "forearm");
+  EXPECT_EQ(cell.arm.rows.at(static_cast<std::size_t>(tilt.rows[1])).name, "base-link");
+  const auto tracked = read("kind: position\nsigmas: [0.001, 0.005, 0.005]\ncorrelations: [0.9, 0, -0.1]\n").design;
+  EXPECT_TRUE(tracked.sigma_W->isApprox(Eigen::Vector3d(0.001, 0.005, 0.005) * kInch));
+  EXPECT_TRUE(tracked.correlation_W->isApprox(Eigen::Vector3d(0.9, 0, -0.1)));
+  EXPECT_NEAR(tracked.sigma, std::sqrt(17e-6) * kInch, 1e-15);
+  expectRefused("kind: tilt\nrows: [forarm]\n", {"design.yaml:2", "'forarm'", "latch-link", "did you mean 'forearm'?"});
+  expectRefused("kind: tilt\nrows: []\n", {"one row of the arm or more"});
+  expectRefused("kind: tilt\nrows: [forearm, forearm]\n", {"every row once"});
+  expectRefused("kind: position\nrows: [forearm]\n", {"`rows`", "kind: tilt"});
+  expectRefused("kind: position\nsigmas: [0.001, 0, 0.005]\n", {"sigmas", "above zero"});
+  expectRefused("kind: distance\nanchor: [1, 2, 3]\nsigmas: [1, 1, 1]\n", {"`sigmas`", "no x, y, z"});
+  expectRefused("kind: position\ncorrelations: [0, 0, 0]\n", {"`correlations`", "add sigmas"});
+  expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9, -0.9]\n", {"can have together"});
+  expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9]\n", {"three numbers"});
 }
 
 TEST_F(CampaignReader, RefusesWhatItDoesNotKnow) {

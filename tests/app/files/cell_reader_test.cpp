@@ -178,6 +178,33 @@ TEST_F(CellReader, writesTheBaseBack) {
   }
 }
 
+TEST_F(CellReader, refusesHalfOfAPair) {
+  const std::string shipped = contentOf(shippedCells() / "cobra-arm.yaml");
+  std::string cell = contentOf(shippedCells() / "bench.yaml");
+  TextFile arm{folder / "own-arm.yaml", shipped};
+  makePair(cell, arm);
+  std::string again = cell;
+  TextFile same = arm;
+  makePair(again, same);
+  EXPECT_EQ(again, cell);
+  EXPECT_EQ(same.text, arm.text);
+  write("own-arm.yaml", arm.text);
+  const std::string path = write("own.yaml", cell);
+  EXPECT_EQ(readCell(path).arm_source.text, arm.text);
+  // Changed by hand they are still a pair.
+  write("own-arm.yaml", changed(arm.text, "name: ", "name: other-") + "# changed\n");
+  EXPECT_EQ(readCell(path).arm.name.substr(0, 6), "other-");
+  for (const std::string& other : {shipped, changed(arm.text, "pair: \"", "pair: \"0")}) {
+    write("own-arm.yaml", other);
+    const std::string message = messageOf([&] { (void)readCell(path); });
+    expectSays(message, "pair");
+    expectSays(message, "the arm file that was written with this cell");
+  }
+  write("own.yaml", contentOf(shippedCells() / "bench.yaml"));
+  write("cobra-arm.yaml", arm.text);
+  EXPECT_NO_THROW((void)readCell(path)) << "an arm of a pair serves cells that name no pair";
+}
+
 TEST_F(CellReader, readsItsOwnCovarianceAndNoOther) {
   const std::string base = "base: {position: [0, 43.0, -44.0], rpy: [0, 0, -90], known: false";
   expectSays(refusal(base, base + ", covariance: [[1, 2], [3, 4]]"), "six lists");

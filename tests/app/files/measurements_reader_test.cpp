@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/files/cell_reader.hpp"
+#include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/test_files.hpp"
@@ -13,13 +14,13 @@ namespace {
 
 using calibration::MeasurementKind;
 
-constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180;
+constexpr double kInch = 0.0254, kPound = 4.4482216152605, kDegree = std::numbers::pi / 180;
 const char* const kHeader =
     "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
 
 class MeasurementsReader : public ::testing::Test {
  protected:
-  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  Cell cell = readCell((shippedCells() / "mockup.yaml").string());
 
   [[nodiscard]] auto read(const std::string& text) const {
     return parseMeasurements(text, "m.csv", cell.arm, &*cell.sheet);
@@ -151,6 +152,93 @@ TEST_F(MeasurementsReader, readsTheNoiseOfEachCoordinate) {
   expectSays(refusal(header + changed(good, "0.001,", ",")), "some of the coordinates' sigma_x");
   expectSays(refusal(header + changed(good, "0.001,", "-0.001,")), "not above zero");
   expectSays(refusal(header + "a,distance,,10,90,-20,5,1,2,3,4,0.001,0.002,0.002\n"), "it measures no x, y, z");
+}
+
+TEST_F(MeasurementsReader, readsForcesAndMomentsOnTheTip) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,force_x_lbf,force_y_lbf,force_z_lbf,moment_x_lbfin,"
+      "moment_y_lbfin,moment_z_lbfin,x_in,y_in,z_in,sigma_in\n";
+  const std::string good = "a,position,10,90,-20,5,1,-2,3,4,5,-6,1,2,3,0.003\n";
+  const auto m = read(header + good + "b,position,10,90,-20,5,,,,,,,1,2,3,0.003\n");
+  ASSERT_TRUE(m[0].wrench);
+  EXPECT_TRUE(m[0].wrench->force_W.isApprox(Eigen::Vector3d(1, -2, 3) * kPound));
+  EXPECT_TRUE(m[0].wrench->moment_W.isApprox(Eigen::Vector3d(4, 5, -6) * kPound * kInch));
+  EXPECT_FALSE(m[1].wrench);
+  const std::string again = measurementsCsv(m, cell.arm, cell.units);
+  const auto back = read(again);
+  EXPECT_TRUE(back[0].wrench->force_W.isApprox(m[0].wrench->force_W, 1e-11));
+  EXPECT_TRUE(back[0].wrench->moment_W.isApprox(m[0].wrench->moment_W, 1e-11));
+  EXPECT_FALSE(back[1].wrench);
+  expectSays(refusal(header + changed(good, ",1,-2,3,", ",1,,3,")), "some of the forces force_x, force_y, force_z");
+  expectSays(refusal(header + changed(good, ",4,5,", ",,5,")), "some of the moments moment_x, moment_y, moment_z");
+  expectSays(refusal(header + changed(good, ",-2,", ",nan,")), "column force_y_lbf");
+  expectSays(refusal(changed(header, "moment_x_lbfin", "moment_x_lbf") + good), "unknown unit 'lbf'");
+}
+
+TEST_F(MeasurementsReader, readsTheJointsOfSideChains) {
+  deflection::SideChain<double> chain{0, std::vector<deflection::Row<double>>(1)};
+  chain.rows[0].name = "left";
+  chain.rows[0].joint = {.name = "left1", .type = deflection::JointType::kRevolute};
+  chain.rows[0].weight.end = 10;
+  cell.arm.side_chains = {chain};
+  const std::string header = "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,left1_deg,x_in,y_in,z_in,sigma_in\n";
+  const std::string good = "a,position,10,90,-20,5,33,1,2,3,0.003\n";
+  const auto m = read(header + good);
+  ASSERT_EQ(m[0].side_q.size(), 1);
+  EXPECT_NEAR(m[0].side_q[0], 33 * kDegree, 1e-15);
+  EXPECT_NEAR(read(measurementsCsv(m, cell.arm, cell.units))[0].side_q[0], 33 * kDegree, 1e-12);
+  expectSays(refusal(changed(header, "left1_deg,", "") + changed(good, ",33", "")), "no column 'left1_deg'");
+}
+
+TEST_F(MeasurementsReader, readsTheTiltsOfARow) {
+  const std::string header =
+      "id,kind,row,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,tool_x_in,tool_y_in,tool_z_in,tilt_x_deg,"
+      "sigma_in,turn_sigma_deg\n";
+  const std::string of_row = "a,tilt,forearm,10,90,-20,5,,,,,,,2,,0.01\n",
+                    of_tool = "b,tilt,,10,90,-20,5,,,,,,,2,,0.01\n";
+  const auto readings = read(header + of_row + of_tool);
+  ASSERT_EQ(readings.size(), 2u);
+  ASSERT_TRUE(readings[0].row);
+  EXPECT_EQ(cell.arm.rows.at(static_cast<std::size_t>(*readings[0].row)).name, "forearm");
+  EXPECT_FALSE(readings[1].row);
+  const std::string unknown = refusal(header + changed(of_row, "forearm", "fourarm"));
+  expectSays(unknown, "m.csv:2 (column row): found the unknown row 'fourarm'");
+  expectSays(unknown, "mezzanine-beam, mezzanine-platform, base-link, latch-link, forearm");
+  expectSays(unknown, "did you mean 'forearm'?");
+  const std::string position = "c,position,forearm,10,90,-20,5,1,2,3,,,,,0.003,\n";
+  expectSays(refusal(header + position), "the row 'forearm' for a reading of kind position");
+  expectSays(refusal(header + position), "only readings of kind tilt");
+  expectSays(refusal(header + changed(of_row, ",5,,,,,,,2", ",5,,,,1,0,0,2")),
+             "a row or a point of the tool, not both");
+  expectSays(refusal(header + changed(of_row, ",2,,0.01", ",,,0.01")), "without its tilt_x, tilt_y, tilt_z");
+  expectSays(refusal(header + changed(of_row, ",2,,0.01", ",nan,,0.01")), "finite number");
+  expectSays(refusal(header + changed(of_row, "0.01", "-0.01")), "turn_sigma that is not above zero");
+}
+
+TEST_F(MeasurementsReader, readsHowTheNoiseOfCoordinatesGoesTogether) {
+  const std::string header =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_x_in,sigma_y_in,sigma_z_in,rho_xy,"
+      "rho_xz,rho_yz,sigma_in\n";
+  const std::string good = "a,position,10,90,-20,5,1,2,3,0.001,0.002,0.002,0.9,-0.1,0,\n";
+  const auto m = read(header + good).at(0);
+  ASSERT_TRUE(m.correlation_W);
+  EXPECT_EQ(*m.correlation_W, Eigen::Vector3d(0.9, -0.1, 0));
+  EXPECT_NEAR(calibration::statedCovariance(m)(0, 1), 0.9 * 0.001 * 0.002 * kInch * kInch, 1e-20);
+  EXPECT_FALSE(read(header + changed(good, "0.9,-0.1,0,", ",,,")).at(0).correlation_W);
+  expectSays(refusal(header + changed(good, "0.9,-0.1,", "0.9,,")),
+             "m.csv:2: found some of the correlations rho_xy, rho_xz, rho_yz, expected all three or none");
+  for (const char* rho : {"1", "-1", "1.2"})
+    expectSays(refusal(header + changed(good, "0.9,", std::string(rho) + ",")),
+               std::string("m.csv:2 (column rho_xy): found ") + rho + ", expected a correlation between -1 and 1");
+  expectSays(refusal(header + changed(good, "0.9,", "nan,")), "m.csv:2 (column rho_xy): found 'nan'");
+  expectSays(refusal(header + changed(good, "0.9,-0.1,0,", "0.9,0.9,-0.9,")), "positive definite");
+  const std::string alone = changed(good, "0.001,0.002,0.002,0.9,-0.1,0,", ",,,0.9,-0.1,0,0.002");
+  expectSays(refusal(header + alone), "without the coordinates' own sigmas");
+  expectSays(refusal(header + alone), "add those columns");
+  const std::string missing =
+      "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_x_in,"
+      "sigma_y_in,sigma_z_in,rho_xy,rho_xz\n";
+  expectSays(refusal(missing + "a,position,10,90,-20,5,1,2,3,0.001,0.002,0.002,0.9,-0.1\n"), "all three or none");
 }
 
 TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {

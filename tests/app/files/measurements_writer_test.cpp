@@ -1,6 +1,7 @@
 // Measurements as text, and back.
 #include "app/files/measurements_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/files/cell_reader.hpp"
@@ -45,7 +46,10 @@ class MeasurementsWriter : public ::testing::Test {
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));
       m.sigma = std::sqrt(m.sigma_W->squaredNorm() / 3);
+      if (random.index(2) == 0)
+        m.correlation_W = Eigen::Vector3d(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0, 0.4));
     }
+    if (kindOf(m).may_be_of_row && random.index(2) == 0) m.row = random.index(static_cast<int>(cell.arm.rows.size()));
     if (kindOf(m).is_from_reading) relate(m);
     return m;
   }
@@ -105,6 +109,11 @@ class MeasurementsWriter : public ::testing::Test {
     if (a.sigma_W) {
       EXPECT_LE((*a.sigma_W - *b.sigma_W).norm(), 1e-14);
     }
+    ASSERT_EQ(a.correlation_W.has_value(), b.correlation_W.has_value());
+    if (a.correlation_W) {
+      EXPECT_LE((*a.correlation_W - *b.correlation_W).norm(), 1e-11);
+    }
+    EXPECT_EQ(a.row, b.row);
     ASSERT_EQ(a.reference != nullptr, b.reference != nullptr);
     if (a.reference) {
       EXPECT_EQ(a.reference->id, b.reference->id);
@@ -127,6 +136,9 @@ TEST_F(MeasurementsWriter, WhatItWritesReadsAsItWasInAnyUnits) {
   for (auto& reading : full) addConditions(reading);
   for (const char* units : {"{length: in, angle: deg, force: lbf, temperature: degF, time: min}",
                             "{length: mm, angle: rad, force: N, temperature: degC, time: s}"}) {
+    const auto has = [&](auto question) { return std::any_of(plain.begin(), plain.end(), question); };
+    EXPECT_TRUE(has([](const auto& m) { return m.row.has_value(); }));
+    EXPECT_TRUE(has([](const auto& m) { return m.correlation_W.has_value(); }));
     expectRoundTrip(plain, unitsOf(units));
     expectRoundTrip(full, unitsOf(units));
   }

@@ -3,6 +3,7 @@
 
 #include "app/files/arm_reader.hpp"
 #include "app/files/cell_reader.hpp"
+#include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/measurements_reader.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "tests/app/test_files.hpp"
@@ -65,6 +66,20 @@ TEST(MutatedFiles, measurementsAreReadOrRefused) {
       "a,position,P1,20,10,90,-20,5,1,2,3,0.003,1\nb,touch,R1C57,20,10,90,-20,5,,,,0.003,2\n";
   expectReadOrRefused(text, 5000,
                       [&](const std::string& bad) { (void)parseMeasurements(bad, "m.csv", cell.arm, &*cell.sheet); });
+}
+
+TEST(MutatedFiles, tablesOfOtherProgramsAreReadOrRefused) {
+  const Cell cell = readCell((shippedCells() / "bench.yaml").string());
+  const std::string points = "Units: mm\nJob::Arm::P1 1.5 2 3\nJob::Arm::P2 4 5 6\nJob::Arm::P3 7 8 9\n";
+  const std::string log =
+      "Point;J1 [deg];J2 [deg];J3 [deg];J4 [deg];Payload [kg]\nP1;10;45;-35;12,5;1\nP2;20;45;-35;12;2\nP3;1;2;3;4;0\n";
+  const ColumnChoice millimetres{{}, {{UnitKind::kLength, findUnit(UnitKind::kLength, "mm")}}};
+  const auto read = [&](const std::string& one, const std::string& other) {
+    const ForeignRequest request{{parseForeignTable(one, "a"), parseForeignTable(other, "b")}, millimetres, ""};
+    (void)parseMeasurementTable(readForeign(request, cell.arm).text, "readings", cell.arm);
+  };
+  expectReadOrRefused(log, 3000, [&](const std::string& bad) { read(points, bad); });
+  expectReadOrRefused(points, 3000, [&](const std::string& bad) { read(bad, log); });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/files/arm_writer.hpp"
 #include "app/files/cell_reader.hpp"
 #include "app/files/urdf_reader.hpp"
+#include "app/files/urdf_writer.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "tests/app/test_files.hpp"
@@ -135,6 +136,17 @@ TEST(Urdf, WeightsFollowersAndSolidsComeAlong) {
   EXPECT_TRUE(ur5.shapes[0].text.starts_with("cylinder"));
   ASSERT_EQ(ur5.left_out.size(), 1u);
   expectSays(ur5.left_out[0], "moments of inertia");
+}
+
+// urdfdom gives the coordinate that it cannot read to printf as its format: %n would write into memory.
+TEST(Urdf, APercentSignIsNoFormat) {
+  for (const char* piece : {"%n%n%n%s%s%s", "&#37;n&#x25;n", "%1000000000d"}) {
+    const std::string text = fmt::format(
+        "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"revolute\">"
+        "<origin xyz=\"0 0 {}\"/><parent link=\"a\"/><child link=\"b\"/></joint></robot>",
+        piece);
+    EXPECT_NE(messageOf([&] { (void)parseUrdf(text, "p.urdf"); }), "") << piece;
+  }
 }
 
 TEST(Urdf, RefusesWhatIsNoArm) {

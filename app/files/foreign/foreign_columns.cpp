@@ -1,0 +1,300 @@
+#include "app/files/foreign/foreign_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "app/files/foreign/foreign_heading.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/measurement_columns.hpp"
+#include "app/files/suggestion.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "deflection/side_chains.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+void addJoints(const deflection::Arm& arm, std::vector<ColumnTarget>& targets) {
+  int number = 0;
+  for (const int row : deflection::activeRows(arm)) {
+    const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
+    ++number;
+    std::vector<std::string> aliases = {parseHeading(joint.name).name};
+    for (const char* name : {"j", "joint", "axis", "a", "q", "theta", "encoder"})
+      aliases.push_back(fmt::format("{}{}", name, number));
+    targets.push_back(
+        {.quantity = joint.name, .unit = unitKindOf(joint), .is_joint = true, .aliases = std::move(aliases)});
+  }
+  for (const auto* joint : deflection::sideJoints(arm))
+    targets.push_back({.quantity = joint->name,
+                       .unit = unitKindOf(*joint),
+                       .is_joint = true,
+                       .aliases = {parseHeading(joint->name).name}});
+  for (const int row : deflection::activeRows(arm)) {
+    const std::string name = arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir";
+    targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {parseHeading(name).name}});
+  }
+}
+
+void addOwn(std::vector<ColumnTarget>& targets) {
+  for (const auto& kind : calibration::measurementKinds())
+    for (const auto& [name, quantity] : kind.columns) {
+      const bool is_there =
+          std::any_of(targets.begin(), targets.end(), [&](const auto& t) { return t.quantity == name; });
+      if (is_there) continue;
+      std::optional<UnitKind> unit;
+      if (quantity != deflection::Quantity::kNone) unit = unitKindOf(quantity);
+      targets.push_back({.quantity = name, .unit = unit, .aliases = {parseHeading(name).name}});
+    }
+}
+
+std::string exampleOf(UnitKind kind) { return kind == UnitKind::kLength ? "mm" : unitNames(kind).front(); }
+
+/// A heading that states a unit of another kind is of something else: "x (deg)" is no place.
+bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
+  if (heading.unit && target.unit != heading.unit->kind) return false;
+  return std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
+}
+
+/// What the columns of a table without headings are by how many there are: a name where the first is not of numbers (or
+/// an id where it is one number too many), then the joints, the place, or both.
+std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  std::vector<std::string> joints, found;
+  for (const auto& target : targets)
+    if (target.is_joint) joints.push_back(target.aliases.front());
+  const auto& first = table.rows.front().fields;
+  const bool has_name = !tubesheets::parseNumber(first.front());
+  const bool has_id = !has_name && first.size() == joints.size() + 4;
+  const std::size_t numbers = first.size() - (has_name || has_id ? 1 : 0);
+  const bool has_both = numbers == joints.size() + 3;
+  const bool has_either = (numbers == joints.size()) != (numbers == 3);
+  std::vector<ForeignHeading> headings(first.size());
+  if (!has_both && !has_either) return headings;
+  if (has_name || has_id) found.emplace_back(has_name ? "point" : "id");
+  if (has_both || numbers == joints.size()) found.insert(found.end(), joints.begin(), joints.end());
+  if (has_both || numbers == 3) found.insert(found.end(), {"x", "y", "z"});
+  for (std::size_t c = 0; c < found.size(); ++c) headings[c].name = found[c];
+  return headings;
+}
+
+std::vector<ForeignHeading> headingsOf(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  if (!table.has_heading) return headingsByShape(table, targets);
+  std::vector<ForeignHeading> headings;
+  for (const auto& column : table.columns) headings.push_back(parseHeading(column));
+  return headings;
+}
+
+/// Of every table.
+std::vector<std::vector<ForeignHeading>> allHeadings(const std::vector<ForeignTable>& tables,
+                                                     const std::vector<ColumnTarget>& targets) {
+  std::vector<std::vector<ForeignHeading>> headings;
+  for (const auto& table : tables) headings.push_back(headingsOf(table, targets));
+  return headings;
+}
+
+class ColumnTaker {
+ public:
+  ColumnTaker(const std::vector<ForeignTable>& tables, const std::vector<ColumnTarget>& targets,
+              const ColumnChoice& choice)
+      : tables_(tables), targets_(targets), choice_(choice), headings_(allHeadings(tables, targets)) {
+    for (const auto& table : tables) free_.emplace_back(table.columns.size(), true);
+  }
+
+  std::vector<TakenColumn> take() {
+    for (const auto& chosen : choice_.columns) takeChosen(chosen);
+    for (std::size_t k = 0; k < targets_.size(); ++k)
+      if (!isTaken(k)) takeNamed(k);
+    for (std::size_t k = 0; k < targets_.size(); ++k)
+      if (targets_[k].is_joint && !isTaken(k)) missingJoint(k);
+    std::sort(taken_.begin(), taken_.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
+    return std::move(taken_);
+  }
+
+ private:
+  [[nodiscard]] bool isTaken(std::size_t target) const {
+    return std::any_of(taken_.begin(), taken_.end(), [&](const auto& column) { return column.target == target; });
+  }
+
+  [[nodiscard]] std::string nameOf(std::size_t table, std::size_t column) const {
+    return fmt::format("{} of {}", inQuotes(tables_[table].columns[column]), tables_[table].file);
+  }
+
+  void takeChosen(const std::string& chosen) {
+    const std::size_t equals = chosen.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == chosen.size())
+      throw InputError("--column", inQuotes(chosen), "NAME=COLUMN, such as x_mm=X", "");
+    const std::string name = chosen.substr(0, equals);
+    const auto [target, unit] = targetOf(name);
+    if (isTaken(target)) throw InputError("--column", fmt::format("{} twice", inQuotes(name)), "it once", "");
+    const auto [table, column] = columnOf(chosen.substr(equals + 1));
+    add(target, table, column, unit);
+  }
+
+  /// "x_mm" or "x": a quantity, and the unit where the name states one.
+  [[nodiscard]] std::pair<std::size_t, const Unit*> targetOf(const std::string& name) const {
+    std::vector<std::string> known;
+    for (std::size_t k = 0; k < targets_.size(); ++k) {
+      const auto& target = targets_[k];
+      known.push_back(target.quantity);
+      if (name == target.quantity) return {k, nullptr};
+      if (!target.unit || !name.starts_with(target.quantity + "_")) continue;
+      if (const Unit* unit = findUnit(*target.unit, name.substr(target.quantity.size() + 1))) return {k, unit};
+    }
+    throw InputError("--column", inQuotes(name), "a column of a measurement table", suggestion(name, known));
+  }
+
+  [[nodiscard]] std::pair<std::size_t, std::size_t> columnOf(const std::string& theirs) const {
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    std::vector<std::string> known;
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      for (std::size_t c = 0; c < tables_[t].columns.size(); ++c) {
+        known.push_back(tables_[t].columns[c]);
+        if (theirs == tables_[t].columns[c] || theirs == tables_[t].file + ":" + tables_[t].columns[c])
+          found.emplace_back(t, c);
+      }
+    if (found.size() == 1) return found.front();
+    if (found.empty())
+      throw InputError("--column", "no column " + inQuotes(theirs), alternatives(known), suggestion(theirs, known));
+    throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
+                     fmt::format("write {}:{}", tables_[found.front().first].file, theirs));
+  }
+
+  void takeNamed(std::size_t k) {
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      for (std::size_t c = 0; c < headings_[t].size(); ++c)
+        if (free_[t][c] && fits(targets_[k], headings_[t][c])) found.emplace_back(t, c);
+    if (found.empty()) return;
+    if (found.size() > 1 && targets_[k].is_number) {
+      std::vector<std::string> names;
+      for (const auto& [t, c] : found) names.push_back(nameOf(t, c));
+      throw InputError("the columns",
+                       fmt::format("{}, which could each be {}", fmt::join(names, " and "), targets_[k].quantity),
+                       "one",
+                       fmt::format("say which: --column {}={}:{}", targets_[k].quantity, tables_[found[0].first].file,
+                                   tables_[found[0].first].columns[found[0].second]));
+    }
+    add(k, found[0].first, found[0].second, nullptr);
+  }
+
+  void add(std::size_t target, std::size_t table, std::size_t column, const Unit* stated) {
+    const auto& wanted = targets_[target];
+    std::string name = wanted.quantity;
+    if (wanted.unit) {
+      const Unit* unit = stated ? stated : unitOf(*wanted.unit, table, column);
+      if (!unit)
+        throw InputError("the column " + nameOf(table, column), "no unit",
+                         fmt::format("{} with its unit: {}", wanted.quantity, alternatives(unitNames(*wanted.unit))),
+                         fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(*wanted.unit),
+                                     wanted.quantity, tables_[table].columns[column]));
+      name += "_" + std::string(unit->name);
+    }
+    free_[table][column] = false;
+    taken_.push_back({std::move(name), target, table, column});
+  }
+
+  [[nodiscard]] const Unit* unitOf(UnitKind kind, std::size_t table, std::size_t column) const {
+    const Unit* stated = headings_[table][column].unit;
+    if (stated && stated->kind == kind) return stated;
+    const auto usual = choice_.units.find(kind);
+    return usual == choice_.units.end() ? nullptr : usual->second;
+  }
+
+  [[noreturn]] void missingJoint(std::size_t k) const {
+    std::vector<std::string> left;
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      for (std::size_t c = 0; c < free_[t].size(); ++c)
+        if (free_[t][c]) left.push_back(tables_[t].columns[c]);
+    const std::string& name = targets_[k].quantity;
+    throw InputError("the columns", "none for the joint " + name,
+                     left.empty() ? "one for every joint" : "one of " + alternatives(left),
+                     fmt::format("say which: --column {}={}", name, left.empty() ? "COLUMN" : left.front()));
+  }
+
+  const std::vector<ForeignTable>& tables_;
+  const std::vector<ColumnTarget>& targets_;
+  const ColumnChoice& choice_;
+  std::vector<std::vector<ForeignHeading>> headings_;
+  std::vector<std::vector<bool>> free_;
+  std::vector<TakenColumn> taken_;
+};
+
+}  // namespace
+
+std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
+  const auto text = [](const char* name, std::vector<std::string> aliases) {
+    return ColumnTarget{.quantity = name, .unit = std::nullopt, .is_number = false, .aliases = std::move(aliases)};
+  };
+  const auto number = [](std::string name, UnitKind unit, std::vector<std::string> aliases) {
+    return ColumnTarget{.quantity = std::move(name), .unit = unit, .aliases = std::move(aliases)};
+  };
+  std::vector<ColumnTarget> targets = {
+      text("id", {"id", "no", "nr", "number", "index", "reading", "measurement"}),
+      text("kind", {"kind"}),
+      text("point", {"point", "pointname", "pointid", "name", "target", "label", "hole", "tube"}),
+      text("setup", {"setup"}),
+      text("split", {"split"}),
+      text("from", {"from"}),
+      text("row", {"armrow", "link", "linkname"}),  // not `row`: lists of anything count their rows
+      number("load", UnitKind::kForce, {"load", "payload", "mass", "weight"}),
+  };
+  addJoints(arm, targets);
+  for (const char* axis : {"x", "y", "z"}) {
+    std::vector<std::string> aliases;
+    for (const char* form : {"{}", "pos{}", "p{}", "t{}", "{}pos", "measured{}", "{}measured", "meas{}", "{}meas"})
+      aliases.push_back(fmt::format(fmt::runtime(form), axis));
+    targets.push_back(number(axis, UnitKind::kLength, std::move(aliases)));
+  }
+  for (const char* name : {"tool_x", "tool_y", "tool_z", "sigma_x", "sigma_y", "sigma_z"})
+    targets.push_back(number(name, UnitKind::kLength, {parseHeading(name).name}));
+  addOwn(targets);
+  for (const char* name : {"dx", "dy", "dz"})
+    targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {name}});
+  for (const char* name : {"rho_xy", "rho_xz", "rho_yz"})
+    targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {parseHeading(name).name}});
+  targets.push_back(number("sigma", UnitKind::kLength, {"sigma", "std", "stddev", "standarddeviation"}));
+  targets.push_back(number("turn_sigma", UnitKind::kAngle, {"turnsigma"}));
+  for (const auto& [word, letter, unit] :
+       {std::tuple("force", "f", UnitKind::kForce), std::tuple("moment", "torque", UnitKind::kTorque)})
+    for (const char* axis : {"x", "y", "z"})
+      targets.push_back(number(fmt::format("{}_{}", word, axis), unit,
+                               {fmt::format("{}{}", letter, axis), fmt::format("{}{}", word, axis)}));
+  targets.push_back(number("temperature", UnitKind::kTemperature, {"temperature", "temp"}));
+  targets.push_back(number("time", UnitKind::kTime, {"time", "timestamp", "t"}));
+  return targets;
+}
+
+std::optional<std::size_t> findNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  const auto headings = headingsOf(table, targets);
+  for (const char* quantity : {"point", "id"})
+    for (const auto& target : targets) {
+      if (target.quantity != quantity) continue;
+      const auto found = std::find_if(headings.begin(), headings.end(), [&](const auto& h) { return fits(target, h); });
+      if (found != headings.end()) return static_cast<std::size_t>(found - headings.begin());
+    }
+  return std::nullopt;
+}
+
+std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTable>& tables,
+                                                     const std::vector<ColumnTarget>& targets) {
+  const auto headings = allHeadings(tables, targets);
+  std::vector<std::optional<ColumnGuess>> guesses(targets.size());
+  std::set<std::pair<std::size_t, std::size_t>> used;
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    for (std::size_t t = 0; t < tables.size(); ++t)
+      for (std::size_t c = 0; c < headings[t].size() && !guesses[k]; ++c)
+        if (fits(targets[k], headings[t][c]) && used.emplace(t, c).second) guesses[k] = {t, c, headings[t][c].unit};
+  return guesses;
+}
+
+std::vector<TakenColumn> takeColumns(const std::vector<ForeignTable>& tables, const std::vector<ColumnTarget>& targets,
+                                     const ColumnChoice& choice) {
+  return ColumnTaker(tables, targets, choice).take();
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,122 @@
+#include "app/files/urdf_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "app/files/units.hpp"
+#include "deflection/chain.hpp"
+#include "deflection/rotation.hpp"
+#include "deflection/weights.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::Arm, deflection::JointType;
+using Eigen::Vector3d;
+using ArmRow = deflection::Row<double>;
+
+std::string triple(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z()); }
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return out;
+}
+
+/// All that hangs from a row, as one mass [kg] at its centre in the row's frame.
+std::string inertialText(const deflection::RowWeight& row) {
+  if (!(row.weight > 0)) return "";
+  return fmt::format(
+      "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{:.17g}\"/>\n"
+      "      <inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/>\n    </inertial>\n",
+      triple(row.moment_R / row.weight), row.weight / kWeightOfKilogram);
+}
+
+class UrdfWriter {
+ public:
+  explicit UrdfWriter(const Arm& arm) : arm_(arm) {}
+
+  UrdfText write() {
+    text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"base\"/>\n",
+                        escaped(arm_.name.empty() ? "arm" : arm_.name));
+    std::string parent = "base";
+    for (std::size_t k = 0; k < arm_.rows.size(); ++k) {
+      addRow(k, parent);
+      parent = arm_.rows[k].name;
+    }
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), arm_.tool_axis_L).toRotationMatrix();
+    text_ += "  <link name=\"tip\"/>\n";
+    addJoint("tip", "fixed", parent, "tip", arm_.p_LT, turn, "");
+    text_ += "</robot>\n";
+    if (has_stiffness_) left_out_.emplace_back("stiffnesses and beams: URDF's links are rigid");
+    if (!arm_.side_chains.empty()) left_out_.emplace_back("side chains: what comes back must be one chain");
+    if (!arm_.effects.empty()) left_out_.emplace_back("effects: URDF has no place for them");
+    return {std::move(text_), std::move(left_out_)};
+  }
+
+ private:
+  void addRow(std::size_t k, const std::string& parent) {
+    const ArmRow& row = arm_.rows[k];
+    has_stiffness_ = has_stiffness_ || row.beam || std::isfinite(row.joint_stiffness.minCoeff());
+    text_ += fmt::format("  <link name=\"{}\">\n{}  </link>\n", escaped(row.name),
+                         inertialText(deflection::rowWeightOf(arm_, k)));
+    Vector3d position = deflection::offsetInPreviousAxes<double>(row);
+    Eigen::Matrix3d turn = deflection::rotationFromPrevious<double>(row);
+    const bool slides = row.joint.type == JointType::kPrismatic;
+    if (slides) position += turn.col(2) * row.joint.offset;
+    if (row.joint.type == JointType::kRevolute) turn = turn * deflection::rotationZ<double>(row.joint.offset);
+    const bool is_moving = deflection::turns(row.joint) || slides;
+    const std::string name = row.joint.name.empty() ? row.name + "-fixed" : row.joint.name;
+    addJoint(name,
+             !is_moving             ? "fixed"
+             : slides               ? "prismatic"
+             : isBounded(row.joint) ? "revolute"
+                                    : "continuous",
+             parent, row.name, position, turn, is_moving ? limitsText(row.joint) + mimicText(row) : "");
+  }
+
+  static bool isBounded(const deflection::Joint<double>& joint) {
+    return std::isfinite(joint.lower) && std::isfinite(joint.upper);
+  }
+
+  static std::string limitsText(const deflection::Joint<double>& joint) {
+    std::string text = "    <axis xyz=\"0 0 1\"/>\n    <limit effort=\"0\"";
+    if (isBounded(joint)) text += fmt::format(" lower=\"{:.17g}\" upper=\"{:.17g}\"", joint.lower, joint.upper);
+    return text + fmt::format(" velocity=\"{:.17g}\"/>\n", std::isfinite(joint.max_speed) ? joint.max_speed : 0);
+  }
+
+  /// URDF lets a joint follow one other, by its reading: the offset of that one is added here.
+  std::string mimicText(const ArmRow& row) {
+    if (row.joint.follows.empty()) return "";
+    if (row.joint.follows.size() > 1)
+      left_out_.push_back("all but the first of the joints that " + row.joint.name + " follows");
+    const auto& first = row.joint.follows.front();
+    const auto& leader = arm_.rows[static_cast<std::size_t>(first.row)].joint;
+    return fmt::format("    <mimic joint=\"{}\" multiplier=\"{:.17g}\" offset=\"{:.17g}\"/>\n", escaped(leader.name),
+                       first.ratio, row.joint.offset + first.ratio * leader.offset);
+  }
+
+  void addJoint(const std::string& name, const char* type, const std::string& parent, const std::string& child,
+                const Vector3d& position, const Eigen::Matrix3d& turn, const std::string& more) {
+    text_ += fmt::format(
+        "  <joint name=\"{}\" type=\"{}\">\n    <origin xyz=\"{}\" rpy=\"{}\"/>\n    <parent link=\"{}\"/>\n"
+        "    <child link=\"{}\"/>\n{}  </joint>\n",
+        escaped(name), type, triple(position), triple(deflection::fixedAnglesOf(turn)), escaped(parent), escaped(child),
+        more);
+  }
+
+  const Arm& arm_;
+  std::string text_;
+  std::vector<std::string> left_out_;
+  bool has_stiffness_ = false;
+};
+
+}  // namespace
+
+UrdfText urdfOf(const Arm& arm) { return UrdfWriter(arm).write(); }
+
+}  // namespace tubeplan::app

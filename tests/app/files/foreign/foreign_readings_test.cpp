@@ -1,0 +1,163 @@
+#include "app/files/foreign/foreign_readings.hpp"
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/foreign/foreign_heading.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+class ForeignReadingsTest : public ::testing::Test {
+ protected:
+  const Cell cell = readCell((shippedCells() / "bench.yaml").string());  // joints theta1 to theta4
+
+  struct Text {
+    std::string name, text;
+  };
+
+  [[nodiscard]] ForeignReadings read(const std::vector<Text>& texts, const std::vector<std::string>& columns = {},
+                                     const std::vector<std::string>& units = {}, const std::string& kind = "") const {
+    ForeignRequest request{{}, {columns, {}}, kind};
+    for (const auto& unit : units) request.choice.units.emplace(findUnitWord(unit)->kind, findUnitWord(unit));
+    for (const auto& [name, text] : texts) request.tables.push_back(parseForeignTable(text, name));
+    return readForeign(request, cell.arm);
+  }
+  [[nodiscard]] std::string refusal(const std::vector<Text>& texts, const std::vector<std::string>& columns = {},
+                                    const std::vector<std::string>& units = {}) const {
+    return messageOf([&] { (void)read(texts, columns, units); });
+  }
+};
+
+TEST(ForeignHeading, findsTheUnitWhereverItStands) {
+  for (const char* text : {"X [mm]", "X (mm)", "x_mm", "X mm", "X/mm", " X , mm ", "x (Millimeters)"}) {
+    const auto heading = parseHeading(text);
+    EXPECT_EQ(heading.name, "x") << text;
+    ASSERT_NE(heading.unit, nullptr) << text;
+    EXPECT_EQ(heading.unit->name, "mm") << text;
+  }
+  EXPECT_EQ(parseHeading("Joint 1 [°]").name, "joint1");
+  EXPECT_EQ(parseHeading("Joint 1 [°]").unit->name, "deg");
+  EXPECT_EQ(parseHeading("J1").unit, nullptr);
+  EXPECT_EQ(parseHeading("tool_x").unit, nullptr);
+  EXPECT_EQ(parseHeading("Mass (kg)").unit->name, "kgf");
+}
+
+TEST(ForeignTable, knowsItsSeparatorAndItsDecimalComma) {
+  for (const char* text :
+       {"a,b\n1.5,2\n3,4\n", "a;b\n1,5;2\n3;4\n", "a\tb\n1.5\t2\n3\t4\n", "a   b\n 1,5 2\n3   4\n"}) {
+    const auto table = parseForeignTable(text, "t");
+    EXPECT_EQ(table.columns, (std::vector<std::string>{"a", "b"})) << text;
+    ASSERT_EQ(table.rows.size(), 2u) << text;
+    EXPECT_EQ(table.rows[0].fields, (std::vector<std::string>{"1.5", "2"})) << text;
+    EXPECT_EQ(table.rows[1].line, 3) << text;
+  }
+}
+
+TEST(ForeignTable, beginsWhereTheRowsDo) {
+  const auto table = parseForeignTable("// exported\nJob 7\nUnits: mm\n\nName,X,Y,Z\r\nP1,1,2,3\r\nP2,4,5,6\r\n", "t");
+  EXPECT_EQ(table.lines_before, (std::vector<std::string>{"// exported", "Job 7", "Units: mm"}));
+  EXPECT_TRUE(table.has_heading);
+  EXPECT_EQ(table.heading_line, 5);
+  EXPECT_EQ(table.rows.size(), 2u);
+}
+
+TEST(ForeignTable, refusesWhatIsNoTable) {
+  EXPECT_NE(messageOf([] { parseForeignTable("Hello there.\nThis is a letter, and no table.\n", "t"); }), "");
+  EXPECT_NE(messageOf([] { parseForeignTable("a,b,c\nd,e,f\n", "t"); }).find("no row with a number"),
+            std::string::npos);
+  EXPECT_NE(messageOf([] { parseForeignTable("a,b,c\n1,2,3\n1,2\n4,5,6\n", "t"); }).find("t:3"), std::string::npos);
+  EXPECT_NE(messageOf([] { parseForeignTable("a,b,c\n1,2,\"3\n4,5,6\n7,8,9\n", "t"); }).find("quote"),
+            std::string::npos);
+}
+
+TEST_F(ForeignReadingsTest, takesOneTableWithJointsAndPlaces) {
+  const auto readings = read({{"log.csv",
+                               "No;J1 [deg];J2 [deg];J3 [deg];J4 [deg];X [mm];Y [mm];Z [mm];Remark 1\n"
+                               "1;10;45;-35;12,5;1,5;2;3;7\n2;20;45;-35;12;4;5;6;8\n"}});
+  EXPECT_EQ(readings.text,
+            "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_mm,y_mm,z_mm\n"
+            "1,position,10,45,-35,12.5,1.5,2,3\n2,position,20,45,-35,12,4,5,6\n");
+  EXPECT_EQ(readings.count, 2u);
+  ASSERT_EQ(readings.left_out.size(), 1u);
+  EXPECT_NE(readings.left_out[0].find("Remark 1"), std::string::npos);
+  EXPECT_EQ(parseMeasurementTable(readings.text, "r", cell.arm).readings.size(), 2u);
+}
+
+TEST_F(ForeignReadingsTest, takesATrackersPointsBesideALogByName) {
+  const auto readings = read({{"points.txt", "Job::Arm::P2 4 5 6\nJob::Arm::P1 1 2 3\nJob::Arm::P9 7 8 9\n"},
+                              {"joints.csv", "Name,A1,A2,A3,A4\nP1,10,45,-35,12\nP2,20,45,-35,12\nP3,30,45,-35,12\n"}},
+                             {}, {"mm", "deg"});
+  EXPECT_EQ(readings.text,
+            "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_mm,y_mm,z_mm\n"
+            "P1,position,P1,10,45,-35,12,1,2,3\nP2,position,P2,20,45,-35,12,4,5,6\n");
+  EXPECT_EQ(readings.left_out.size(), 2u);  // P9 of the one, P3 of the other
+}
+
+TEST_F(ForeignReadingsTest, takesTablesWithoutNamesRowByRow) {
+  const auto readings =
+      read({{"joints.txt", "10 45 -35 12\n20 45 -35 12\n"}, {"points.txt", "1 2 3\n4 5 6\n"}}, {}, {"in", "deg"});
+  EXPECT_NE(readings.text.find("\n2,position,20,45,-35,12,4,5,6\n"), std::string::npos) << readings.text;
+  EXPECT_NE(refusal({{"joints.txt", "10 45 -35 12\n20 45 -35 12\n"}, {"points.txt", "1 2 3\n4 5 6\n7 8 9\n"}}, {},
+                    {"in", "deg"})
+                .find("3 rows"),
+            std::string::npos);
+}
+
+// Every column that a measurement table may have is known here too, or a table would lose it on its way.
+TEST_F(ForeignReadingsTest, aMeasurementTableComesOutAsItIs) {
+  const std::string text =
+      contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "tests/fuzz/corpus/measurements/all.csv");
+  const auto through = read({{"all.csv", text}});
+  EXPECT_TRUE(through.left_out.empty()) << through.left_out.front();
+  const Cell mockup = readCell((shippedCells() / "mockup.yaml").string());
+  const auto csvOf = [&](const std::string& table) {
+    return measurementsCsv(parseMeasurements(table, "all.csv", mockup.arm, &*mockup.sheet), mockup.arm, mockup.units);
+  };
+  EXPECT_EQ(csvOf(through.text), csvOf(text));
+}
+
+TEST_F(ForeignReadingsTest, aChoiceGoesBeforeWhatHeadingsSay) {
+  const std::string log = "Turret,J2,J3,J4,X,Y,Z,MX,MY,MZ\n10,45,-35,12,0,0,0,1,2,3\n10,45,-35,12,0,0,0,4,5,6\n";
+  const auto readings =
+      read({{"log.csv", log}}, {"theta1_deg=Turret", "x_mm=MX", "y_mm=log.csv:MY", "z_mm=MZ"}, {"deg"});
+  EXPECT_NE(
+      readings.text.find("theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_mm,y_mm,z_mm\n1,position,10,45,-35,12,1,2,3\n"),
+      std::string::npos)
+      << readings.text;
+}
+
+TEST_F(ForeignReadingsTest, neverGuessesAUnit) {
+  const std::string log = "J1,J2,J3,J4,X,Y,Z\n10,45,-35,12,1,2,3\n";
+  EXPECT_NE(refusal({{"log.csv", log}}).find("no unit"), std::string::npos);
+  EXPECT_NE(refusal({{"log.csv", log}}, {}, {"deg"}).find("'X'"), std::string::npos)
+      << refusal({{"log.csv", log}}, {}, {"deg"});
+  EXPECT_EQ(read({{"log.csv", log}}, {}, {"deg", "mm"}).count, 1u);
+}
+
+TEST_F(ForeignReadingsTest, neverGuessesBetweenTwoColumns) {
+  const std::string message =
+      refusal({{"log.csv", "J1 [deg],J2 [deg],J3 [deg],J4 [deg],X [mm],Y [mm],Z [mm]\n1,45,-35,12,0,0,0\n"},
+               {"points.csv", "X [mm],Y [mm],Z [mm]\n1,2,3\n"}});
+  EXPECT_NE(message.find("which could each be x"), std::string::npos) << message;
+  EXPECT_NE(message.find("--column x=log.csv:X [mm]"), std::string::npos) << message;
+}
+
+TEST_F(ForeignReadingsTest, saysWhereANumberIsNone) {
+  const std::string log =
+      "J1 [deg],J2 [deg],J3 [deg],J4 [deg],X [mm],Y [mm],Z [mm]\n1,45,-35,12,0,0,0\n2,45,-35,12,abc,0,0\n";
+  EXPECT_NE(refusal({{"log.csv", log}}).find("log.csv:3"), std::string::npos);
+  EXPECT_NE(refusal({{"log.csv", "J1,J2,J3,X,Y,Z\n1,45,-35,0,0,0\n"}}, {}, {"deg", "mm"}).find("theta4"),
+            std::string::npos);
+}
+
+TEST_F(ForeignReadingsTest, withoutCoordinatesReadingsAreTouches) {
+  const auto readings = read({{"log.csv", "Hole,J1,J2,J3,J4\nR1C1,10,45,-35,12\nR1C1,11,45,-35,12\n"}}, {}, {"deg"});
+  EXPECT_EQ(readings.text,
+            "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C1,10,45,-35,12\n"
+            "2,touch,R1C1,11,45,-35,12\n");
+}
+
+}  // namespace
+}  // namespace tubeplan::app
