@@ -1,7 +1,9 @@
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -11,19 +13,33 @@
 #include "app/files/input_error.hpp"
 #include "app/studies/job_steps.hpp"
 
+namespace {
+
+/// A full disk behind standard output, or a pipe whose reader has gone.
+int tellOfOutput(int error) {
+  std::fprintf(stderr, "tubeplan: standard output: found %s, expected a place that can be written\n",
+               std::strerror(error));
+  return tubeplan::app::kBadInput;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe fails like any other
   try {
     const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
-    if (std::fflush(stdout) != 0)
-      throw tubeplan::app::InputError("standard output", std::strerror(errno), "a place that can be written");
-    return exit_code;
+    return std::fflush(stdout) == 0 ? exit_code : tellOfOutput(errno);
   } catch (const tubeplan::app::JobStopped& stopped) {
     std::fprintf(stderr, "stopped; %s\n", stopped.kept.empty() ? "nothing was written" : stopped.kept.c_str());
     return tubeplan::app::kStoppedExitCode;
   } catch (const tubeplan::app::InputError& error) {
     std::fprintf(stderr, "tubeplan: %s\n", error.what());
     return tubeplan::app::kBadInput;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "tubeplan: not enough memory\n");
+    return tubeplan::app::kInternalError;
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0 || std::ferror(stderr) != 0) return tellOfOutput(errno);
     std::fprintf(stderr, "tubeplan: internal error: %s\n", error.what());
     return tubeplan::app::kInternalError;
   }

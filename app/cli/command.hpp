@@ -47,6 +47,7 @@ Run configureMap(CLI::App& cli);
 Run configureEffects(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
+Run configureReadings(CLI::App& cli);
 Run configureReport(CLI::App& cli);
 Run configureScore(CLI::App& cli);
 Run configureSimulate(CLI::App& cli);

@@ -44,6 +44,10 @@ constexpr Command kCommands[] = {
      "tubeplan simulate app/cells/bench.yaml --design bench --readings 120 --seed 1 --out out/practice\n"
      "tubeplan simulate app/cells/bowl.yaml --design bowl --readings 90 --loads 0,30 --spread 0.1 --out out/practice",
      configureSimulate},
+    {"readings", "what trackers, controllers and spreadsheets wrote, as a measurement table",
+     "tubeplan readings app/cells/bench.yaml points.txt joints.csv --units mm,deg --out readings.csv\n"
+     "tubeplan readings app/cells/bench.yaml log.csv --column x_mm='Measured X' --column theta1_deg=Turret",
+     configureReadings},
     {"touches", "which holes to touch, or postures and loads to measure, next",
      "tubeplan touches app/cells/mockup.yaml --tubes spread:60\n"
      "tubeplan touches app/cells/bench.yaml --readings readings.csv --loads 0,20,40 --count 8 --csv next.csv",

@@ -9,7 +9,7 @@ namespace {
 // A signal handler has no other way to speak to the program: the one variable of this kind.
 volatile std::sig_atomic_t stop_noted = 0;
 
-void note(int signal_number) {
+void noteSignal(int signal_number) {
   stop_noted = 1;
   std::signal(signal_number, SIG_DFL);
 }
@@ -17,8 +17,8 @@ void note(int signal_number) {
 }  // namespace
 
 void noteStopSignals() {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
+  std::signal(SIGINT, noteSignal);
+  std::signal(SIGTERM, noteSignal);
 }
 
 bool stopRequested() { return stop_noted != 0; }

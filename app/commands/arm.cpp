@@ -17,7 +17,9 @@
 #include "app/files/input_error.hpp"
 #include "app/files/text_file.hpp"
 #include "app/files/urdf_reader.hpp"
+#include "app/files/urdf_writer.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
+#include "app/files/yaml/yaml_text.hpp"
 
 namespace tubeplan::app {
 
@@ -50,14 +52,14 @@ void tellLeftOut(const std::vector<std::string>& left_out) {
 
 std::string cellText(const UrdfArm& read, const std::string& arm_file) {
   std::string text = fmt::format("name: {}\narm: {}\nbase: {{position: [0, 0, 0], rpy: [0, 0, 0], known: true}}\n",
-                                 read.arm.name.empty() ? "robot" : read.arm.name, arm_file);
+                                 yamlName(read.arm.name.empty() ? "robot" : read.arm.name), yamlName(arm_file));
   if (read.shapes.empty()) return text;
   text += "link_shapes:\n";
   for (const auto& row : read.arm.rows) {
     std::string shapes;
     for (const auto& shape : read.shapes)
       if (shape.row == row.name) shapes += fmt::format("    - {}\n", shape.text);
-    if (!shapes.empty()) text += fmt::format("  {}:\n{}", row.name, shapes);
+    if (!shapes.empty()) text += fmt::format("  {}:\n{}", yamlName(row.name), shapes);
   }
   return text;
 }
@@ -69,10 +71,11 @@ int import(const ArmOptions& options) {
   const std::string text =
       fmt::format("# From {}: rigid; add joint_stiffness and beam where it gives.\n{}",
                   std::filesystem::path(options.file).filename().string(), armYaml(read.arm, kUrdfUnits));
-  writeFileAtomically(options.out, text, "--out");
   const auto folder = std::filesystem::absolute(options.cell.empty() ? "." : options.cell).parent_path();
   const auto beside = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
-  if (!options.cell.empty()) writeFileAtomically(options.cell, cellText(read, beside.string()), "--cell");
+  std::vector<TextFile> files = {{options.out, text}};
+  if (!options.cell.empty()) files.push_back({options.cell, cellText(read, beside.string())});
+  writeFilesTogether(files, "--out");
   tellLeftOut(read.left_out);
   fmt::print("{}", armText(read.arm, kUrdfUnits));
   return kDone;

@@ -30,7 +30,7 @@ struct CampaignOptions {
   bool resume = false;
 };
 
-const CampaignKind& kindOf(const std::string& name) {
+const CampaignKind& campaignKindOf(const std::string& name) {
   std::vector<std::string> names;
   for (const auto& kind : campaignKinds()) {
     if (kind.name == name) return kind;
@@ -48,6 +48,7 @@ class CampaignDesk {
     if (options.resume && options.out.empty())
       throw InputError("--resume", "no folder to go on in", "--out DIR", "name the folder of the stopped campaign");
     RunSet done;
+    noteStopSignals();  // from the first folder on, so that none is left behind
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
       keeper_.emplace(folder_->path(), options.resume);
@@ -62,7 +63,6 @@ class CampaignDesk {
   }
 
   int run(int workers, Ranks* ranks) {
-    noteStopSignals();
     const auto begun = schedule_->done().size();
     auto progress = std::make_unique<Progress>("runs", static_cast<std::size_t>(runs_ - begun));
     RepeatHooks hooks;
@@ -124,7 +124,7 @@ int workersOf(const CampaignOptions& options) {
 
 int runAlone(const CampaignOptions& options) {
   checkOptions(options);
-  const Campaign campaign = kindOf(options.kind).make(options.request);
+  const Campaign campaign = campaignKindOf(options.kind).make(options.request);
   return CampaignDesk(options, campaign).run(workersOf(options), nullptr);
 }
 
@@ -135,7 +135,7 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
   std::optional<CampaignDesk> desk;
   try {
     checkOptions(options);
-    campaign = kindOf(options.kind).make(options.request);
+    campaign = campaignKindOf(options.kind).make(options.request);
     if (ranks.rank() == 0) desk.emplace(options, *campaign);
   } catch (const InputError& error) {
     wrong = error;

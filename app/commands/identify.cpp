@@ -44,8 +44,7 @@ int run(const IdentifyOptions& options) {
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
-    for (const auto& written : identifiedCell(cell, outcome.fit, readings, options.out).inOrder())
-      writeFileAtomically(written.path, written.text, "--out");
+    writeFilesTogether(identifiedCell(cell, outcome.fit, readings, options.out).inOrder(), "--out");
   writeJson(options.json, outcome.figures);
   if (printsText(options.json)) {
     fmt::print("{}{}{}", identificationText(outcome.fit, readings, cell.units),

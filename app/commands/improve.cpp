@@ -57,9 +57,7 @@ class Keeper {
   [[nodiscard]] int steps() const { return std::max(0, models_ - 1); }
 
  private:
-  void write(const CellFiles& files) {
-    for (const auto& file : files.inOrder()) writeFileAtomically(file.path, file.text, "--out");
-  }
+  static void write(const CellFiles& files) { writeFilesTogether(files.inOrder(), "--out"); }
 
   const CellReadings& input_;
   const ImproveOptions& options_;

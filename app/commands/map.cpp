@@ -9,7 +9,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
-#include "app/documents/figures.hpp"
+#include "app/documents/sheet_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
 #include "app/files/input_error.hpp"
@@ -34,11 +34,6 @@ std::map<std::string, int> countStates(const tubesheets::Sheet& sheet) {
   std::map<std::string, int> counts;
   for (const auto& tube : sheet.tubes) ++counts[std::string(tubesheets::tubeStateName(tube.state))];
   return counts;
-}
-
-nlohmann::json manwayJson(const tubesheets::Sheet& sheet, const Units& units) {
-  if (!sheet.manway) return nullptr;
-  return {{"center", placeJson(sheet.manway->centre, units)}, {"diameter", lengthJson(sheet.manway->diameter, units)}};
 }
 
 nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {

@@ -51,7 +51,7 @@ int explain(const PlanOutcome& outcome) {
   return kNegativeAnswer;
 }
 
-std::string checkpointText(const std::string& from, const PlanOutcome& outcome) {
+std::string keptText(const std::string& from, const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const std::size_t tubes = plan.visits.size() + plan.unreachable.size();
   return fmt::format(
@@ -61,6 +61,7 @@ std::string checkpointText(const std::string& from, const PlanOutcome& outcome) 
 }
 
 int run(const PlanOptions& options) {
+  noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
@@ -77,7 +78,7 @@ int run(const PlanOptions& options) {
   else
     folder.remove(kTrajectoryFile);
   writePlan(options.request, outcome, folder);
-  fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : checkpointText(options.from, outcome),
+  fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : keptText(options.from, outcome),
              (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   return kDone;
 }

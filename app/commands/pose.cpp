@@ -1,5 +1,6 @@
 // tubeplan pose: where the tip is, rigid and deflected.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -14,13 +15,15 @@
 #include "app/files/units_json.hpp"
 #include "deflection/elements/element.hpp"
 #include "deflection/flexible_kinematics.hpp"
+#include "deflection/side_chains.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 struct PoseOptions {
-  std::string cell, joints, json;
+  std::string cell, joints, side_joints, json;
+  std::vector<double> force, moment;
   double load = 0;
   bool all = false;
 };
@@ -56,11 +59,31 @@ void print(const char* name, const PoseFigures& f, const Units& units) {
              f.angles.z() / deg, units.angle().name);
 }
 
+Eigen::Vector3d parseVector(const std::vector<double>& numbers, const char* option, const Cell& cell,
+                            Dimension dimension) {
+  if (numbers.empty()) return Eigen::Vector3d::Zero();
+  const Eigen::Map<const Eigen::VectorXd> vector(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  if (numbers.size() != 3 || !vector.allFinite())
+    throw InputError(option, fmt::format("{}", fmt::join(numbers, ",")),
+                     fmt::format("X,Y,Z in {}, in the world's axes", cell.units.nameOf(dimension)));
+  return cell.units.factor(dimension) * vector;
+}
+
+std::optional<deflection::Wrench> parseWrench(const PoseOptions& options, const Cell& cell) {
+  if (options.force.empty() && options.moment.empty()) return std::nullopt;
+  const Eigen::Matrix3d R_BW = cell.X_WB.linear().transpose();
+  return deflection::Wrench{R_BW * parseVector(options.force, "--force", cell, dimension::kForce),
+                            R_BW * parseVector(options.moment, "--moment", cell, dimension::kTorque)};
+}
+
 int run(const PoseOptions& options) {
   const Cell cell = readCell(options.cell);
-  const deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units),
-                                    parseLoad(options.load, cell.units),
-                                    deflection::gravityInBase(cell.arm, cell.X_WB)};
+  deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units), parseLoad(options.load, cell.units),
+                              deflection::gravityInBase(cell.arm, cell.X_WB)};
+  posture.wrench = parseWrench(options, cell);
+  if (!options.side_joints.empty())
+    posture.side_q = parseJointsOf(options.side_joints, deflection::sideJoints(cell.arm), cell.units, "--side-joints",
+                                   "the arm's side chains");
   checkJsonTarget(options.json);
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
   if (shape.status == deflection::KinematicsStatus::kUndefined)
@@ -72,6 +95,7 @@ int run(const PoseOptions& options) {
   nlohmann::json json = poseFiguresJson(shape, cell.units);
   json["load"] = cell.units.toFile(posture.load, dimension::kForce);
   json["units"] = unitsJson(cell.units);
+  json["segments"] = segmentsJson(cell, posture, shape);
   if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
   writeJson(options.json, json);
   if (!printsText(options.json)) return kDone;
@@ -82,6 +106,7 @@ int run(const PoseOptions& options) {
   print("change", change, cell.units);
   fmt::print("sag {:.4f} {}, settled in {} passes\n", change.position.norm() / cell.units.factor(dimension::kLength),
              cell.units.length().name, shape.iterations);
+  if (const std::string warning = json["segments"]["warning"]; !warning.empty()) fmt::print("warning: {}\n", warning);
   return kDone;
 }
 
@@ -91,7 +116,17 @@ Run configurePose(CLI::App& cli) {
   const auto options = std::make_shared<PoseOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("--joints", options->joints, "joint readings A,B,C,D in the cell's unit of angle")->required();
+  cli.add_option("--side-joints", options->side_joints,
+                 "the same of the joints of the arm's side chains; without them they stand at zero");
   cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force");
+  cli.add_option("--force", options->force,
+                 "X,Y,Z: a force on the tip beside the load, in the world's axes and the cell's unit of force")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  cli.add_option("--moment", options->moment,
+                 "X,Y,Z: a moment on the tip, in the world's axes, units of force and length")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   cli.add_flag("--all", options->all, "with every frame, force, moment and component's deflection in the JSON");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

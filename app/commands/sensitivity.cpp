@@ -24,13 +24,13 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kPostures = 60, kTouchable = 40, kTouches = 3;
+constexpr int kWorkedPostures = 60, kTouchable = 40, kChosenTouches = 3;
 
 struct SensitivityOptions {
   std::string cell, tubes, readings, json;
   std::vector<std::string> assume;
   double load = 0;
-  int postures = kPostures;
+  int postures = kWorkedPostures;
   std::uint64_t seed = 1;
 };
 
@@ -62,7 +62,7 @@ Touchable touchablePostures(const Cell& cell, std::uint64_t seed) {
 std::string chooseBaseTouches(const Cell& cell, const Touchable& touchable, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const auto choice =
-      calibration::chooseTouches(cell.arm, cell.X_WB, touchable.plans, task.work, {kTouches, touchable.sigma});
+      calibration::chooseTouches(cell.arm, cell.X_WB, touchable.plans, task.work, {kChosenTouches, touchable.sigma});
   if (choice.status != calibration::TouchChoiceStatus::kDone) return choice.reason;
   task.touch_sigma = touchable.sigma;
   for (const int index : choice.chosen) {

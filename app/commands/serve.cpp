@@ -8,12 +8,14 @@
 #include <cctype>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "app/cli/command.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/files/input_error.hpp"
 #include "app/workbench/http_server.hpp"
+#include "app/workbench/line_server.hpp"
 #include "app/workbench/live.hpp"
 
 namespace tubeplan::app {
@@ -24,11 +26,12 @@ struct ServeOptions {
   WorkbenchOptions workbench;
   DoorRules door;
   std::string page, watch;
+  std::optional<int> lines;
   bool open = false;
 };
 
 constexpr std::size_t kShortestToken = 12;
-constexpr auto kGlance = std::chrono::milliseconds(50);  // between looks at what a running arm has written
+constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // between looks at what a running arm has written
 
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;
@@ -56,12 +59,17 @@ int run(const ServeOptions& options) {
   HttpServer server(workbench, options.door, options.page);
   noteStopSignals();
   fmt::print("{}\n", server.address());
+  std::optional<LineServer> lines;
+  if (options.lines) {
+    lines.emplace(workbench, *options.lines);
+    fmt::print("postures as lines: 127.0.0.1 port {}\n", lines->port());
+  }
   std::fflush(stdout);
   if (options.open) openBrowser(server.address());
   std::thread serving([&server] { server.run(); });
   WatchedFile watched(options.watch);
   while (!stopRequested()) {
-    std::this_thread::sleep_for(kGlance);
+    std::this_thread::sleep_for(kGlanceAtArm);
     if (!options.watch.empty()) watched.look(workbench);
     joinArrived(workbench);
   }
@@ -92,6 +100,9 @@ Run configureServe(CLI::App& cli) {
   cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, to touch holes with");
   cli.add_option("--watch", options->watch,
                  "follow this file (CSV): readings that are added to it, or joint readings of a running arm");
+  cli.add_option("--lines", options->lines,
+                 "take postures of a running arm as lines of text at this TCP port too; 0 takes any free one")
+      ->check(CLI::Range(0, 65535));
   cli.add_option("--page", options->page, "serve the page from this folder instead of the program's own");
   cli.add_flag("--open", options->open, "open the page in a browser");
   return [options] { return run(*options); };

@@ -26,7 +26,6 @@ struct SimulateOptions {
 };
 
 calibration::SimulatedCampaign measure(const Cell& cell, const SimulationTask& task, std::uint64_t seed) {
-  noteStopSignals();
   Progress progress("readings", static_cast<std::size_t>(task.readings));
   return simulateReadings(cell, task, seed,
                           {[&](std::size_t done, std::size_t) { progress.update(done); }, stopRequested});
@@ -36,6 +35,7 @@ int run(const SimulateOptions& options) {
   const auto& request = options.request;
   const Cell cell = readCell(options.cell);
   const SimulationTask task = prepareSimulation(cell, request);
+  noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");
   const auto campaign = measure(cell, task, request.seed);
   if (campaign.status != CampaignStatus::kDone) {
@@ -56,8 +56,8 @@ int run(const SimulateOptions& options) {
 
 std::string designHelp() {
   std::string text =
-      "one of these, or a YAML file {kind, at, points, postures, postures_per_point, loads, anchor, direction, "
-      "region, setups, split, sigma}:";
+      "one of these, or a YAML file {kind, at, points, postures, postures_per_point, loads, push, rows, anchor, "
+      "direction, region, setups, split, sigma, sigmas, correlations, turn_sigma}:";
   for (const auto& named : calibration::campaignDesigns()) text += fmt::format("\n{}: {}", named.name, named.summary);
   return text;
 }
@@ -76,6 +76,8 @@ Run configureSimulate(CLI::App& cli) {
   cli.add_option("--loads", options->request.loads, "hung on the tip in turn, in the cell's unit of force: 0,20,40")
       ->delimiter(',')
       ->allow_extra_args(false);
+  cli.add_option("--push", options->request.push,
+                 "a force of any direction up to this size on the tip as well, in the cell's unit of force");
   cli.add_option("--sigma", options->request.sigma, "noise of a coordinate, in the cell's unit of length");
   cli.add_option("--spread", options->request.spread,
                  "how far the true stiffnesses under `identify` are off: 0.1 is 10 %");

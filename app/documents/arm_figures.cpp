@@ -7,8 +7,8 @@
 
 #include "app/documents/figures.hpp"
 #include "app/files/units_json.hpp"
-#include "deflection/chain.hpp"
 #include "deflection/effects/rigid_frames.hpp"
+#include "deflection/weights.hpp"
 
 namespace tubeplan::app {
 
@@ -30,13 +30,6 @@ deflection::RigidFrames<double> framesAtZero(const Arm& arm) {
   for (auto& row : frames.rows) clean(row.p, reach);
   clean(frames.tip, reach);
   return frames;
-}
-
-double weightOf(const Arm& arm, std::size_t k) {
-  const auto& weight = arm.rows[k].weight;
-  double sum = weight.end + weight.distributed * deflection::offsetToNext<double>(arm, k).norm();
-  for (const auto& lump : weight.lumps) sum += lump.weight;
-  return sum;
 }
 
 std::string typeOf(const deflection::Joint<double>& joint) {
@@ -65,11 +58,9 @@ std::string limitsOf(const deflection::Joint<double>& joint, const Units& units)
 nlohmann::json armJson(const Arm& arm, const Units& units) {
   const auto frames = framesAtZero(arm);
   nlohmann::json rows = nlohmann::json::array();
-  double total = 0;
   for (std::size_t k = 0; k < arm.rows.size(); ++k) {
     const auto& row = arm.rows[k];
-    const double weight = weightOf(arm, k);
-    total += weight;
+    const double weight = deflection::rowWeightOf(arm, k).weight;
     const Vector3d z = frames.rows[k].R.col(2);
     rows.push_back({{"name", row.name},
                     {"joint", row.joint.name},
@@ -83,7 +74,7 @@ nlohmann::json armJson(const Arm& arm, const Units& units) {
   return {{"name", arm.name},
           {"joints", deflection::activeRows(arm).size()},
           {"reach", lengthOf(deflection::reachOf(arm), units)},
-          {"weight", units.toFile(total, dimension::kForce)},
+          {"weight", units.toFile(deflection::weightOf(arm), dimension::kForce)},
           {"rows", rows},
           {"tip", vectorJson(frames.tip, units, dimension::kLength)},
           {"units", unitsJson(units)}};

@@ -16,7 +16,7 @@ namespace {
 
 using calibration::BaseCalibration, calibration::CalibrationStatus;
 
-const char* nameOf(CalibrationStatus status) {
+const char* statusName(CalibrationStatus status) {
   switch (status) {
     case CalibrationStatus::kNotRun:
       return "not-run";
@@ -48,7 +48,7 @@ nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, con
 
 nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) {
   const Units& units = cell.units;
-  nlohmann::json json = {{"status", nameOf(result.status)},
+  nlohmann::json json = {{"status", statusName(result.status)},
                          {"reason", result.reason},
                          {"suspects", result.suspects},
                          {"units", unitsJson(units)}};
@@ -84,7 +84,7 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
 std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
   const Units& units = cell.units;
   if (result.status != CalibrationStatus::kDone)
-    return "calibration " + std::string(nameOf(result.status)) + ": " + result.reason + "\n";
+    return "calibration " + std::string(statusName(result.status)) + ": " + result.reason + "\n";
   const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
   const auto angle = [&](double radians) { return radians / units.factor(dimension::kAngle); };
   const std::string unit(units.length().name), turn(units.angle().name);

@@ -88,22 +88,22 @@ json equivalentsJson(const Comparison& result, const JointEquivalents& joints, c
           {"p_value", finiteJson(joints.p_value)}};
 }
 
-json jointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, const Units& units) {
+json comparedJointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, const Units& units) {
   const Eigen::VectorXd factors = jointFactors(arm, units);
   json list = json::array();
   for (Eigen::Index j = 0; j < q.size(); ++j) list.push_back(finiteJson(q[j] / factors[j]));
   return list;
 }
 
-json readingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
-                 const Units& units) {
+json comparedReadingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
+                         const Units& units) {
   json entry = {
       {"id", reading.id},
       {"kind", calibration::kindOf(reading).name},
       {"point", reading.point},
       {"setup", reading.setup},
       {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
-      {"joints", jointsJson(reading.q, result.fitted.arm, units)},
+      {"joints", comparedJointsJson(reading.q, result.fitted.arm, units)},
       {"senses", reading.approach_directions},
       {"temperature",
        std::isfinite(reading.temperature) ? finiteJson(units.temperatureToFile(reading.temperature)) : json()},
@@ -120,17 +120,21 @@ json readingJson(const ComparedReading& compared, const Measurement& reading, co
       {"sigmas_before", finiteJson(compared.sigmas_before)},
       {"sigmas_after", finiteJson(compared.sigmas_after)}};
   addOwnNumbers(reading, units, entry);
+  if (reading.wrench) {
+    entry["force"] = vectorJson(reading.wrench->force_W, units, dimension::kForce);
+    entry["moment"] = vectorJson(reading.wrench->moment_W, units, dimension::kTorque);
+  }
   return entry;
 }
 
-json readingsJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+json comparedReadingsJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
   json list = json::array();
   for (std::size_t k = 0; k < readings.size(); ++k)
-    list.push_back(readingJson(result.readings.at(k), readings[k], result, units));
+    list.push_back(comparedReadingJson(result.readings.at(k), readings[k], result, units));
   if (result.joints_after.ok)
     for (std::size_t i = 0; i < result.used.size(); ++i)
-      list[static_cast<std::size_t>(result.used[i])]["joint_corrections"] =
-          jointsJson(result.joints_after.corrections.col(static_cast<Eigen::Index>(i)), result.fitted.arm, units);
+      list[static_cast<std::size_t>(result.used[i])]["joint_corrections"] = comparedJointsJson(
+          result.joints_after.corrections.col(static_cast<Eigen::Index>(i)), result.fitted.arm, units);
   return list;
 }
 
@@ -245,7 +249,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   for (const int row : deflection::activeRows(result.fitted.arm))
     report["joint_columns"].push_back(
         jointColumn(result.fitted.arm.rows.at(static_cast<std::size_t>(row)).joint, units));
-  report["readings"] = readingsJson(result, readings, units);
+  report["readings"] = comparedReadingsJson(result, readings, units);
   return report;
 }
 

@@ -25,13 +25,13 @@ json brief(double value) {
   return std::isfinite(value) ? json(std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)) : json();
 }
 
-json lengthJson(double metres, const Units& units) { return brief(metres / units.factor(dimension::kLength)); }
+json briefLength(double metres, const Units& units) { return brief(metres / units.factor(dimension::kLength)); }
 
-json placeJson(const Eigen::Vector3d& p, const Units& units) {
-  return {lengthJson(p.x(), units), lengthJson(p.y(), units), lengthJson(p.z(), units)};
+json briefPlace(const Eigen::Vector3d& p, const Units& units) {
+  return {briefLength(p.x(), units), briefLength(p.y(), units), briefLength(p.z(), units)};
 }
 
-std::string nameOf(const Explanation& explanation) {
+std::string explanationText(const Explanation& explanation) {
   std::string name;
   for (const auto& effect : explanation.effects)
     name += fmt::format("{}{} at {}", name.empty() ? "" : " and ", effect.effect, effect.at);
@@ -40,10 +40,10 @@ std::string nameOf(const Explanation& explanation) {
 
 json viewJson(const ReadingView& view, const Measurement& reading, const deflection::Arm& arm, const Units& units) {
   json entry = readingJson(reading, arm, units);
-  entry["position"] = placeJson(view.p_WT, units);
-  entry["before"] = placeJson(view.before, units);
+  entry["position"] = briefPlace(view.p_WT, units);
+  entry["before"] = briefPlace(view.before, units);
   entry["explained"] = json::array();
-  for (const auto& error : view.after) entry["explained"].push_back(placeJson(error, units));
+  for (const auto& error : view.after) entry["explained"].push_back(briefPlace(error, units));
   entry["after"] = view.after.empty() ? json() : entry["explained"].front();
   return entry;
 }
@@ -88,6 +88,7 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
   for (const double value : joints) entry["joints"].push_back(brief(value));
   addOwnNumbers(reading, units, entry);
+  if (reading.row) entry["row"] = arm.rows.at(static_cast<std::size_t>(*reading.row)).name;
   if (!reading.setup.empty()) entry["setup"] = reading.setup;
   if (!reading.approach_directions.empty()) entry["senses"] = reading.approach_directions;
   if (std::isfinite(reading.temperature)) entry["temperature"] = brief(units.temperatureToFile(reading.temperature));
@@ -97,7 +98,7 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
 
 json modelComparisonJson(const Diagnosis& result, const Units& units) {
   const auto rung = [&](const std::string& name, double rms, double heldout) {
-    return json{{"name", name}, {"rms", lengthJson(rms, units)}, {"heldout_rms", lengthJson(heldout, units)}};
+    return json{{"name", name}, {"rms", briefLength(rms, units)}, {"heldout_rms", briefLength(heldout, units)}};
   };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto& base_poses = result.baseline.fitted.base_poses;
@@ -107,7 +108,7 @@ json modelComparisonJson(const Diagnosis& result, const Units& units) {
                            : rung("as the model stands, only its base fitted", result.baseline.after_base.rms, kNone),
                  rung("refitted", result.before.rms, result.heldout_before.rms)};
   for (const auto& explanation : calibration::explanationsShown(result))
-    ladder.push_back(rung("with " + nameOf(explanation), explanation.after.rms, explanation.heldout.rms));
+    ladder.push_back(rung("with " + explanationText(explanation), explanation.after.rms, explanation.heldout.rms));
   return ladder;
 }
 

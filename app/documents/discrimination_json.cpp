@@ -30,9 +30,9 @@ std::string explanationName(const DiscriminatingMeasurements& result, int index)
 }
 
 /// Touches of one unknown point are named alike: N1; a hole or known point by its own name.
-nlohmann::json readingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
-                           std::size_t number, const Measurement& reading, const deflection::Arm& arm,
-                           const Units& units) {
+nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
+                                 std::size_t number, const Measurement& reading, const deflection::Arm& arm,
+                                 const Units& units) {
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
   const auto names = jointNames(arm);
   nlohmann::json json = {{"kind", calibration::kindOf(reading).name},
@@ -117,7 +117,7 @@ void addNextReadings(const DiscriminatingMeasurements& result, const std::vector
   if (result.status == DiscriminationStatus::kNotRun) return;
   for (std::size_t k = 0; result.times > 0 && k < result.readings.size(); ++k)
     for (const auto& reading : readingsOf(candidates, result.readings[k]))
-      diagnosis["next_readings"].push_back(readingJson(result, result.readings[k], k, reading, arm, units));
+      diagnosis["next_readings"].push_back(chosenReadingJson(result, result.readings[k], k, reading, arm, units));
   nlohmann::json discrimination = {{"advice", discriminationAdvice(result)},
                                    {"can_be_split", result.times > 0},
                                    {"times_needed", result.times},

@@ -13,7 +13,7 @@ namespace {
 
 using calibration::EffectWarning, calibration::EffectWarningKind;
 
-const char* nameOf(EffectWarningKind kind) {
+const char* warningName(EffectWarningKind kind) {
   switch (kind) {
     case EffectWarningKind::kNotNeeded:
       return "not-needed";
@@ -82,7 +82,7 @@ nlohmann::json effectWarningsJson(const std::vector<EffectWarning>& warnings, co
   for (const auto& warning : warnings) {
     nlohmann::json json = {{"effect", warning.effect},
                            {"at", warning.at},
-                           {"kind", nameOf(warning.kind)},
+                           {"kind", warningName(warning.kind)},
                            {"sentence", warningText(warning, units)}};
     if (std::isfinite(warning.p_value)) json["p_value"] = finiteJson(warning.p_value);
     if (warning.kind == EffectWarningKind::kNotNeeded) {

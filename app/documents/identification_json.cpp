@@ -17,7 +17,7 @@ namespace {
 using calibration::ErrorSize, calibration::Identification, calibration::IdentificationStatus,
     calibration::Identifiability, calibration::IdentifiedNumber, calibration::Unknown;
 
-const char* nameOf(IdentificationStatus status) {
+const char* statusName(IdentificationStatus status) {
   switch (status) {
     case IdentificationStatus::kNotRun:
       return "not-run";
@@ -105,7 +105,7 @@ std::string numberText(const IdentifiedNumber& number, const Units& units) {
 
 nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
                                   const Units& units) {
-  nlohmann::json json = {{"status", nameOf(result.status)}, {"reason", result.reason}, {"units", unitsJson(units)}};
+  nlohmann::json json = {{"status", statusName(result.status)}, {"reason", result.reason}, {"units", unitsJson(units)}};
   json["parameters"] = nlohmann::json::array();
   if (result.status == IdentificationStatus::kRefused) return json;
   for (const auto& number : result.numbers)

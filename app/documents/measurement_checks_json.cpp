@@ -14,7 +14,7 @@ using calibration::CheckSeverity, calibration::MeasurementCheck, calibration::Me
 
 namespace {
 
-const char* nameOf(CheckSeverity severity) { return severity == CheckSeverity::kMistake ? "mistake" : "remark"; }
+const char* severityName(CheckSeverity severity) { return severity == CheckSeverity::kMistake ? "mistake" : "remark"; }
 
 nlohmann::json orNull(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
 
@@ -24,7 +24,7 @@ void addChecks(const MeasurementChecks& checks, const Units& units, nlohmann::js
   document["checks"] = nlohmann::json::array();
   for (const auto& check : checks.checks)
     document["checks"].push_back({{"name", check.name},
-                                  {"severity", nameOf(check.severity)},
+                                  {"severity", severityName(check.severity)},
                                   {"sentence", check.sentence},
                                   {"error_as_is", lengthJson(check.error_as_is, units)},
                                   {"error_if_mended", lengthJson(check.error_if_mended, units)},

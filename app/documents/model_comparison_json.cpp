@@ -51,6 +51,10 @@ nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& compar
                               {{"as_it_stands", lengthJson(compared.as_it_stands.mean, units)},
                                {"fitted", lengthJson(compared.fitted.mean, units)},
                                {"heldout", lengthJson(compared.heldout.mean, units)}}},
+                             {"worst",
+                              {{"as_it_stands", lengthJson(compared.as_it_stands.max, units)},
+                               {"fitted", lengthJson(compared.fitted.max, units)},
+                               {"heldout", lengthJson(compared.heldout.max, units)}}},
                              {"chi2_per_dof", compared.chi2_per_dof}});
     if (!compared.steps) continue;
     json["rungs"].back()["steps"] = stepTableJson(*compared.steps, units);

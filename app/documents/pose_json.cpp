@@ -1,11 +1,15 @@
 #include "app/documents/pose_json.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "app/documents/figures.hpp"
 #include "app/files/joint_units.hpp"
+#include "deflection/discretisation.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
@@ -34,6 +38,22 @@ nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, cons
 nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell) {
   const Eigen::VectorXd values = q.cwiseQuotient(jointFactors(cell.arm, cell.units));
   return std::vector<double>(values.begin(), values.end());
+}
+
+nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture,
+                            const deflection::FlexibleKinematics& shape) {
+  constexpr double kOfDeflection = 0.01, kOfReach = 1e-9;
+  const double sag = poseChange(shape).position.norm();
+  const double allowed = std::max(kOfDeflection * sag, kOfReach * deflection::reachOf(cell.arm));
+  const auto found = deflection::discretisationOf(cell.arm, posture, allowed);
+  const int needed = found.factor * deflection::mostSegments(cell.arm);
+  std::string warning;
+  if (found.factor != 1)
+    warning =
+        fmt::format("the tip is off by about {:.2g} {}, {:.2g} % of its sag, as its beams have too few segments{}",
+                    lengthOf(found.tip_error, cell.units), cell.units.length().name, 100 * found.tip_error / sag,
+                    found.factor == 0 ? "" : fmt::format(": set `segments: {}` in each beam", needed));
+  return {{"tip_error", lengthJson(found.tip_error, cell.units)}, {"needed", needed}, {"warning", warning}};
 }
 
 nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units) {

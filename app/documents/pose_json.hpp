@@ -24,6 +24,11 @@ struct PoseFigures {
 /// {rigid, flexible, change, iterations}, each tip in the arm's base frame.
 [[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
 
+/// {tip_error, needed, warning}: what too few segments of the beams leave of the tip at that posture, how many leave
+/// less than a hundredth of the deflection, and a sentence where those stated leave more, else empty.
+[[nodiscard]] nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture,
+                                          const deflection::FlexibleKinematics& shape);
+
 /// {"position": [3], "rpy": [3]} in file units.
 [[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
 

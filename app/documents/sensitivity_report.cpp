@@ -1,6 +1,7 @@
 #include "app/documents/sensitivity_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,12 @@ struct KindWords {
   NumberKind kind;
   const char *name, *more, *less;  ///< "1 % stiffer ..."
 };
-constexpr KindWords kKinds[] = {{NumberKind::kStiffness, "stiffness", "stiffer", "softer"},
-                                {NumberKind::kWeight, "weight", "heavier", "lighter"},
-                                {NumberKind::kLength, "length", "longer", "shorter"}};
+constexpr KindWords kKindWords[] = {{NumberKind::kStiffness, "stiffness", "stiffer", "softer"},
+                                    {NumberKind::kWeight, "weight", "heavier", "lighter"},
+                                    {NumberKind::kLength, "length", "longer", "shorter"}};
 
 const KindWords* wordsOf(NumberKind kind) {
-  for (const auto& words : kKinds)
+  for (const auto& words : kKindWords)
     if (words.kind == kind) return &words;
   return nullptr;
 }
@@ -41,7 +42,7 @@ double sigmaOf(const SensitivityReport& report, std::size_t index) {
 }
 
 /// "1 % stiffer latch-link.beam.Iz: 0.0123 in less sag in the mean", in the sense that helps.
-std::string sentence(const NumberSensitivity& number, const Units& units) {
+std::string designSentence(const NumberSensitivity& number, const Units& units) {
   const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
   const auto& words = *wordsOf(number.kind);
   const bool is_more = (sag < 0) == (number.parameter.value > 0);  // of a negative coordinate more is longer, too
@@ -59,11 +60,11 @@ std::vector<std::size_t> ranked(const SensitivityReport& report,
   return order;
 }
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotDesignable = std::numeric_limits<double>::quiet_NaN();
 
 double designFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
-  return isDesignable(number) ? perCent(number, number.deflection) : kNone;
+  return isDesignable(number) ? perCent(number, number.deflection) : kNotDesignable;
 }
 
 /// Error at work of one sigma where readings tell it, else of one per cent.
@@ -71,7 +72,7 @@ double estimateFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
   const double sigma = sigmaOf(report, n);
   if (std::isfinite(sigma)) return sigma * number.error;
-  return isDesignable(number) ? perCent(number, number.error) : kNone;
+  return isDesignable(number) ? perCent(number, number.error) : kNotDesignable;
 }
 
 nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
@@ -85,7 +86,7 @@ nlohmann::json designJson(const SensitivityReport& report, const Cell& cell) {
                     {"unit", cell.units.nameOf(dimensionOf(number.parameter.quantity))},
                     {"deflection_per_percent", finiteJson(perCent(number, number.deflection) / unit)},
                     {"uncompensated_per_percent", finiteJson(perCent(number, number.centring) / unit)},
-                    {"sentence", sentence(number, cell.units)}});
+                    {"sentence", designSentence(number, cell.units)}});
   }
   return list;
 }
@@ -110,19 +111,14 @@ nlohmann::json estimateJson(const SensitivityReport& report, const Cell& cell) {
   return list;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string designText(const SensitivityReport& report, const Cell& cell) {
   const double unit = cell.units.factor(dimension::kLength);
   std::string text = "what to change, most first\n";
   for (const std::size_t n : ranked(report, designFigure)) {
     const auto& number = report.figures.numbers[n];
     const double centring = perCent(number, number.centring), sag = perCent(number, number.deflection);
-    text += fmt::format("  {:<80} {:+10.3g}\n", sentence(number, cell.units), (sag > 0 ? -centring : centring) / unit);
+    text += fmt::format("  {:<80} {:+10.3g}\n", designSentence(number, cell.units),
+                        (sag > 0 ? -centring : centring) / unit);
   }
   return text + fmt::format("  (last column: what that does to the mean error without compensation, {})\n",
                             cell.units.length().name);
@@ -163,9 +159,10 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
 
 std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
   const double unit = cell.units.factor(dimension::kLength);
-  std::string text = fmt::format("{} postures at work{}; base {}\n", report.work,
-                                 report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
-                                 report.touches.empty() ? "known" : "placed by touching " + joined(report.touches));
+  std::string text = fmt::format(
+      "{} postures at work{}; base {}\n", report.work,
+      report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
+      report.touches.empty() ? "known" : fmt::format("placed by touching {}", fmt::join(report.touches, ", ")));
   if (!std::isfinite(report.figures.mean_deflection))
     return text +
            "no figures: the deflected arm does not settle at some of these postures; check loads and stiffnesses\n";

@@ -2,9 +2,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/documents/figures.hpp"
 #include "app/files/units.hpp"
 
 namespace tubeplan::app {
+
+nlohmann::json manwayJson(const tubesheets::Sheet& sheet, const Units& units) {
+  if (!sheet.manway) return nullptr;
+  return {{"center", placeJson(sheet.manway->centre, units)}, {"diameter", lengthJson(sheet.manway->diameter, units)}};
+}
 
 nlohmann::json sheetPageJson(const tubesheets::Sheet& sheet, const Cell& cell) {
   const Units& units = cell.units;

@@ -1,4 +1,4 @@
-// A tube sheet as report pages take it.
+// A tube sheet as documents and report pages take it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,6 +6,9 @@
 #include "app/files/cell_reader.hpp"
 
 namespace tubeplan::app {
+
+/// {center, diameter}; null where the sheet states none.
+[[nodiscard]] nlohmann::json manwayJson(const tubesheets::Sheet& sheet, const Units& units);
 
 /// {name, leg, viewed_from, hole_diameter, pitch, rows, columns, holes: [[row, column, x, y, state], ...],
 /// fingerprint}, in the cell's units.

@@ -1,6 +1,7 @@
 #include "app/documents/touch_proposals.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ nlohmann::json tipJson(const TipSigma& sigma, const Units& units) {
   return {{"rms", finiteJson(sigma.rms / unit)}, {"worst", finiteJson(sigma.worst / unit)}};
 }
 
-nlohmann::json jointsJson(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
+nlohmann::json proposedJointsJson(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
   const Eigen::VectorXd joints = q.cwiseQuotient(jointFactors(outcome.cell.arm, outcome.cell.units));
   return vectorJson(joints, outcome.cell.units, dimension::kNone);
 }
@@ -60,7 +61,7 @@ void appendReadings(const TouchOutcome& outcome, const Proposal& proposal, char 
     nlohmann::json json = {{"id", named.id},
                            {"for", goal},
                            {"kind", kindOf(*named.reading).name},
-                           {"joints", jointsJson(outcome, named.reading->q)},
+                           {"joints", proposedJointsJson(outcome, named.reading->q)},
                            {"load", units.toFile(named.reading->load, dimension::kForce)},
                            {"adds",
                             {{"bits", finiteJson(step.bits)},
@@ -104,7 +105,7 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const Proposal& proposa
   return json;
 }
 
-std::string jointsText(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
+std::string proposedJointsText(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
   const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
   std::string text;
   for (Eigen::Index k = 0; k < q.size(); ++k) text += fmt::format(" {:9.3f}", q[k] / factors[k]);
@@ -118,7 +119,7 @@ std::string tellsText(const Proposal& proposal, std::size_t index) {
   return fmt::format("   {} (sigma x {:.2g})", name, step.helped_by);
 }
 
-std::string readingsText(const TouchOutcome& outcome, const Proposal& proposal, char letter) {
+std::string proposedText(const TouchOutcome& outcome, const Proposal& proposal, char letter) {
   const Units& units = outcome.cell.units;
   std::string joints, text;
   for (const int row : deflection::activeRows(outcome.cell.arm))
@@ -129,7 +130,8 @@ std::string readingsText(const TouchOutcome& outcome, const Proposal& proposal, 
   std::size_t told = proposal.next.design.steps.size();
   for (const auto& named : nameReadings(proposal, letter)) {
     text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, kindOf(*named.reading).name, named.point,
-                        named.reading->load / units.factor(dimension::kForce), jointsText(outcome, named.reading->q));
+                        named.reading->load / units.factor(dimension::kForce),
+                        proposedJointsText(outcome, named.reading->q));
     if (tells && named.step != told) text += tellsText(proposal, named.step);
     told = named.step;
     text += "\n";
@@ -140,12 +142,6 @@ std::string readingsText(const TouchOutcome& outcome, const Proposal& proposal, 
 std::string tipRow(const std::string& title, const TipSigma& sigma, const Units& units) {
   const double unit = units.factor(dimension::kLength);
   return fmt::format("  {:<44} {:>10.4g} {:>10.4g}\n", title, sigma.rms / unit, sigma.worst / unit);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 /// Whether readings made so far place the base, or it is known.
@@ -179,9 +175,10 @@ std::string baseText(const TouchOutcome& outcome) {
   std::string text = fmt::format("touches that place the base: {} of {} holes that can be touched, {}\n",
                                  proposal.next.design.steps.size(), proposal.next.candidates.size(),
                                  noiseText(outcome.base_noise, outcome.cell.units));
-  text += readingsText(outcome, proposal, 'T') + tipText(outcome, proposal);
+  text += proposedText(outcome, proposal, 'T') + tipText(outcome, proposal);
   if (!outcome.nearest_holes.empty())
-    text += tipRow("after the nearest, " + joined(outcome.nearest_holes), outcome.tip_nearest, outcome.cell.units);
+    text += tipRow(fmt::format("after the nearest, {}", fmt::join(outcome.nearest_holes, ", ")), outcome.tip_nearest,
+                   outcome.cell.units);
   return text;
 }
 
@@ -193,7 +190,7 @@ std::string parametersText(const TouchOutcome& outcome) {
   std::string text = fmt::format("readings that sharpen the parameters: {} of {} that could be made, {}\n",
                                  proposal.next.design.steps.size(), proposal.next.candidates.size(),
                                  noiseText(outcome.noise, outcome.cell.units));
-  text += readingsText(outcome, proposal, 'N') + tipText(outcome, proposal);
+  text += proposedText(outcome, proposal, 'N') + tipText(outcome, proposal);
   text += fmt::format("  {:<36} {:>12} {:>12} {:>12}\n", "sigma of the parameters", "now", "after", "after random");
   for (const auto& number : proposal.next.numbers) {
     const Dimension unit = dimensionOf(number.unknown.quantity);

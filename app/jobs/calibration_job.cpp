@@ -14,7 +14,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kHoles = 40;
+constexpr std::size_t kWorkHoles = 40;
 constexpr std::size_t kHolesOfSlowArms = 8;  // whose inverse kinematics is a search
 
 /// In which the arm works: under holes spread over the sheet; none where the cell does not say how.
@@ -26,7 +26,7 @@ std::vector<Eigen::VectorXd> workPostures(const Cell& cell, const Eigen::Isometr
   work.X_WB = X_WB;
   planner::CompensationOptions options;
   options.with_approach = false;
-  const std::size_t most = deflection::isTurretArm(cell.arm) ? kHoles : kHolesOfSlowArms;
+  const std::size_t most = deflection::isTurretArm(cell.arm) ? kWorkHoles : kHolesOfSlowArms;
   const auto spread = tubesheets::selectTubes(*cell.sheet, tubesheets::spreadRequest(*cell.sheet, most));
   for (const int tube : spread.tube_indices) {
     const auto hole = planner::holeCentre(cell.sheet->tubes[static_cast<std::size_t>(tube)]);

@@ -53,8 +53,10 @@ calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const Diagnosis
 }  // namespace
 
 calibration::Diagnosis diagnoseReadings(const Cell& cell, const std::vector<calibration::Measurement>& readings,
-                                        const DiagnosisRequest& request) {
-  return calibration::diagnose(startOf(cell, readings), readings, diagnosisOptions(cell, request));
+                                        const DiagnosisRequest& request, const WorkHooks& hooks) {
+  auto options = diagnosisOptions(cell, request);
+  options.hooks = hooks;
+  return calibration::diagnose(startOf(cell, readings), readings, options);
 }
 
 DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks) {

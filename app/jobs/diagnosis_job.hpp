@@ -32,7 +32,7 @@ struct DiagnosisOutcome {
 /// The diagnosis alone, without further readings and warnings; not run where the readings tell nothing.
 [[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
                                                       const std::vector<calibration::Measurement>& readings,
-                                                      const DiagnosisRequest& request);
+                                                      const DiagnosisRequest& request, const WorkHooks& hooks = {});
 
 /// Throws InputError for readings that tell nothing, JobStopped.
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,

@@ -33,7 +33,7 @@ CampaignFile findDesign(const SimulationRequest& request, const Cell& cell) {
   std::error_code error;
   const auto extension = std::filesystem::path(request.design).extension();
   if (extension == ".yaml" || extension == ".yml" || std::filesystem::exists(request.design, error))
-    return readCampaignFile(request.design, cell.units, has_sheet);
+    return readCampaignFile(request.design, cell.arm, cell.units, has_sheet);
   std::vector<std::string> names;
   for (const auto& named : calibration::campaignDesigns()) names.emplace_back(named.name);
   const std::string near = suggestion(request.design, names);
@@ -54,6 +54,12 @@ void applyOptions(const SimulationRequest& request, const Units& units, Campaign
   if (request.sigma) {
     checkNotNegative("--sigma", *request.sigma, fmt::format("a length in {}, zero or more", units.length().name));
     design.sigma = units.toInternal(*request.sigma, dimension::kLength);
+    design.sigma_W.reset();
+    design.correlation_W.reset();
+  }
+  if (request.push) {
+    checkNotNegative("--push", *request.push, fmt::format("a force in {}, zero or more", units.force().name));
+    design.push = units.toInternal(*request.push, dimension::kForce);
   }
   if (!request.held_out) return;
   if (!(*request.held_out >= 0 && *request.held_out < 1))
@@ -65,8 +71,9 @@ int countReadings(const SimulationRequest& request, const CampaignFile& file) {
   const std::string expected = fmt::format("a whole number from 1 to {}", kMostReadings);
   if (!request.readings && !file.postures)
     throw InputError("--readings", "nothing", expected, "add --readings N, or `postures` to the design file");
-  const auto readings =
-      request.readings ? *request.readings : *file.postures * static_cast<std::int64_t>(file.design.loads.size());
+  const auto readings = request.readings
+                            ? *request.readings
+                            : *file.postures * static_cast<std::int64_t>(calibration::readingsPerPosture(file.design));
   if (readings < 1 || readings > kMostReadings)
     throw InputError(request.readings ? "--readings" : request.design, fmt::format("{} readings", readings), expected);
   return static_cast<int>(readings);

@@ -19,7 +19,7 @@ struct SimulationRequest {
   std::optional<int> readings;
   std::vector<double> loads, base_error;
   std::vector<std::string> hide;
-  std::optional<double> sigma, held_out;
+  std::optional<double> sigma, held_out, push;
   double spread = 0;
   std::uint64_t seed = 1;
 };

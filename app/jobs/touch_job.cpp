@@ -27,8 +27,8 @@ namespace {
 using calibration::Estimate, calibration::Measurement, calibration::ReadingCandidate;
 using Proposal = TouchOutcome::Proposal;
 
-constexpr int kHoles = 60, kPostures = 600, kWorkPostures = 60;
-constexpr int kTouches = 3, kReadings = 10;
+constexpr int kTouchHoles = 60, kReadingPostures = 600, kWorkPostures = 60;
+constexpr int kBaseTouches = 3, kReadings = 10;
 constexpr int kExhaustive = 150;         // holes of which all triples are compared; exchange finds the best of more
 constexpr int kNearestTried = 400;       // holes round the base, before the nearest three are given up
 constexpr double kUsualSigma = 1.27e-4;  // m: 0.005 in, the centring of a calibration tool
@@ -93,7 +93,7 @@ void findWork(Job& job) {
 }
 
 std::vector<int> spreadHoles(const Job& job) {
-  const int count = job.request.candidates > 0 ? job.request.candidates : kHoles;
+  const int count = job.request.candidates > 0 ? job.request.candidates : kTouchHoles;
   const auto& sheet = job.sheet_cell->sheet;
   return readTubes(tubesheets::spreadRequest(sheet, static_cast<std::size_t>(count)), sheet).tube_indices;
 }
@@ -165,7 +165,7 @@ void compareWithNearest(Job& job, const Estimate& estimate) {
 
 void proposeForBase(Job& job) {
   auto& proposal = job.outcome.base.emplace();
-  const int count = job.request.count > 0 ? job.request.count : kTouches;
+  const int count = job.request.count > 0 ? job.request.count : kBaseTouches;
   if (count < 3) throw InputError("--count", std::to_string(count), "three or more touches to place a base");
   const Estimate& estimate = *job.of_base;
   const bool is_first = job.readings.empty();
@@ -187,7 +187,7 @@ void proposeForBase(Job& job) {
 /// What could be read: holes or postures, each under each load.
 std::vector<ReadingCandidate> findCandidates(const Job& job) {
   const auto& outcome = job.outcome;
-  const int count = job.request.candidates > 0 ? job.request.candidates : kPostures;
+  const int count = job.request.candidates > 0 ? job.request.candidates : kReadingPostures;
   if (job.request.kind == "touch" && job.sheet_cell) {
     std::vector<ReadingCandidate> candidates;
     planner::Workcell loaded = *job.sheet_cell;
@@ -224,7 +224,7 @@ void proposeForParameters(Job& job) {
 /// New readings are made where the arm stands now.
 std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
-void note(const Estimate& estimate, const Units& units, std::vector<std::string>& notes) {
+void noteEstimate(const Estimate& estimate, const Units& units, std::vector<std::string>& notes) {
   if (!estimate.note.empty())
     notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's own values stand in");
   if (estimate.model_error > 0)
@@ -242,7 +242,7 @@ void learn(Job& job, const std::string& named_by) {
   if (wants(job, "parameters")) {
     job.of_numbers = estimateOf(outcome.cell, job.readings,
                                 {job.request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
-    note(*job.of_numbers, outcome.cell.units, outcome.notes);
+    noteEstimate(*job.of_numbers, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*job.of_numbers);
     outcome.cell = cellAsEstimated(outcome.cell, *job.of_numbers);
   }
@@ -252,7 +252,7 @@ void learn(Job& job, const std::string& named_by) {
   job.of_base = estimateOf(unplaced, job.readings, {{}, true}, named_by);
   if (wants(job, "parameters")) return;
   outcome.setup = lastSetup(*job.of_base);
-  note(*job.of_base, outcome.cell.units, outcome.notes);
+  noteEstimate(*job.of_base, outcome.cell.units, outcome.notes);
   outcome.cell = cellAsEstimated(outcome.cell, *job.of_base);
 }
 

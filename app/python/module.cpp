@@ -126,8 +126,7 @@ class PythonCell {
       const CellReadings input = readCellReadings(path_, files);
       auto identified = identifyModel(input, request, hooks());
       if (!out.empty() && identified.fit.status == calibration::IdentificationStatus::kDone)
-        for (const auto& written : identifiedCell(input.cell, identified.fit, input.readings, out).inOrder())
-          writeFileAtomically(written.path, written.text, "out");
+        writeFilesTogether(identifiedCell(input.cell, identified.fit, input.readings, out).inOrder(), "out");
       return identified.figures;
     });
   }

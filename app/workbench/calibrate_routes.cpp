@@ -157,13 +157,13 @@ Answer calibrate(Workbench& workbench, const Request& request) {
   });
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kCalibrateRoutes[] = {
     {"POST", "touches", propose},       {"GET", "touches", touches},      {"POST", "touch", addTouch},
     {"DELETE", "touch/*", removeTouch}, {"POST", "calibrate", calibrate},
 };
 
 }  // namespace
 
-std::span<const Route> calibrateRoutes() { return kRoutes; }
+std::span<const Route> calibrateRoutes() { return kCalibrateRoutes; }
 
 }  // namespace tubeplan::app

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr auto kGlance = std::chrono::milliseconds(100);  // how long the server's end may go unnoticed
+constexpr auto kGlanceAtEnd = std::chrono::milliseconds(100);  // how long the server's end may go unnoticed
 constexpr auto kGoodbye = std::chrono::milliseconds(500);
 constexpr std::size_t kMostDrained = 32u << 20;
 
@@ -41,7 +41,7 @@ bool Connection::waitFor(short event, Clock::time_point until) const {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
     if (left.count() <= 0) return false;
     pollfd watched{socket_, event, 0};
-    const int found = ::poll(&watched, 1, static_cast<int>(std::min(left, kGlance).count()));
+    const int found = ::poll(&watched, 1, static_cast<int>(std::min(left, kGlanceAtEnd).count()));
     if (found > 0) return true;
     if (found < 0 && errno != EINTR) return false;
   }
@@ -50,6 +50,7 @@ bool Connection::waitFor(short event, Clock::time_point until) const {
 
 bool Connection::waitForRequest() {
   bytes_ = end_ - begin_;
+  awaited_since_ = Clock::now().time_since_epoch().count();
   deadline_ = Clock::now() + limits_.request_time;
   if (begin_ < end_) return true;
   if (!waitFor(POLLIN, Clock::now() + limits_.idle_time)) return false;
@@ -102,6 +103,8 @@ void Connection::get_local_ip_and_port(std::string& ip, int& port) const {
   socklen_t length = sizeof address;
   if (::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0) addressOf(address, ip, port);
 }
+
+void Connection::end() { ::shutdown(socket_, SHUT_RDWR); }
 
 void Connection::close() {
   ::shutdown(socket_, SHUT_WR);

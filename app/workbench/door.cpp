@@ -3,18 +3,14 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
-#include <cctype>
+
+#include "app/files/lower_case.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 constexpr const char* kCookie = "tubeplan_token";
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 std::string inBrackets(const std::string& host) {
   return host.find(':') != std::string::npos && host.front() != '[' ? "[" + host + "]" : host;

@@ -17,6 +17,12 @@ struct Request {
   std::vector<std::string> words;            ///< of the path, after "api": {"jobs", "3", "cancel"}
   std::map<std::string, std::string> query;  ///< decoded
   std::string content_type, body;
+
+  /// What the address says after that name; empty where it says nothing.
+  [[nodiscard]] std::string asked(const std::string& name) const {
+    const auto found = query.find(name);
+    return found == query.end() ? std::string() : found->second;
+  }
 };
 
 struct Answer {

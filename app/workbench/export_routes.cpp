@@ -43,16 +43,16 @@ CellReadings inputOfResult(const Session& session, const std::string& name) {
   return input;
 }
 
-std::string cellText(const Session& s) {
+std::string exportedCell(const Session& s) {
   const Cell& cell = currentModel(s).cell;
-  return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml")).back().text;
+  return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml")).front().text;
 }
-std::string armText(const Session& s) {
+std::string exportedArm(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   if (cell.arm_source.text.empty()) throw InputError("export", "an arm that stands in the cell", "cell.yaml");
   return cell.arm_source.text;
 }
-std::string readingsText(const Session& s) {
+std::string exportedReadings(const Session& s) {
   const CellReadings input = inputOf(s);  // refuses where there are none
   return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
@@ -61,7 +61,12 @@ std::string touchesText(const Session& s) {
   for (const auto& made : s.touches) touches.push_back(made.touch);
   return touchesCsv(touches, currentModel(s).cell);
 }
-std::string planText(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
+/// A measurement table without readings.
+std::string exportedTemplate(const Session& s) {
+  const Cell& cell = currentModel(s).cell;
+  return measurementsCsv({}, cell.arm, cell.units);
+}
+std::string exportedPlan(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
 std::string pathText(const Session& s) { return pathCsv(planOf(s)); }
 std::string workListText(const Session& s) { return workListCsv(planOf(s)); }
 std::string trajectoryText(const Session& s) { return trajectoryYaml(planOf(s)); }
@@ -81,11 +86,12 @@ struct Export {
   std::string (*text)(const Session&);
 };
 constexpr Export kExports[] = {
-    {"cell.yaml", "application/yaml", cellText},
-    {"cell-arm.yaml", "application/yaml", armText},
-    {"measurements.csv", "text/csv", readingsText},
+    {"cell.yaml", "application/yaml", exportedCell},
+    {"cell-arm.yaml", "application/yaml", exportedArm},
+    {"measurements.csv", "text/csv", exportedReadings},
+    {"template.csv", "text/csv", exportedTemplate},
     {"touches.csv", "text/csv", touchesText},
-    {"plan.json", "application/json", planText},
+    {"plan.json", "application/json", exportedPlan},
     {"path.csv", "text/csv", pathText},
     {"worklist.csv", "text/csv", workListText},
     {"trajectory.yaml", "application/yaml", trajectoryText},
@@ -123,17 +129,17 @@ Answer saveCell(Workbench& workbench, const Request& request) {
                                      "or say overwrite"));
     written.push_back(checked.filename().string());
   }
-  for (const auto& file : files) writeFileAtomically(file.path, file.text, "file");
+  writeFilesTogether(files, "file");
   return answerOf({{"written", written}});
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kExportRoutes[] = {
     {"GET", "export/*", download},
     {"POST", "cell/save", saveCell},
 };
 
 }  // namespace
 
-std::span<const Route> exportRoutes() { return kRoutes; }
+std::span<const Route> exportRoutes() { return kExportRoutes; }
 
 }  // namespace tubeplan::app

@@ -3,9 +3,12 @@
 
 #include <sstream>
 
+#include "app/documents/foreign_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/reading_input.hpp"
+#include "app/files/text_file.hpp"
 #include "app/workbench/leverage_json.hpp"
 #include "app/workbench/moments_json.hpp"
 #include "app/workbench/project.hpp"
@@ -17,7 +20,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kMostReadings = Arrivals::kMost;  // every look at them solves the arm's shape as often
+constexpr std::size_t kMostLoaded = Arrivals::kMost;  // every look at them solves the arm's shape as often
 
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();
@@ -42,9 +45,8 @@ Answer moments(Workbench& workbench, const Request&) {
 
 /// "theta3,forearm.z" in the address.
 std::vector<std::string> namesAt(const Request& request) {
-  const auto at = request.query.find("at");
   std::vector<std::string> names;
-  std::stringstream text(at == request.query.end() ? "" : at->second);
+  std::stringstream text(request.asked("at"));
   for (std::string name; std::getline(text, name, ',');) names.push_back(name);
   return names;
 }
@@ -56,9 +58,9 @@ Answer leverage(Workbench& workbench, const Request& request) {
 }
 
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
-  if (set->readings.size() > kMostReadings)
+  if (set->readings.size() > kMostLoaded)
     throw InputError(set->name, fmt::format("{} readings", set->readings.size()),
-                     fmt::format("at most {} in the workbench", kMostReadings), "the commands take more");
+                     fmt::format("at most {} in the workbench", kMostLoaded), "the commands take more");
   workbench.change([&](Session& session) {
     session.readings = std::move(set);
     forgetResultsOfReadings(session);
@@ -66,16 +68,52 @@ void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
   });
 }
 
-Answer uploadReadings(Workbench& workbench, const Request& request) {
-  const auto name = request.query.find("name");
+std::string shortName(const std::string& name) { return name.empty() ? "readings.csv" : name.substr(0, 200); }
+
+Answer takeText(Workbench& workbench, const std::string& text, const std::string& name,
+                const MeasurementOptions& options = {}) {
   auto set = std::make_shared<ReadingSet>();
-  set->name = name == request.query.end() || name->second.empty() ? "readings.csv" : name->second.substr(0, 200);
+  set->name = shortName(name);
   Cell cell = currentModel(workbench.session()).cell;
-  auto [readings, checks] = parseAndCheck(request.body, set->name, cell, {});
+  auto [readings, checks] = parseAndCheck(text, set->name, cell, options);
   set->readings = std::move(readings);
   set->checks = std::move(checks);
   take(workbench, set);
   return answerOf(stateJson(workbench));
+}
+
+Answer uploadReadings(Workbench& workbench, const Request& request) {
+  return takeText(workbench, request.body, request.asked("name"));
+}
+
+/// {"tables": [{"name", "text"}]}, as other programs wrote them.
+std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
+  std::vector<ForeignTable> tables;
+  for (const auto& table : requiredOf(body, "tables", "tables of text")) {
+    const std::string name = shortName(textOf(table, "name"));
+    const std::string text = textOf(table, "text");
+    checkText(name, text);
+    tables.push_back(parseForeignTable(text, name));
+  }
+  if (tables.empty()) throw InputError("tables", "none", "tables of text");
+  return tables;
+}
+
+/// What the columns of foreign tables seem to be.
+Answer foreignColumns(Workbench& workbench, const Request& request) {
+  const auto tables = foreignTablesOf(objectOf(request));
+  return answerOf(foreignColumnsJson(tables, currentModel(workbench.session()).cell));
+}
+
+/// The same with {"columns": ["x_mm=points.txt:X"], "kind"?, "sigma"?}: they become the readings, with that noise where
+/// no column states it.
+Answer takeForeign(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  ForeignRequest foreign{foreignTablesOf(body), {textsOf(body, "columns"), {}}, textOf(body, "kind")};
+  const auto readings = readForeign(foreign, currentModel(workbench.session()).cell.arm);
+  MeasurementOptions options;
+  options.sigma = numberOf(body, "sigma", 0);
+  return takeText(workbench, readings.text, foreign.tables.front().file, options);
 }
 
 Answer openReadingsFile(Workbench& workbench, const Request& request) {
@@ -193,12 +231,14 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   return answerOf(stateJson(workbench));
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kFileRoutes[] = {
     {"GET", "files", files},
     {"GET", "measurements", readings},
     {"GET", "moments", moments},
     {"GET", "leverage", leverage},
     {"POST", "measurements", uploadReadings},
+    {"POST", "measurements/columns", foreignColumns},
+    {"POST", "measurements/foreign", takeForeign},
     {"POST", "measurements/open", openReadingsFile},
     {"POST", "measurements/set-aside", setAside},
     {"POST", "measurements/hold-out", holdOut},
@@ -209,6 +249,6 @@ constexpr Route kRoutes[] = {
 
 }  // namespace
 
-std::span<const Route> fileRoutes() { return kRoutes; }
+std::span<const Route> fileRoutes() { return kFileRoutes; }
 
 }  // namespace tubeplan::app

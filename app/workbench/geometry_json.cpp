@@ -6,6 +6,7 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
+#include "app/documents/sheet_json.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "planner/scene/scene_shapes.hpp"
@@ -47,13 +48,13 @@ json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
 }
 
 /// With u and v as of the holes: where it lies on the map, seen from the sheet's middle.
-json manwayJson(const tubesheets::Sheet& sheet, const Units& units) {
-  if (!sheet.manway) return nullptr;
+json manwayOnMap(const tubesheets::Sheet& sheet, const Units& units) {
+  json manway = manwayJson(sheet, units);
+  if (!sheet.manway) return manway;
   const Eigen::Vector2d towards = sheet.manway->direction();
-  return {{"center", placeJson(sheet.manway->centre, units)},
-          {"diameter", lengthOf(sheet.manway->diameter, units)},
-          {"u", signAsDrawn(sheet) * towards.x()},
-          {"v", towards.y()}};
+  manway["u"] = signAsDrawn(sheet) * towards.x();
+  manway["v"] = towards.y();
+  return manway;
 }
 
 /// The value under a key of the table, whose dots part the keys of maps in one another; null where there is none.
@@ -146,7 +147,7 @@ json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
           {"X_WS", poseJson(Eigen::Isometry3d::Identity(), units)},
           {"fingerprint", sheet.fingerprint()},
           {"tool", toolJson(cell.tool, units)},
-          {"manway", manwayJson(sheet, units)},
+          {"manway", manwayOnMap(sheet, units)},
           {"holes", holesJson(sheet, units)}};
 }
 
@@ -155,8 +156,9 @@ json sceneDrawing(const Cell& cell) {
   if (const YamlNode* scene = cell.source.root.find("scene"))
     for (const YamlNode& node : scene->items) {
       shapes.push_back(namedShape(node, ""));
-      const auto mesh = std::find_if(cell.meshes.begin(), cell.meshes.end(),
-                                     [&](const SceneMesh& m) { return m.obstacle == shapes.back()["name"]; });
+      const auto name = shapes.back()["name"].get<std::string>();
+      const auto mesh =
+          std::find_if(cell.meshes.begin(), cell.meshes.end(), [&](const SceneMesh& m) { return m.obstacle == name; });
       if (mesh != cell.meshes.end()) addMesh(*mesh, cell.units, shapes.back());
     }
   const YamlNode* link_shapes = cell.source.root.find("link_shapes");

@@ -1,5 +1,6 @@
 // Sheet, scene, postures and the catalogue: what is answered at once.
 #include "app/documents/effect_catalogue.hpp"
+#include "app/documents/signature_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "app/workbench/geometry_json.hpp"
@@ -9,6 +10,7 @@
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
 #include "calibration/diagnosis/twins.hpp"
+#include "deflection/weights.hpp"
 
 namespace tubeplan::app {
 
@@ -29,12 +31,23 @@ Answer pose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session session = workbench.session();
   const Model& model = currentModel(session);
-  PostureQuestion question{jointsOf(body, model.cell), loadOf(body, model.cell), holeOf(body, model.cell)};
+  AskedPosture question{jointsOf(body, model.cell), loadOf(body, model.cell), holeOf(body, model.cell)};
   return answerOf(answerPosture(model, question));
 }
 
 Answer catalogue(Workbench& workbench, const Request&) {
   return answerOf(catalogueJson(currentModel(workbench.session()).cell));
+}
+
+/// ?effect=hysteresis&at=theta4: what it does to the tip.
+Answer signature(Workbench& workbench, const Request& request) {
+  constexpr double kOfWeight = 0.2;  // a load to be swept where no reading had one
+  const Session session = workbench.session();
+  const Cell& cell = currentModel(session).cell;
+  double most_load = kOfWeight * deflection::weightOf(cell.arm);
+  if (session.readings)
+    for (const auto& reading : session.readings->readings) most_load = std::max(most_load, reading.load);
+  return answerOf(signatureJson(cell, request.asked("effect"), request.asked("at"), most_load));
 }
 
 constexpr std::size_t kMostForTwins = 300;  // readings spread over all: what they share hangs little on how many
@@ -68,13 +81,14 @@ Answer select(Workbench& workbench, const Request& request) {
   return answerOf({{"holes", selection}});
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kGeometryRoutes[] = {
     {"GET", "sheet", sheet},         {"GET", "scene", scene}, {"POST", "pose", pose},
     {"GET", "catalogue", catalogue}, {"GET", "twins", twins}, {"POST", "select", select},
+    {"GET", "signature", signature},
 };
 
 }  // namespace
 
-std::span<const Route> geometryRoutes() { return kRoutes; }
+std::span<const Route> geometryRoutes() { return kGeometryRoutes; }
 
 }  // namespace tubeplan::app

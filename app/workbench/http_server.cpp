@@ -11,6 +11,7 @@
 
 #include "app/files/input_error.hpp"
 #include "app/workbench/connection.hpp"
+#include "app/workbench/open_connections.hpp"
 #include "app/workbench/page_files.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -19,17 +20,23 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kThreads = 40;  // more than may listen to events, so that these never take all
+constexpr std::size_t kMostBrowserConnections = 128;  // far more than may listen to events
 constexpr std::size_t kLargestBody = 8u << 20;
 constexpr std::size_t kLongestTarget = 2048;
 constexpr auto kHeartbeat = std::chrono::seconds(10);
-constexpr auto kGlance = std::chrono::seconds(1);  // how long a listener that has gone may go unnoticed
+constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // how long a listener that has gone may go unnoticed
 constexpr const char* kPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
 /// Whether the connection may serve another request: only where all of this one was read, so that no body is ever taken
 /// for a request.
 thread_local bool is_read_whole = false;
+thread_local Connection* own_connection = nullptr;  // of the thread
+
+void noteReadWhole() {
+  is_read_whole = true;
+  own_connection->beginAnswer();
+}
 
 bool hasBody(const httplib::Request& request) {
   return request.has_header("Transfer-Encoding") ||
@@ -98,7 +105,7 @@ class HttpServer::Implementation : public httplib::Server {
  public:
   Implementation(Workbench& workbench, DoorRules door, const std::string& page_folder)
       : workbench_(workbench), door_(std::move(door)), page_(page_folder) {
-    new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    new_task_queue = [] { return new TaskThreads; };
     set_payload_max_length(kLargestBody);
     // Not shared with another program that listens at the same port.
     set_socket_options([](socket_t socket) {
@@ -146,23 +153,31 @@ class HttpServer::Implementation : public httplib::Server {
     if (!is_bound)
       throw InputError("--port", fmt::format("{} at {}, which cannot be listened at", door_.port, door_.host),
                        "a free port of this machine", "--port 0 takes any free one");
+    ::listen(svr_sock_, SOMAXCONN);  // the library lets five wait; those who come then try again after a second or more
   }
 
   bool process_and_close_socket(socket_t socket) override {
     const ConnectionLimits limits;
     Connection connection(socket, limits, [this] { return is_closing_.load(); });
+    own_connection = &connection;
+    const bool ok = connections_.enter(connection) && answerAll(connection, limits.most_requests);
+    connections_.leave(connection);
+    connection.close();
+    return ok;
+  }
+
+  bool answerAll(Connection& connection, int most_requests) {
     bool ok = false;
-    for (int k = 0; k < limits.most_requests && connection.waitForRequest(); ++k) {
+    for (int k = 0; k < most_requests && connection.waitForRequest(); ++k) {
       is_read_whole = false;
       bool is_closed = false;
-      ok = process_request(connection, k + 1 == limits.most_requests, is_closed, [](httplib::Request& request) {
+      ok = process_request(connection, k + 1 == most_requests, is_closed, [](httplib::Request& request) {
         // No compressing: it would take longer than it saves here. No unpacking: a small body could become a huge one.
         for (const char* header : {"Accept-Encoding", "Content-Encoding", "Range"}) request.headers.erase(header);
         request.ranges.clear();
       });
       if (!ok || is_closed || !is_read_whole) break;
     }
-    connection.close();
     return ok;
   }
 
@@ -175,7 +190,7 @@ class HttpServer::Implementation : public httplib::Server {
     const bool only_looks = request.method == "GET" || request.method == "HEAD";
     if (status == 0 && request.target.size() > kLongestTarget) status = 414;
     if (status == 0 && !only_looks && !hasKnownContent(request)) status = 415;
-    if (status == 0 && only_looks) is_read_whole = !hasBody(request);
+    if (status == 0 && only_looks && !hasBody(request)) noteReadWhole();
     if (status == 0) return HandlerResponse::Unhandled;
     put(refused(status, request), response);
     return HandlerResponse::Handled;
@@ -214,7 +229,7 @@ class HttpServer::Implementation : public httplib::Server {
     });
     if (is_too_large || response.status == 413) return put(refused(413, request), response);
     if (!is_whole) return put(refused(400, request), response);
-    is_read_whole = true;
+    noteReadWhole();
     if (!request.path.starts_with("/api/")) return put(refused(404, request), response);
     response.set_header("Cache-Control", "no-store");
     put(answer(workbench_, requestOf(request, std::move(body))), response);
@@ -237,7 +252,7 @@ class HttpServer::Implementation : public httplib::Server {
 
   /// What is new since the last time, or now and then a heartbeat.
   bool tell(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
-    const auto news = workbench_.events().wait(seen, kGlance);
+    const auto news = workbench_.events().wait(seen, kGlanceAtListener);
     if (news.closed || !sink.is_writable()) return false;
     std::string text;
     if (news.state_changed)
@@ -254,6 +269,7 @@ class HttpServer::Implementation : public httplib::Server {
   Workbench& workbench_;
   DoorRules door_;
   PageFiles page_;
+  OpenConnections connections_{kMostBrowserConnections};
   std::atomic<bool> is_closing_ = false, has_ended_ = false;
 };
 

@@ -51,9 +51,9 @@ Vector3d leverage(const Lever& lever, const Isometry3d& X_WL, const Vector3d& p_
 }
 
 /// To six decimals: enough for any picture, and thousands of readings stay small.
-double brief(double value) { return std::round(value * 1e6) / 1e6; }
+double roundedTo6(double value) { return std::round(value * 1e6) / 1e6; }
 
-json vectorOf(const Vector3d& v) { return {brief(v.x()), brief(v.y()), brief(v.z())}; }
+json vectorOf(const Vector3d& v) { return {roundedTo6(v.x()), roundedTo6(v.y()), roundedTo6(v.z())}; }
 
 }  // namespace
 
@@ -70,8 +70,8 @@ json leverageJson(const Cell& cell, const ReadingSet& set, const std::vector<std
     json numbers = json::array(), axes = json::array();
     for (const auto& lever : levers)
       for (const double part : leverage(lever, X_WL[static_cast<std::size_t>(lever.row)], X_WD.translation()))
-        numbers.push_back(brief(part * (lever.slides ? 1 : turn)));
-    for (const double part : X_WD.linear().reshaped()) axes.push_back(brief(part));
+        numbers.push_back(roundedTo6(part * (lever.slides ? 1 : turn)));
+    for (const double part : X_WD.linear().reshaped()) axes.push_back(roundedTo6(part));
     readings[reading.id] = std::move(numbers);
     tools[reading.id] = std::move(axes);
   }

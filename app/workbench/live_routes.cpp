@@ -17,19 +17,19 @@ Answer encoders(Workbench& workbench, const Request& request) {
 }
 
 /// The text of a measurement file with readings of new ids.
-Answer readings(Workbench& workbench, const Request& request) {
+Answer takeReadings(Workbench& workbench, const Request& request) {
   const std::size_t waiting = takeArrived(workbench, request.body, "request", false);
   joinArrived(workbench);
   return answerOf({{"waiting", workbench.arrivals().isEmpty() ? 0 : waiting}}, 202);
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kLiveRoutes[] = {
     {"POST", "live/encoders", encoders},
-    {"POST", "live/readings", readings},
+    {"POST", "live/readings", takeReadings},
 };
 
 }  // namespace
 
-std::span<const Route> liveRoutes() { return kRoutes; }
+std::span<const Route> liveRoutes() { return kLiveRoutes; }
 
 }  // namespace tubeplan::app

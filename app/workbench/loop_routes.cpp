@@ -236,7 +236,7 @@ Answer simulate(Workbench& workbench, const Request& request) {
   });
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kLoopRoutes[] = {
     {"POST", "compare", compare}, {"POST", "diagnose", diagnose}, {"POST", "identify", identify}, {"POST", "add", add},
     {"POST", "ladder", ladder},   {"POST", "improve", improve},   {"POST", "simulate", simulate},
 };
@@ -256,6 +256,6 @@ Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, boo
                         });
 }
 
-std::span<const Route> loopRoutes() { return kRoutes; }
+std::span<const Route> loopRoutes() { return kLoopRoutes; }
 
 }  // namespace tubeplan::app

@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// The cell at that place, its arm beside it where that stands in a file of its own; the cell is the last.
+/// The cell at that place, its arm beside it where that stands in a file of its own; the cell is the first.
 [[nodiscard]] std::vector<TextFile> cellFiles(const Cell& cell, const std::filesystem::path& out);
 
 }  // namespace tubeplan::app

@@ -161,13 +161,13 @@ Answer clearance(Workbench& workbench, const Request& request) {
   return answerOf(clearanceAlong(*now.plan, countOf(request, "from", 0), countOf(request, "count", kMostClearances)));
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kPlanRoutes[] = {
     {"POST", "reach", reach}, {"POST", "field", field},   {"POST", "inverse", inverse},
     {"POST", "plan", plan},   {"GET", "plan/path", path}, {"GET", "plan/clearance", clearance},
 };
 
 }  // namespace
 
-std::span<const Route> planRoutes() { return kRoutes; }
+std::span<const Route> planRoutes() { return kPlanRoutes; }
 
 }  // namespace tubeplan::app

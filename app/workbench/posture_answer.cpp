@@ -79,7 +79,7 @@ json clearanceJson(const Model& model, const std::vector<Isometry3d>& X_WL, doub
           {"to", other ? vectorJson(*other, units, dimension::kLength) : json()}};
 }
 
-json centringJson(const Cell& cell, const Isometry3d& X_WD, int hole) {
+json centringOver(const Cell& cell, const Isometry3d& X_WD, int hole) {
   const auto& sheet = *cell.sheet;
   const Vector3d off = X_WD.translation() - planner::holeCentre(sheet.tubes.at(static_cast<std::size_t>(hole)));
   const double distance = off.head<2>().norm();
@@ -97,7 +97,7 @@ json centringJson(const Cell& cell, const Isometry3d& X_WD, int hole) {
 
 }  // namespace
 
-json answerPosture(const Model& model, const PostureQuestion& question) {
+json answerPosture(const Model& model, const AskedPosture& question) {
   const Cell& cell = model.cell;
   const deflection::Posture posture{question.q, question.load, deflection::gravityInBase(cell.arm, cell.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
@@ -112,11 +112,12 @@ json answerPosture(const Model& model, const PostureQuestion& question) {
   json answer = poseFiguresJson(shape, cell.units);
   answer["load"] = cell.units.toFile(question.load, dimension::kForce);
   answer["units"] = unitsJson(cell.units);
+  answer["segments"] = segmentsJson(cell, posture, shape);
   answer["frames"] = {{"rigid", framesJson(cell, rigidFrames(shape, cell.X_WB))}, {"flexible", framesJson(cell, bent)}};
   answer["tip"] = {{"rigid", vectorJson(X_WT.translation(), cell.units, dimension::kLength)},
                    {"flexible", vectorJson(X_WD.translation(), cell.units, dimension::kLength)}};
   answer["clearance"] = clearanceJson(model, bent, bow);
-  answer["centring"] = question.hole && cell.sheet ? centringJson(cell, X_WD, *question.hole) : json();
+  answer["centring"] = question.hole && cell.sheet ? centringOver(cell, X_WD, *question.hole) : json();
   return answer;
 }
 

@@ -10,14 +10,14 @@
 namespace tubeplan::app {
 
 /// Joints and load in internal units.
-struct PostureQuestion {
+struct AskedPosture {
   Eigen::VectorXd q;
   double load = 0;
   std::optional<int> hole;  ///< index in the sheet
 };
 
 /// Throws InputError for a posture at which a formula of the cell has no value, or whose shape does not converge.
-[[nodiscard]] nlohmann::json answerPosture(const Model& model, const PostureQuestion& question);
+[[nodiscard]] nlohmann::json answerPosture(const Model& model, const AskedPosture& question);
 
 /// {distance, margin, pair, from, to}: null where the cell has no bodies, or the shape does not converge.
 [[nodiscard]] nlohmann::json clearanceOf(const Model& model, const Eigen::VectorXd& q, double load);

@@ -22,12 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr CheckpointFormat kFormat = {"tubeplan project 1", "a project as tubeplan serve leaves it",
-                                      "open the cell and its readings anew"};
+constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project as tubeplan serve leaves it",
+                                             "open the cell and its readings anew"};
 /// Made of what cannot be kept: the planner's own memory makes a plan again faster.
 constexpr const char* kNotKept = "plan";
 
-std::string readingsText(const Session& session) {
+std::string allReadingsText(const Session& session) {
   const Cell& cell = session.models.front()->cell;
   return session.readings ? measurementsCsv(session.readings->readings, cell.arm, cell.units) : "";
 }
@@ -57,15 +57,15 @@ json touchesJson(const Session& session) {
   return {{"csv", touchesCsv(touches, session.models.front()->cell)}, {"tubes", tubes}, {"simulated", simulated}};
 }
 
-json readingsJson(const Session& session) {
+json keptReadingsJson(const Session& session) {
   if (!session.readings) return nullptr;
   return {{"name", session.readings->name},
-          {"csv", readingsText(session)},
+          {"csv", allReadingsText(session)},
           {"set_aside", session.readings->set_aside},
           {"change", session.readings->change}};
 }
 
-json resultsJson(const Session& session) {
+json keptResultsJson(const Session& session) {
   json results = json::object();
   for (const auto& [name, by_model] : session.results) {
     if (name == kNotKept) continue;
@@ -82,8 +82,8 @@ json payloadOf(const Session& session) {
           {"current", session.current},
           {"next_model", session.next_model},
           {"revision", session.revision},
-          {"readings", readingsJson(session)},
-          {"results", resultsJson(session)},
+          {"readings", keptReadingsJson(session)},
+          {"results", keptResultsJson(session)},
           {"truth", session.truth.empty() ? "" : fs::absolute(session.truth).string()},
           {"touches", touchesJson(session)},
           {"next_touch", session.next_touch},
@@ -138,7 +138,8 @@ Session sessionOf(const json& payload, const std::string& file) {
   Session session;
   for (const auto& entry : payload.at("models")) session.models.push_back(modelOf(entry));
   session.current = payload.at("current");
-  if (session.current >= session.models.size()) refuseDamaged(kFormat, file, "a current model that is not in it");
+  if (session.current >= session.models.size())
+    refuseDamaged(kProjectFormat, file, "a current model that is not in it");
   const Cell& cell = session.models.front()->cell;
   session.next_model = payload.at("next_model");
   session.revision = payload.at("revision");
@@ -163,13 +164,13 @@ std::string projectText(const Session& session) {
       {"models", std::to_string(session.models.size())},
       {"saved", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
   };
-  return checkpointText(kFormat, question, payloadOf(session).dump());
+  return checkpointText(kProjectFormat, question, payloadOf(session).dump());
 }
 
 Session readProject(const fs::path& file) {
-  const CheckpointFile kept = readCheckpoint(kFormat, file);
+  const CheckpointFile kept = readCheckpoint(kProjectFormat, file);
   Session session;
-  readPayload(kFormat, file, kept, [&](const json& payload) { session = sessionOf(payload, file.string()); });
+  readPayload(kProjectFormat, file, kept, [&](const json& payload) { session = sessionOf(payload, file.string()); });
   return session;
 }
 
@@ -178,7 +179,7 @@ json projectSummary(const fs::path& file) {
   std::string line;
   if (!std::getline(stream, line)) return nullptr;
   const json head = json::parse(line, nullptr, false);
-  if (!head.is_object() || head.value("format", "") != kFormat.name) return nullptr;
+  if (!head.is_object() || head.value("format", "") != kProjectFormat.name) return nullptr;
   json summary = {{"file", file.filename().string()}};
   for (const auto& part : head.value("question", json::array()))
     if (part.is_array() && part.size() == 2 && part[0].is_string()) summary[part[0].get<std::string>()] = part[1];
@@ -188,7 +189,7 @@ json projectSummary(const fs::path& file) {
 bool hasSameInputs(const Session& one, const Session& other) {
   const Cell &a = one.models.front()->cell, &b = other.models.front()->cell;
   return cellTextAt(a, a.path) == cellTextAt(b, b.path) && a.arm_source.text == b.arm_source.text &&
-         readingsText(one) == readingsText(other);
+         allReadingsText(one) == allReadingsText(other);
 }
 
 bool hasWork(const Session& session) {

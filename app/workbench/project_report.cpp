@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string readingsText(const Session& session) {
+std::string usedReadingsText(const Session& session) {
   const Cell& cell = session.models.front()->cell;
   return measurementsCsv(readingsInUse(*session.readings), cell.arm, cell.units);
 }
@@ -35,10 +35,10 @@ json inputsJson(const Session& session) {
   json inputs = json::array();
   const auto of_cell = cellFiles(session.models.front()->cell, modelFile(0));
   for (const auto& file : of_cell)
-    inputs.push_back(inputJson(&file == &of_cell.back() ? "cell as given" : "its arm", file.path.string(), file.text));
+    inputs.push_back(inputJson(&file == &of_cell.front() ? "cell as given" : "its arm", file.path.string(), file.text));
   if (session.readings)
     inputs.push_back(
-        inputJson("readings in use, of " + session.readings->name, "measurements.csv", readingsText(session)));
+        inputJson("readings in use, of " + session.readings->name, "measurements.csv", usedReadingsText(session)));
   return inputs;
 }
 
@@ -131,7 +131,7 @@ std::vector<TextFile> projectFiles(const Session& session, const std::filesystem
   std::vector<TextFile> files;
   for (std::size_t k = 0; k < session.models.size(); ++k)
     for (auto& file : cellFiles(session.models[k]->cell, folder / modelFile(k))) files.push_back(std::move(file));
-  if (session.readings) files.push_back({folder / "measurements.csv", readingsText(session)});
+  if (session.readings) files.push_back({folder / "measurements.csv", usedReadingsText(session)});
   return files;
 }
 

@@ -50,13 +50,13 @@ Answer cancel(Workbench& workbench, const Request& request) {
   return answerOf(*job);
 }
 
-constexpr Route kRoutes[] = {
+constexpr Route kStateRoutes[] = {
     {"GET", "state", state}, {"GET", "results/*", result},      {"POST", "undo", undo},
     {"POST", "redo", redo},  {"POST", "jobs/*/cancel", cancel},
 };
 
 }  // namespace
 
-std::span<const Route> stateRoutes() { return kRoutes; }
+std::span<const Route> stateRoutes() { return kStateRoutes; }
 
 }  // namespace tubeplan::app

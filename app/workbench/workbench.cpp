@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 bool isProject(const std::string& file) { return fs::path(file).extension() == kProjectExtension; }
 
-fs::path folderOf(const WorkbenchOptions& options) {
+fs::path stateFolderOf(const WorkbenchOptions& options) {
   if (!options.folder.empty()) return options.folder;
   const fs::path parent = fs::path(options.cell).parent_path();
   return parent.empty() ? fs::path(".") : parent;
@@ -57,7 +57,7 @@ Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& opt
 }  // namespace
 
 Workbench::Workbench(const WorkbenchOptions& options)
-    : folder_(folderOf(options)), keeper_(options.state), events_(options.most_listeners), jobs_(events_) {
+    : folder_(stateFolderOf(options)), keeper_(options.state), events_(options.most_listeners), jobs_(events_) {
   session_ = takeUp(keeper_, openAsAsked(options), options);
   keeper_.keep(session_);
 }

@@ -284,4 +284,21 @@ describe("a reading", () => {
     assert.deepEqual(await marked(server), {set_aside: left, held_out: 0});
     await close();
   });
+
+  it("stands with all others in 3-D, faded from before to after", async () => {
+    const {tab, close} = await compared("field", "hysteresis@theta4:0.06deg");
+    await tab.evaluate(() => (location.hash = "arm"));
+    await tab.check(".shown-errors >> text=all errors");
+    await tab.waitForSelector(".shown-errors >> text=/drawn ×\\d/");
+    const picture = async (after) => {
+      await tab.fill("input[aria-label='From before to after']", String(after));
+      await tab.waitForTimeout(700);
+      return (await tab.locator(".arm-picture canvas").screenshot()).toString("base64");
+    };
+    const before = await picture(0),
+      after = await picture(1);
+    assert.notEqual(before, after);
+    assert.equal(await picture(0), before);
+    await close();
+  });
 });

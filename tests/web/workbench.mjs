@@ -15,6 +15,8 @@ const {chromium} = createRequire(path.join(web, "package.json"))("playwright-cor
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
 /** The built page as a folder; without one the server shows the page that it was built with. */
 export const page = process.env.TUBEPLAN_PAGE ?? "";
+/** How many times slower than here the page runs, so that tests are also tried on a machine that is busy. */
+const slowness = Number(process.env.TUBEPLAN_SLOWNESS ?? 1);
 // Milliseconds. What does not start is told in seconds.
 const SIMULATE_LIMIT = 120_000;
 const START_LIMIT = 20_000;
@@ -200,6 +202,10 @@ export async function openTab(browser, address, options = {}) {
     ...options,
   });
   const tab = await context.newPage();
+  if (slowness > 1) {
+    const session = await context.newCDPSession(tab);
+    await session.send("Emulation.setCPUThrottlingRate", {rate: slowness});
+  }
   tab.errors = [];
   tab.on("console", (message) => message.type() === "error" && tab.errors.push(message.text()));
   tab.on("pageerror", (error) => tab.errors.push(error.stack ?? error.message));

@@ -42,7 +42,7 @@ struct CampaignProgress {
 };
 
 /// A file of results beside campaign.json.
-struct CampaignFile {
+struct CampaignResult {
   std::string name, content;
 };
 
@@ -52,7 +52,7 @@ struct Campaign {
   std::uint64_t largest_chunk = 1;  ///< runs that a worker takes at once
   std::function<nlohmann::json(const CampaignProgress&)> figures;
   std::function<std::string(const nlohmann::json& figures)> text;
-  std::function<std::vector<CampaignFile>(const nlohmann::json& figures)> files;
+  std::function<std::vector<CampaignResult>(const nlohmann::json& figures)> files;
 };
 
 struct CampaignKind {

@@ -6,7 +6,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::array kKinds{
+constexpr std::array kCampaignKinds{
     CampaignKind{"centre", "a true arm is drawn, touches holes, is calibrated and visits others: how well tools centre",
                  makeCentringCampaign},
     CampaignKind{"diagnose", "readings of an arm that hides a random effect, or none: how often it is found",
@@ -14,6 +14,6 @@ constexpr std::array kKinds{
 
 }  // namespace
 
-std::span<const CampaignKind> campaignKinds() { return kKinds; }
+std::span<const CampaignKind> campaignKinds() { return kCampaignKinds; }
 
 }  // namespace tubeplan::app

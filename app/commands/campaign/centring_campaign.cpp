@@ -63,7 +63,8 @@ Campaign makeCentringCampaign(const CampaignRequest& request) {
   campaign.text = centringText;
   campaign.files = [task, request, &made](const nlohmann::json& figures) {
     const CentringResults results{*task, request, made.trials(), made.tally(), {}};
-    return std::vector<CampaignFile>{{"holes.csv", holesCsv(results)}, {"report.html", centringPage(results, figures)}};
+    return std::vector<CampaignResult>{{"holes.csv", holesCsv(results)},
+                                       {"report.html", centringPage(results, figures)}};
   };
   campaign.experiment = std::move(experiment);
   return campaign;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kTouchableHoles = 24;  // as `plan --touches auto`
 constexpr std::size_t kMostSettings = 100;
-constexpr int kMostTouches = 50;
+constexpr int kMostTouchedHoles = 50;
 constexpr double kMostLength = 0.254;  // m (10 in): beyond it no arm finds a hole
 constexpr double kMostAngle = 0.5;     // rad
 
@@ -90,8 +90,8 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
   refuseTwice("--choice", request.choices);
   std::vector<CentringSetting> settings;
   for (const int touches : request.touches) {
-    if (touches < 3 || touches > kMostTouches)
-      throw InputError("--touches", std::to_string(touches), fmt::format("3 to {} touched holes", kMostTouches));
+    if (touches < 3 || touches > kMostTouchedHoles)
+      throw InputError("--touches", std::to_string(touches), fmt::format("3 to {} touched holes", kMostTouchedHoles));
     for (const auto& choice : request.choices)
       for (const double sigma : touchSigmas(request, task)) settings.push_back({touches, ruleOf(choice), sigma});
   }

@@ -70,8 +70,9 @@ class DiagnosisExperiment : public Experiment {
   std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
     DiagnosisTally tally;
     for (std::uint64_t run = runs.first; run < runs.end; ++run) {
-      if (stop()) return std::nullopt;
-      tally.add(trials_.run(run));
+      const auto trial = stop() ? std::nullopt : trials_.run(run, stop);
+      if (!trial) return std::nullopt;
+      tally.add(*trial);
     }
     return wordsOf(tally);
   }
@@ -183,8 +184,8 @@ OutcomeCounts hiddenCounts(const DiagnosisTally& tally, int size_class = -1) {
   return sum;
 }
 
-json diagnosisJson(const DiagnosisTask& task, const CampaignRequest& request, const DiagnosisTally& tally,
-                   const CampaignProgress& progress) {
+json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request, const DiagnosisTally& tally,
+                      const CampaignProgress& progress) {
   using Kind = DiagnosisOutcomeKind;
   const auto nothing = tally.of(-1);
   json figures = {{"kind", "diagnose"},
@@ -270,14 +271,14 @@ Campaign makeDiagnosisCampaign(const CampaignRequest& request) {
   campaign.question = diagnosisQuestion(*task, request);
   campaign.largest_chunk = 1;  // a run takes seconds
   campaign.figures = [task, request, &made](const CampaignProgress& progress) {
-    return diagnosisJson(*task, request, made.tally(), progress);
+    return diagnosisFigures(*task, request, made.tally(), progress);
   };
   campaign.text = diagnosisCampaignText;
   campaign.files = [task](const json& figures) {
     json page = figures;
     page["title"] = "Diagnoses of " + task->cell.name + " over random truths";
-    return std::vector<CampaignFile>{{"outcomes.csv", outcomesCsv(figures)},
-                                     {"report.html", renderCampaignReport(page)}};
+    return std::vector<CampaignResult>{{"outcomes.csv", outcomesCsv(figures)},
+                                       {"report.html", renderCampaignReport(page)}};
   };
   campaign.experiment = std::move(experiment);
   return campaign;

@@ -12,20 +12,20 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::Verdict;
-using Draw = calibration::RandomStreamFrom<SplitMix>;
+using TrialDraw = calibration::RandomStreamFrom<SplitMix>;
 
 enum Purpose : std::uint64_t { kHiddenKey = 101, kReadingsKey, kDiagnosisKey };
 
-double uniform(Draw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
+double uniform(TrialDraw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
 
-int indexBelow(std::size_t count, Draw& draw) { return static_cast<int>(draw.seed() % count); }
+int indexBelow(std::size_t count, TrialDraw& draw) { return static_cast<int>(draw.seed() % count); }
 
 struct Hidden {
   deflection::Effect effect;
   double share = 0;
 };
 
-Hidden drawEffect(const deflection::Arm& arm, const std::vector<int>& kinds, Draw& draw) {
+Hidden drawEffect(const deflection::Arm& arm, const std::vector<int>& kinds, TrialDraw& draw) {
   const int kind = kinds[static_cast<std::size_t>(indexBelow(kinds.size(), draw))];
   const auto& row = deflection::effectKinds()[static_cast<std::size_t>(kind)];
   const auto places = row.places(arm);
@@ -83,8 +83,8 @@ DiagnosisTrials::DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const
   (void)prepareSimulation(cell_, options_.readings);
 }
 
-DiagnosisTrial DiagnosisTrials::run(std::uint64_t index) const {
-  Draw draw(keyOf({options_.seed, index, kHiddenKey}));
+std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const calibration::StopQuestion& stop) const {
+  TrialDraw draw(keyOf({options_.seed, index, kHiddenKey}));
   SimulationRequest request = options_.readings;
   request.seed = keyOf({options_.seed, index, kReadingsKey});
   SimulationTask task = prepareSimulation(cell_, request);
@@ -99,12 +99,15 @@ DiagnosisTrial DiagnosisTrials::run(std::uint64_t index) const {
     at = deflection::textOf(cell_.arm, kind, hidden.effect.place);
     task.truth.arm.effects.push_back(hidden.effect);
   }
-  const auto simulated = simulateReadings(cell_, task, request.seed, {});
+  const auto simulated = simulateReadings(cell_, task, request.seed, {{}, stop});
+  if (simulated.status == calibration::CampaignStatus::kStopped) return std::nullopt;
   if (simulated.status != calibration::CampaignStatus::kDone) return trial;
   DiagnosisRequest question;
   question.effects = options_.effects;
   question.seed = keyOf({options_.seed, index, kDiagnosisKey});
-  trial.outcome = outcomeOf(diagnoseReadings(cell_, simulated.readings, question), effect, at);
+  const auto diagnosis = diagnoseReadings(cell_, simulated.readings, question, {{}, stop});
+  if (diagnosis.verdict == Verdict::kStopped) return std::nullopt;
+  trial.outcome = outcomeOf(diagnosis, effect, at);
   return trial;
 }
 

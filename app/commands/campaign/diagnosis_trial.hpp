@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -47,8 +48,8 @@ class DiagnosisTrials {
   /// be taken.
   DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options);
 
-  /// For any number of threads at once.
-  [[nodiscard]] DiagnosisTrial run(std::uint64_t index) const;
+  /// For any number of threads at once. None where it was asked to stop.
+  [[nodiscard]] std::optional<DiagnosisTrial> run(std::uint64_t index, const calibration::StopQuestion& stop) const;
 
  private:
   const Cell& cell_;

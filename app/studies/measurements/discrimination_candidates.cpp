@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include "app/studies/measurements/measured_room.hpp"
 #include "app/studies/measurements/reading_candidates.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/inverse/inverse_kinematics.hpp"
 #include "planner/collision/arm_clearance.hpp"
@@ -28,7 +30,8 @@ struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
   bool has_known_points = false;
   std::vector<double> loads;
-  double sigma = 0, temperature = 0, time = 0;
+  double sigma = 0, turn_sigma = 0, temperature = 0, time = 0;
+  std::set<std::optional<int>> rows;  ///< of the arm, whose frames were read; none of them: the tool
   bool has_approach_directions = false;
   std::optional<Eigen::Vector3d> anchor, direction;
 };
@@ -59,6 +62,8 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
     if (reading.kind != custom.kind) continue;
     loads.insert(reading.load);
     sigmas.push_back(reading.sigma);
+    custom.turn_sigma = reading.turn_sigma;
+    custom.rows.insert(reading.row);
     if (std::isfinite(reading.temperature)) temperatures.push_back(reading.temperature);
     if (std::isfinite(reading.time)) times.push_back(reading.time);
     if (reading.p_W) custom.anchor = reading.p_W;
@@ -143,6 +148,17 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   return positionReadings(postures, custom.loads, custom.sigma);
 }
 
+/// Of kinds that measure angles: as the fitted arm would be read there, on each row that was read so far in its turn.
+/// Which angles are there to be read depends on the posture.
+void readAngles(const calibration::PlacedArm& fitted, const Custom& custom, std::size_t number, Measurement& reading) {
+  const auto& kind = kindOf(custom.kind);
+  if (kind.turn_rows == 0) return;
+  reading.turn_sigma = custom.turn_sigma;
+  reading.row = *std::next(custom.rows.begin(), static_cast<std::ptrdiff_t>(number % custom.rows.size()));
+  const auto frame = calibration::frameAt(fitted.arm, fitted.base_poses.back().X_WB, reading);
+  if (frame) kind.record(*frame, 1, calibration::MeasuredValue::Zero(kind.rows), reading);
+}
+
 }  // namespace
 
 std::vector<ReadingCandidate> discriminationCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
@@ -152,6 +168,7 @@ std::vector<ReadingCandidate> discriminationCandidates(const CellModel& cell, co
   const Custom custom = customOf(readings, options.most_loads);
   auto candidates = bareCandidates(cell, fitted, readings, custom, options);
   boost::random::mt19937_64 random(options.seed);
+  std::size_t number = 0;
   for (auto& candidate : candidates)
     for (auto& reading : candidate.readings) {
       reading.sigma = custom.sigma;
@@ -163,6 +180,7 @@ std::vector<ReadingCandidate> discriminationCandidates(const CellModel& cell, co
         reading.kind = custom.kind;
         reading.p_W = kind.has_anchor ? custom.anchor : std::nullopt;
         reading.direction_W = custom.direction;
+        readAngles(fitted, custom, number++, reading);
       }
       for (Eigen::Index j = 0; custom.has_approach_directions && j < reading.q.size(); ++j)
         reading.approach_directions.push_back(random() >> 63 ? 1 : -1);

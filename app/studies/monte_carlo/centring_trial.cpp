@@ -12,7 +12,6 @@ namespace {
 using calibration::CalibrationStatus, calibration::TouchPlan;
 using Draw = calibration::RandomStreamFrom<SplitMix>;
 
-constexpr int kMostDraws = 1000;
 constexpr double kLeastWeighingSigma = 1e-6;  // m: without any noise all weights would be infinite
 
 /// What a key draws; each has numbers of its own, so that more of one does not change another.

@@ -7,11 +7,11 @@
 namespace tubeplan::app {
 
 namespace {
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoCase = std::numeric_limits<double>::quiet_NaN();
 }
 
 Probability wilsonInterval(double count, double of) {
-  if (!(of > 0)) return {kNone, 0, 1};
+  if (!(of > 0)) return {kNoCase, 0, 1};
   const double share = count / of, z2 = kTwoSided95 * kTwoSided95;
   const double middle = (share + z2 / (2 * of)) / (1 + z2 / of);
   const double half = kTwoSided95 / (1 + z2 / of) * std::sqrt(share * (1 - share) / of + z2 / (4 * of * of));
@@ -37,10 +37,10 @@ void RunSums::merge(const RunSums& other) {
   products_ += other.products_;
 }
 
-double RunSums::mean() const { return count_ ? static_cast<double>(sum_) / static_cast<double>(count_) : kNone; }
+double RunSums::mean() const { return count_ ? static_cast<double>(sum_) / static_cast<double>(count_) : kNoCase; }
 
 double RunSums::standardError() const {
-  if (runs_ < 2 || count_ == 0) return kNone;
+  if (runs_ < 2 || count_ == 0) return kNoCase;
   const auto runs = static_cast<long double>(runs_), count = static_cast<long double>(count_);
   const long double mean = static_cast<long double>(sum_) / count;
   const long double spread = static_cast<long double>(squares_) - 2 * mean * static_cast<long double>(products_) +
@@ -49,7 +49,7 @@ double RunSums::standardError() const {
 }
 
 Probability RunSums::probability() const {
-  if (count_ == 0) return {kNone, 0, 1};
+  if (count_ == 0) return {kNoCase, 0, 1};
   const double share = mean(), error = standardError();
   const double cases = error > 0 ? std::min(share * (1 - share) / (error * error), static_cast<double>(count_))
                                  : static_cast<double>(runs_);

@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNothingAdded = std::numeric_limits<double>::quiet_NaN();
 constexpr int kPartBits = 6;
 static_assert(1 << kPartBits == ErrorSketch::kPartsOfOctave);
 
@@ -66,25 +66,25 @@ void ErrorSketch::merge(const ErrorSketch& other) {
 }
 
 double ErrorSketch::mean() const {
-  return count_ ? static_cast<double>(sum_) / static_cast<double>(count_) * kUnit : kNone;
+  return count_ ? static_cast<double>(sum_) / static_cast<double>(count_) * kUnit : kNothingAdded;
 }
 
 double ErrorSketch::rms() const {
-  return count_ ? std::sqrt(static_cast<double>(squares_) / static_cast<double>(count_)) * kUnit : kNone;
+  return count_ ? std::sqrt(static_cast<double>(squares_) / static_cast<double>(count_)) * kUnit : kNothingAdded;
 }
 
 double ErrorSketch::sigma() const {
-  if (count_ < 2) return kNone;
+  if (count_ < 2) return kNothingAdded;
   const auto n = static_cast<long double>(count_), sum = static_cast<long double>(sum_);
   const long double spread = static_cast<long double>(squares_) - sum / n * sum;
   return static_cast<double>(std::sqrt(std::max(spread, 0.L) / (n - 1))) * kUnit;
 }
 
-double ErrorSketch::max() const { return count_ ? static_cast<double>(max_) * kUnit : kNone; }
+double ErrorSketch::max() const { return count_ ? static_cast<double>(max_) * kUnit : kNothingAdded; }
 
 double ErrorSketch::quantile(double share) const {
   assert(share >= 0 && share <= 1);
-  if (count_ == 0) return kNone;
+  if (count_ == 0) return kNothingAdded;
   const double rank = std::max(1., std::ceil(share * static_cast<double>(count_)));
   double below = 0;
   for (std::size_t k = 0; k < counts_.size(); ++k) {

@@ -19,10 +19,17 @@ RunWorkers::RunWorkers(const Experiment& experiment, int workers)
       workers_(workers),
       control_(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(workers) + 1),
       arena_(workers, 0) {
-  for (int k = 0; k < workers_; ++k) arena_.enqueue(group_.defer([this] { work(); }));
+  try {
+    for (int k = 0; k < workers_; ++k) arena_.enqueue(group_.defer([this] { workOrFail(); }));
+  } catch (...) {
+    close();
+    throw;
+  }
 }
 
-RunWorkers::~RunWorkers() {
+RunWorkers::~RunWorkers() { close(); }
+
+void RunWorkers::close() {
   {
     const std::lock_guard lock(mutex_);
     is_closed_ = true;
@@ -48,10 +55,22 @@ void RunWorkers::give(RunRange runs) {
 
 std::optional<RunWorkers::Result> RunWorkers::take(std::chrono::microseconds wait) {
   std::unique_lock lock(mutex_);
-  if (!done_.wait_for(lock, wait, [this] { return !results_.empty(); })) return std::nullopt;
+  if (!done_.wait_for(lock, wait, [this] { return failure_ || !results_.empty(); })) return std::nullopt;
+  if (failure_) std::rethrow_exception(failure_);
   Result result = std::move(results_.front());
   results_.pop_front();
   return result;
+}
+
+// Nobody else would hear of it: the group is waited for at the end alone, and the end would not come.
+void RunWorkers::workOrFail() noexcept {
+  try {
+    work();
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+    done_.notify_one();
+  }
 }
 
 void RunWorkers::work() {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <optional>
 
@@ -36,11 +37,13 @@ class RunWorkers {
     RunRange runs;
     TallyWords tally;
   };
-  /// A chunk that is done; waits so long for one.
+  /// A chunk that is done; waits so long for one. Throws what a run has thrown.
   [[nodiscard]] std::optional<Result> take(std::chrono::microseconds wait);
 
  private:
   void work();
+  void workOrFail() noexcept;
+  void close();
 
   const Experiment& experiment_;
   int workers_;
@@ -48,6 +51,7 @@ class RunWorkers {
   std::condition_variable given_, done_;
   std::deque<RunRange> waiting_;
   std::deque<Result> results_;
+  std::exception_ptr failure_;  ///< the first of a run
   int under_way_ = 0;
   bool is_closed_ = false;
   std::atomic<bool> is_broken_off_ = false;

@@ -16,12 +16,9 @@ using Eigen::Vector3d;
 
 constexpr int kCandidates = 80;
 constexpr int kTouchFits = 20;
-constexpr int kMostDraws = 1000;
-
-using Draw = calibration::RandomStream;
 
 std::vector<TrialHole> drawHoles(const planner::Workcell& cell, std::vector<TouchPlan> candidates, int count,
-                                 double error_sigma, Draw& draw) {
+                                 double error_sigma, calibration::RandomStream& draw) {
   draw.shuffle(candidates);
   std::vector<TrialHole> holes;
   for (int k = 0; k < count; ++k) {
@@ -34,7 +31,7 @@ std::vector<TrialHole> drawHoles(const planner::Workcell& cell, std::vector<Touc
 /// Mean error that a base fitted to many touches leaves at them.
 double meanTouchError(const planner::Workcell& model, const TruthMaker& truths,
                       const std::vector<TouchPlan>& candidates, const StepExperimentOptions& options) {
-  Draw draw(options.seed ^ 0x5bd1e995u);
+  calibration::RandomStream draw(options.seed ^ 0x5bd1e995u);
   double sum = 0;
   int count = 0;
   for (int fit = 0; fit < kTouchFits; ++fit) {
@@ -69,7 +66,7 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
 /// One calibration and its ten holes; the reason where the touches were refused.
 std::string runOnce(const planner::Workcell& model, const TruthMaker& truths, const std::vector<TouchPlan>& candidates,
                     const StepExperimentOptions& options, std::uint64_t seed, StepExperiment& experiment) {
-  Draw draw(seed);
+  calibration::RandomStream draw(seed);
   const planner::Workcell drawn = truths.draw(draw);
   std::vector<TrialHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   for (int tries = 0; !areWellSpread(holes, options.calibration_holes); ++tries) {
@@ -101,7 +98,7 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     return experiment;
   }
   const TruthMaker truths(truth, options);
-  Draw seeds(options.seed);
+  calibration::RandomStream seeds(options.seed);
   for (int run = 0; run < options.runs; ++run) {
     if (hooks.stop && hooks.stop()) break;
     if (hooks.progress)

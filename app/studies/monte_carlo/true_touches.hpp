@@ -23,6 +23,8 @@ struct TrialHole {
                                                                const std::vector<TrialHole>& holes, int count,
                                                                double sigma, std::uint64_t seed);
 
+inline constexpr int kMostDraws = 1000;  ///< of holes to touch, until some lie well off a line
+
 /// Whether the first `count` holes lie well off a line: a line of them would place no base.
 [[nodiscard]] bool areWellSpread(const std::vector<TrialHole>& holes, int count);
 

@@ -1,14 +1,21 @@
 import {describe, expect, it} from "vitest";
-import {axisEnd, rungName} from "../source/error/ladder";
+import {acceptanceOf, axisEnd, rungName} from "../source/error/ladder";
 import {jointsAt, sampleAt} from "../source/plan/sampling";
 
-const rung = (fitted: number, heldout: number) => ({name: "", fitted, heldout});
+const rung = (fitted: number, heldout: number) => ({name: "", fitted, heldout, worst: 2 * heldout, centred: null});
 
 describe("the ladder", () => {
   it("cuts a first error that would hide all others, and only that", () => {
     expect(axisEnd([rung(0.776, 0.776), rung(0.0187, 0.0194)], 0.0057)).toBeCloseTo(1.7 * 0.0194);
     expect(axisEnd([rung(0.03, 0.03), rung(0.0187, 0.0194)], 0.0057)).toBeCloseTo(1.06 * 0.03);
     expect(axisEnd([rung(0.03, 0.03)], 0.0057)).toBeCloseTo(1.06 * 0.03);
+  });
+  it("accepts by the errors that no fit has seen, the largest among them", () => {
+    expect(acceptanceOf(rung(0.01, 0.02), 0.05)).toBe("accepted");
+    expect(acceptanceOf(rung(0.01, 0.02), 0.03)).toBe("in part");
+    expect(acceptanceOf(rung(0.01, 0.02), 0.015)).toBe("rejected");
+    expect(acceptanceOf(rung(0.01, 0.02), null)).toBe(null);
+    expect(acceptanceOf({...rung(0.01, 0.02), worst: null}, 0.05)).toBe(null);
   });
   it("names models by the last part of their files", () => {
     expect(rungName("/tmp/cells/bench.yaml, rigid")).toBe("bench, rigid");

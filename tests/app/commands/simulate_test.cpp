@@ -1,6 +1,7 @@
 // Simulated campaigns from outside: files that the readers take, the truth beside them, refusals.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "app/files/cell_reader.hpp"
@@ -83,6 +84,30 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
     EXPECT_TRUE(m.kind == MeasurementKind::kPosition && m.load == 0 && m.p_W->z() < -0.9 * kInch);
   for (const auto& m : simulate("mockup.yaml", "--design bowl --readings 12 --loads 5,10"))
     EXPECT_TRUE(m.p_W->z() == 0 && m.point.starts_with("R")) << m.point;
+}
+
+TEST_F(Simulate, InclinometersOnRowsAreIdentifiedFrom) {
+  (void)write("tilts.yaml", "kind: tilt\nrows: [base-link, forearm, tool]\npostures: 10\n");
+  const auto readings = simulate("bench.yaml", "--design tilts.yaml --seed 3");
+  ASSERT_EQ(readings.size(), 90u) << "ten postures under three loads on three rows";
+  for (const auto& m : readings) EXPECT_TRUE(m.kind == MeasurementKind::kTilt && m.row) << m.id;
+  const Outcome found =
+      run("identify " + shipped("bench.yaml") + " out/measurements.csv --free tool.joint_stiffness.z --json -");
+  ASSERT_EQ(found.exit_code, 0) << found.err;
+  const auto number = nlohmann::json::parse(found.out)["parameters"][0];
+  EXPECT_LT(number["sigma"].get<double>(), 0.05 * number["value"].get<double>());
+  EXPECT_NEAR(number["value"].get<double>(), 5588, 4 * number["sigma"].get<double>());
+}
+
+TEST_F(Simulate, ATrackersCorrelatedNoiseIsWrittenAndReadBack) {
+  (void)write("tracker.yaml", "kind: position\nsigmas: [0.001, 0.005, 0.005]\ncorrelations: [0.5, 0.2, -0.3]\n");
+  for (const auto& m : simulate("bench.yaml", "--design tracker.yaml --readings 12")) {
+    ASSERT_TRUE(m.sigma_W && m.correlation_W);
+    EXPECT_TRUE(m.sigma_W->isApprox(Vector3d(0.001, 0.005, 0.005) * kInch));
+    EXPECT_TRUE(m.correlation_W->isApprox(Vector3d(0.5, 0.2, -0.3)));
+  }
+  for (const auto& m : simulate("bench.yaml", "--design tracker.yaml --readings 12 --sigma 0.002", "plain"))
+    EXPECT_FALSE(m.sigma_W || m.correlation_W) << "an option goes before the design";
 }
 
 TEST_F(Simulate, TheTruthPredictsTheReadings) {

@@ -9,14 +9,19 @@ namespace {
 
 class HttpDoor : public WorkbenchTest {
  protected:
-  /// What the server says to these bytes until it closes the connection.
-  [[nodiscard]] std::string said(const std::string& bytes) const {
+  [[nodiscard]] int connected() const {
     const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(server->port()));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     EXPECT_EQ(::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    return socket;
+  }
+
+  /// What the server says to these bytes until it closes the connection.
+  [[nodiscard]] std::string said(const std::string& bytes) const {
+    const int socket = connected();
     for (std::size_t sent = 0; sent < bytes.size();) {
       const ssize_t now = ::send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
       if (now <= 0) break;
@@ -103,6 +108,23 @@ TEST_F(HttpDoor, answersTwoRequestsOnOneConnection) {
   const std::string answer = said(post + "GET /api/files HTTP/1.1\r\n" + host() + "\r\n");
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 409"));
   EXPECT_NE(answer.find("HTTP/1.1 200"), std::string::npos);
+}
+
+TEST_F(HttpDoor, twoHundredRequestsThatAreNotFinishedStallNobody) {
+  serve("bench.yaml");
+  const std::string body =
+      "POST /api/undo HTTP/1.1\r\n" + host() + "Content-Type: application/json\r\nContent-Length: 100\r\n\r\n{";
+  for (const std::string& begun : {std::string("GET /api/sta"), body}) {
+    const auto start = std::chrono::steady_clock::now();  // to connect is a part of it
+    std::vector<int> sockets;
+    for (int k = 0; k < 200; ++k) {
+      sockets.push_back(connected());
+      EXPECT_GT(::send(sockets.back(), begun.data(), begun.size(), MSG_NOSIGNAL), 0);
+    }
+    EXPECT_EQ(replyOf(server->client()->Get("/api/state")).status, 200);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4)) << begun;
+    for (const int socket : sockets) ::close(socket);
+  }
 }
 
 TEST_F(HttpDoor, boundsWhatIsSent) {

@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <boost/asio.hpp>
+#include <sstream>
+
+#include "app/files/input_error.hpp"
+#include "app/workbench/line_server.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
 namespace tubeplan::app {
@@ -40,6 +45,52 @@ TEST_F(LiveTest, BadEncodersAreRefused) {
   serve("bench.yaml");
   for (const json& joints : {json({1, 2}), json({1, 2, 3, 1e9}), json("x"), json()})
     EXPECT_EQ(post("/api/live/encoders", {{"joints", joints}}).status, 422) << joints;
+}
+
+/// A client as a controller is: it writes lines and waits for each answer.
+class LineClient {
+ public:
+  explicit LineClient(int port) : stream_("127.0.0.1", std::to_string(port)) {}
+  std::string ask(const std::string& line) {
+    stream_ << line << "\n" << std::flush;
+    std::string answer;
+    std::getline(stream_, answer);
+    return answer;
+  }
+  void begin(const std::string& text) { stream_ << text << std::flush; }
+
+ private:
+  boost::asio::ip::tcp::iostream stream_;
+};
+
+TEST_F(LiveTest, LinesOverTcpAreAnsweredWithTheDeflectedTip) {
+  serve("bench.yaml");
+  const LineServer lines(server->workbench(), 0);
+  LineClient controller(lines.port()), stalled(lines.port());
+  stalled.begin("10 45");  // holds up itself only
+  const json tip = post("/api/pose", {{"joints", {10, 45, -35, 12}}, {"load", 20}}).body["tip"]["flexible"];
+  for (const char* line : {"10 45 -35 12 20", "10,45,-35,12,20", "10; 45; -35; 12; 20\r", "\t10 45 -35 12   20 "}) {
+    std::stringstream answer(controller.ask(line));
+    for (int k = 0; k < 3; ++k) {
+      double coordinate = 0;
+      ASSERT_TRUE(answer >> coordinate) << line;
+      EXPECT_DOUBLE_EQ(coordinate, tip[k].get<double>()) << line;
+    }
+  }
+  for (const char* line :
+       {"", "1 2 3", "1 2 3 4 5 6", "10 45 -35 x", "10 45 -35 1e9", "10 45 -35 nan", "10 45 -35 12 -5"})
+    EXPECT_TRUE(controller.ask(line).starts_with("error: ")) << line;
+  EXPECT_FALSE(controller.ask("10 45 -35 12").starts_with("error: "));
+  EXPECT_THROW(LineServer(server->workbench(), lines.port()), InputError);
+}
+
+TEST_F(LiveTest, ALineWithoutEndClosesItsConnection) {
+  serve("bench.yaml");
+  const LineServer lines(server->workbench(), 0);
+  LineClient endless(lines.port());
+  EXPECT_EQ(endless.ask(std::string(100000, '1')), "");
+  LineClient controller(lines.port());
+  EXPECT_FALSE(controller.ask("10 45 -35 12").starts_with("error: "));
 }
 
 TEST_F(LiveTest, ReadingsJoinTheOthersAndAreCompared) {

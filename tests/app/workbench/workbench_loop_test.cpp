@@ -152,7 +152,7 @@ TEST_F(WorkbenchLoop, anExportedModelIsTheModel) {
   simulate();
   done("/api/identify");
   done("/api/compare");
-  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).body["written"], json({"mine-arm.yaml", "mine.yaml"}));
+  EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).body["written"], json({"mine.yaml", "mine-arm.yaml"}));
   EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}}).status, 409);
   EXPECT_EQ(post("/api/cell/save", {{"file", "mine.yaml"}, {"overwrite", true}}).status, 200);
   EXPECT_EQ(post("/api/cell/save", {{"file", "../mine.yaml"}}).status, 422);

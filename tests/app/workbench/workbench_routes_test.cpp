@@ -35,6 +35,45 @@ TEST_F(WorkbenchRoutes, theStateTellsWhatIsThere) {
     EXPECT_EQ(work(path)["status"], "failed") << path;
 }
 
+TEST_F(WorkbenchRoutes, tablesOfOtherPrograms) {
+  serve("bench.yaml");
+  const json tables = {{{"name", "log.csv"}, {"text", "Name;J1;J2;J3;J4\nP1;10;45;-35;12,5\nP2;20;45;-35;12\n"}},
+                       {{"name", "points.txt"}, {"text", "P2 1 2 3\nP1 4 5 6\n"}}};
+  const json found = post("/api/measurements/columns", {{"tables", tables}}).body;
+  EXPECT_EQ(found["tables"][1]["columns"].size(), 4u);
+  int joints = 0;
+  for (const auto& target : found["targets"])
+    if (target["is_required"] == true) {
+      ++joints;
+      EXPECT_EQ(target["found"]["table"], 0);
+      EXPECT_EQ(target["found"]["unit"], "");
+    }
+  EXPECT_EQ(joints, 4);
+  json columns = {"x_mm=points.txt:column 2", "y_mm=points.txt:column 3", "z_mm=points.txt:column 4"};
+  EXPECT_EQ(post("/api/measurements/foreign", {{"tables", tables}, {"columns", columns}}).status, 422);
+  for (int k = 1; k <= 4; ++k) columns.push_back(fmt::format("theta{}_deg=log.csv:J{}", k, k));
+  EXPECT_EQ(post("/api/measurements/foreign", {{"tables", tables}, {"columns", columns}}).status, 422) << "no sigma";
+  const auto taken = post("/api/measurements/foreign", {{"tables", tables}, {"columns", columns}, {"sigma", 0.01}});
+  EXPECT_EQ(taken.status, 200) << taken.text;
+  EXPECT_EQ(get("/api/state").body["measurements"]["readings"], 2);
+  EXPECT_EQ(post("/api/measurements/columns", {{"tables", json::array()}}).status, 422);
+  EXPECT_EQ(post("/api/measurements/columns", {{"tables", {3}}}).status, 422);
+  EXPECT_EQ(get("/api/export/template.csv").status, 200);
+}
+
+TEST_F(WorkbenchRoutes, aSignatureIsDrawnAgainstWhatTheEffectFollows) {
+  serve("bench.yaml");
+  const json two = get("/api/signature?effect=hysteresis&at=theta4").body;
+  EXPECT_EQ(two["variable"], "direction of approach of theta4");
+  EXPECT_EQ(two["values"], json({-1, 1}));
+  const json growth = get("/api/signature?effect=thermal-growth&at=arm").body;
+  EXPECT_EQ(growth["variable"], "temperature");
+  EXPECT_EQ(growth["shift"].size(), growth["values"].size());
+  EXPECT_EQ(growth["shift_unit"], "in");
+  EXPECT_EQ(get("/api/signature?effect=hysteresis&at=theta9").status, 422);
+  EXPECT_EQ(get("/api/signature").status, 422);
+}
+
 TEST_F(WorkbenchRoutes, sheetAndScene) {
   serve("mockup.yaml");
   const json sheet = get("/api/sheet").body;

@@ -10,11 +10,16 @@ import {sceneDocument, units} from "../server/workbench";
 import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
 import {ArmStage, reachOf} from "./arm_stage";
+import {readingErrors, type ReadingErrors} from "../error/residuals";
 import {factorOf} from "./error_arrow";
+import {fieldFactor} from "./error_field";
 import {poseRequest, type ShownReading} from "./pose_link";
 
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
+/** The errors of all readings: whether they are drawn, and where between before (0) and after (1). */
+export const isFieldShown = signal(false);
+const fade = signal(1);
 const VIEWS = [
   ["corner", "Corner"],
   ["side", "Side"],
@@ -68,6 +73,14 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
   }, [poseRequest.answer.value, magnified.value, scene]);
   const reading = poseRequest.reading.value;
   useEffect(() => stage.current?.setReading(reading, palette.value), [reading, scene, palette.value]);
+  const errors = isFieldShown.value && !isSmall ? readingErrors.value : null;
+  useEffect(() => {
+    stage.current?.setErrors(errors, palette.value);
+    stage.current?.fadeErrors(errors && errors.series.length > 1 ? fade.peek() : 0);
+  }, [errors, scene, palette.value]);
+  useEffect(() => {
+    if (errors && errors.series.length > 1) stage.current?.fadeErrors(fade.value);
+  }, [fade.value]);
   return (
     <div class="arm-picture">
       <div class="fill">
@@ -90,6 +103,7 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
           onChoose={(from) => stage.current?.look(from)}
         />
         {reading ? <ShownErrors reading={reading} factor={factorOf(reading, reachOf(sheet.value))} /> : null}
+        {!isSmall && readingErrors.value ? <FieldBar errors={readingErrors.value} /> : null}
         {isSmall || reading ? null : (
           <span class="arm-legend">
             <i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected
@@ -97,6 +111,39 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
         )}
       </div>
     </div>
+  );
+}
+
+/** All errors on and off, and from before to after. */
+function FieldBar({errors}: {errors: ReadingErrors}) {
+  const hasTwo = errors.series.length > 1;
+  return (
+    <span class="shown-errors">
+      <label title="The errors of all readings as arrows at their places">
+        <input
+          type="checkbox"
+          checked={isFieldShown.value}
+          onChange={(event) => (isFieldShown.value = event.currentTarget.checked)}
+        />{" "}
+        all errors
+      </label>
+      {isFieldShown.value && hasTwo ? (
+        <label class="fade" title={errors.series.map((series) => series.name).join("; ")}>
+          <MarkIcon mark={errors.series[0].mark} size={12} isHollow /> before
+          <input
+            type="range"
+            min={0}
+            max={1}
+            step={0.01}
+            value={fade.value}
+            aria-label="From before to after"
+            onInput={(event) => (fade.value = Number(event.currentTarget.value))}
+          />
+          <MarkIcon mark={errors.series[1].mark} size={12} /> after
+        </label>
+      ) : null}
+      {isFieldShown.value ? <span class="muted">drawn ×{whole(fieldFactor(errors, reachOf(sheet.value)))}</span> : null}
+    </span>
   );
 }
 

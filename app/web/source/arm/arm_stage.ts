@@ -19,10 +19,12 @@ import {
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Palette} from "../drawing/colours";
+import type {ReadingErrors} from "../error/residuals";
 import type {PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
 import {magnifiedFrame, makeArm, placeArm, type ArmBodies} from "./arm_bodies";
 import {errorArrows} from "./error_arrow";
+import {errorField, fadeField} from "./error_field";
 import type {ShownReading} from "./pose_link";
 import {floorOf, plateOf} from "./sheet_plate";
 import {bowlOf, disposeAll, obstacleOf, openingOf, vector} from "./solids";
@@ -49,6 +51,7 @@ export class ArmStage {
   private readonly statics = new Group();
   private readonly marks = new Group();
   private readonly errors = new Group();
+  private readonly field = new Group();
   private ghost: ArmBodies | null = null;
   private solid: ArmBodies | null = null;
   private isAsked = false;
@@ -72,7 +75,7 @@ export class ArmStage {
     sun.position.set(0.5, -0.9, 0.9);
     const fill = new DirectionalLight(0xffffff, 0.8);
     fill.position.set(-0.8, 0.6, -0.6);
-    this.scene.add(sun, fill, this.statics, this.marks, this.errors);
+    this.scene.add(sun, fill, this.statics, this.marks, this.errors, this.field);
   }
 
   dispose(): void {
@@ -225,6 +228,20 @@ export class ArmStage {
     disposeAll(this.errors);
     this.errors.clear();
     if (reading) this.errors.add(errorArrows(reading, this.reach, palette));
+    this.ask();
+  }
+
+  /** The errors of all readings; null for none. */
+  setErrors(errors: ReadingErrors | null, palette: Palette): void {
+    disposeAll(this.field);
+    this.field.clear();
+    if (errors) this.field.add(errorField(errors, this.reach, palette));
+    this.ask();
+  }
+
+  /** From before (0) to after (1). */
+  fadeErrors(after: number): void {
+    for (const field of this.field.children) fadeField(field as Group, after);
     this.ask();
   }
 

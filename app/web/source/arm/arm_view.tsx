@@ -80,6 +80,7 @@ function ReadOut() {
           <dt></dt>
           <dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>
         </dl>
+        {answer?.segments?.warning ? <p class="bad">{answer.segments.warning}</p> : null}
       </div>
     </section>
   );

@@ -9,12 +9,15 @@ import {get} from "../server/requests";
 import {cell, report, state} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {Waiting} from "../shell/states";
+import {SignaturePicture} from "./signature_picture";
 import {filteredKinds, kindsOf, type EffectKind, type EffectPlace} from "./effect_kinds";
 
 const catalogue = signal<CatalogueDocument | null>(null);
 const twins = signal<TwinsDocument | null>(null);
 const chosen = signal("");
 const filter = signal("");
+/** The place whose signature is drawn, while the effect has it. */
+const drawnPlace = signal("");
 
 /** Asked anew for another model or other readings, while one looks. */
 function whileLooking<T>(path: string, into: typeof catalogue | typeof twins, keyOf: () => string): void {
@@ -104,6 +107,7 @@ function step(event: KeyboardEvent, shown: EffectKind[]): void {
 }
 
 function KindPanel({kind}: {kind: EffectKind}) {
+  const place = kind.places.find(({at}) => at === drawnPlace.value) ?? kind.places[0];
   return (
     <section class="panel">
       <header>
@@ -126,7 +130,8 @@ function KindPanel({kind}: {kind: EffectKind}) {
           <dt>source</dt>
           <dd>{kind.source}</dd>
         </dl>
-        <PlaceTable kind={kind} />
+        {place ? <SignaturePicture effect={kind.effect} at={place.at} /> : null}
+        <PlaceTable kind={kind} shown={place?.at ?? ""} />
       </div>
     </section>
   );
@@ -136,7 +141,7 @@ function unitOf({unit}: {unit: string}): string {
   return unit === "1" ? "" : unit;
 }
 
-function PlaceTable({kind}: {kind: EffectKind}) {
+function PlaceTable({kind, shown}: {kind: EffectKind; shown: string}) {
   const hasLeast = kind.places.some(({least}) => least !== null);
   return (
     <table class="place-table">
@@ -158,7 +163,7 @@ function PlaceTable({kind}: {kind: EffectKind}) {
       </thead>
       <tbody>
         {kind.places.map((place) => (
-          <PlaceRow key={place.at} place={place} own={kind.effect} hasLeast={hasLeast} />
+          <PlaceRow key={place.at} place={place} own={kind.effect} hasLeast={hasLeast} isShown={place.at === shown} />
         ))}
       </tbody>
     </table>
@@ -167,11 +172,25 @@ function PlaceTable({kind}: {kind: EffectKind}) {
 
 const HARDLY = 0.05;
 
-function PlaceRow({place, own, hasLeast}: {place: EffectPlace; own: string; hasLeast: boolean}) {
+function PlaceRow({
+  place,
+  own,
+  hasLeast,
+  isShown,
+}: {
+  place: EffectPlace;
+  own: string;
+  hasLeast: boolean;
+  isShown: boolean;
+}) {
   const {at, kept, least, twins: others} = place;
   return (
     <tr>
-      <td>{at}</td>
+      <td>
+        <button class="link" aria-pressed={isShown} title="Draw it here" onClick={() => (drawnPlace.value = at)}>
+          {at}
+        </button>
+      </td>
       <td class="number">
         {kept === null ? "–" : <span class={kept < HARDLY ? "bad" : ""}>{percent(kept, kept < 0.1 ? 1 : 0)}</span>}
       </td>

@@ -1,8 +1,31 @@
 // The ladder: the error of each model, fitted and held out, falling towards the noise floor.
+import {signal} from "@preact/signals";
 import {fixed, short} from "../drawing/numbers";
-import {state} from "../server/workbench";
-import {axisEnd, ladderOf, type Ladder} from "./ladder";
+import {cell, state} from "../server/workbench";
+import {keep, keptObject} from "../shell/kept";
+import {type Acceptance, acceptanceOf, axisEnd, ladderOf, type Ladder, type Rung} from "./ladder";
 import {compare, ladder} from "./loop";
+
+const UNJUDGED = {worst: null, centred: null};
+
+// ---- the tolerance: the user's, one for each cell, kept in this browser
+
+const KEPT = "tubeplan.tolerance";
+const typed = signal(keptObject<string>(KEPT));
+
+const typedHere = () => typed.value[cell.value?.file ?? ""] ?? "";
+
+function tolerance(): number | null {
+  const value = Number(typedHere());
+  return Number.isFinite(value) && value > 0 ? value : null;
+}
+
+function setTolerance(text: string): void {
+  typed.value = {...typed.peek(), [cell.peek()?.file ?? ""]: text.replace(",", ".")};
+  keep(KEPT, typed.peek());
+}
+
+// ---- the bars
 
 function shownLadder(): Ladder | null {
   if (ladder.value.document) return ladderOf(ladder.value.document);
@@ -10,8 +33,8 @@ function shownLadder(): Ladder | null {
   if (!document) return null;
   return {
     rungs: [
-      {name: "as the model stands", fitted: document.rms.before, heldout: document.rms.heldout_before},
-      {name: "refitted", fitted: document.rms.after, heldout: document.rms.heldout_after},
+      {...UNJUDGED, name: "as the model stands", fitted: document.rms.before, heldout: document.rms.heldout_before},
+      {...UNJUDGED, name: "refitted", fitted: document.rms.after, heldout: document.rms.heldout_after},
     ],
     floor: document.rms.noise_floor,
     unit: document.units.length,
@@ -23,6 +46,7 @@ export function LadderBars() {
   if (!shown) return <p class="muted">The errors of the models stand here once readings are compared.</p>;
   const {rungs, floor, unit} = shown;
   const end = axisEnd(rungs, floor);
+  const limit = tolerance();
   const isCurrent = (index: number) => index === rungs.length - 1 && state.value?.models.length !== undefined;
   return (
     <div class="ladder">
@@ -36,11 +60,14 @@ export function LadderBars() {
             </i>
           </div>
         )}
+        {limit !== null && limit <= end && (
+          <div class="ladder-floor">
+            <i class="limit" style={{left: `${(100 * limit) / end}%`}} />
+          </div>
+        )}
         {rungs.map((rung, index) => (
           <div class={`rung ${isCurrent(index) ? "now" : ""}`} key={`${index}`}>
-            <span class="rung-name" title={rung.name}>
-              {rung.name}
-            </span>
+            <RungName rung={rung} limit={limit} />
             <div class="rung-bars">
               <Bar kind="fitted" value={rung.fitted} end={end} floor={floor} unit={unit} />
               <Bar kind="heldout" value={rung.heldout} end={end} floor={floor} unit={unit} />
@@ -50,8 +77,49 @@ export function LadderBars() {
       </div>
       <p class="ladder-legend">
         <i class="swatch fitted" /> fitted <i class="swatch heldout" /> held out: judged by a fit that has not seen it
+        <label class="tolerance">
+          tolerance
+          <input
+            inputMode="decimal"
+            placeholder="none"
+            value={typedHere()}
+            onInput={(event) => setTolerance(event.currentTarget.value)}
+          />
+          {unit}
+        </label>
       </p>
     </div>
+  );
+}
+
+const MARKS: Record<Acceptance, [string, string]> = {
+  accepted: ["✓", "accepted: no error is beyond the tolerance"],
+  "in part": ["◐", "in part: the errors are within the tolerance in the mean square, the largest is not"],
+  rejected: ["✗", "rejected: the errors are beyond the tolerance in the mean square"],
+};
+
+/** What a model is called, whether it is accepted, and what it is worth under the sheet. */
+function RungName({rung, limit}: {rung: Rung; limit: number | null}) {
+  const acceptance = acceptanceOf(rung, limit);
+  return (
+    <span class="rung-name" title={rung.name}>
+      {acceptance ? (
+        <b
+          class={`acceptance ${acceptance.replace(" ", "-")}`}
+          title={MARKS[acceptance][1]}
+          role="img"
+          aria-label={acceptance}
+        >
+          {MARKS[acceptance][0]}
+        </b>
+      ) : null}
+      {rung.name}
+      {rung.centred ? (
+        <small title="holes of the sheet in which every step of the tool would go in, were this model to steer">
+          all steps: {rung.centred.all} of {rung.centred.holes}
+        </small>
+      ) : null}
+    </span>
   );
 }
 

@@ -197,6 +197,14 @@ export function ReadingWords({errors, index}: {errors: ReadingErrors; index: num
             </dd>
           </>
         ) : null}
+        {reading.force ? (
+          <>
+            <dt>force</dt>
+            <dd>
+              {reading.force.map(exact).join("  ")} {units.value.force}
+            </dd>
+          </>
+        ) : null}
         {errors.series.map((series, k) => (
           <>
             <dt>{k === 0 ? "before" : "after"}</dt>

@@ -10,6 +10,7 @@ export interface ErrorReading {
   joints: number[];
   senses?: number[];
   load?: number;
+  force?: Vector3; // on the tip beside the load, world axes
   temperature?: number;
   time?: number;
   sigma?: number;
@@ -168,6 +169,8 @@ export interface LadderDocument {
     chi2_per_dof: number;
     fitted_numbers: number;
     rms: {as_it_stands: number; fitted: number; heldout: number | null; noise_floor: number};
+    worst: {as_it_stands: number; fitted: number; heldout: number | null};
+    steps?: {holes: number; counts: number[]; three: number} | null;
   }[];
   units: Units;
   model: number;
@@ -183,6 +186,17 @@ export interface CatalogueDocument {
     source: string;
     parameters: {name: string; unit: string; neutral: number; low: number; high: number; plausible?: number | null}[];
   }[];
+}
+
+/** What an effect of half the usual size does to the tip of this arm; no values where it does not move it. */
+export interface SignatureDocument {
+  effect: string;
+  at: string;
+  variable: string;
+  unit: string;
+  values: number[];
+  shift: (number | null)[];
+  shift_unit: string;
 }
 
 /** Which causes the readings can hardly tell from one another. */

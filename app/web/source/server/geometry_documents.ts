@@ -75,6 +75,7 @@ export interface PoseDocument {
   change: TipPose;
   frames: {rigid: Frame[]; flexible: Frame[]};
   tip: {rigid: Vector3; flexible: Vector3};
+  segments?: {tip_error: number | null; needed: number; warning: string};
   clearance: null | {distance: number; margin?: number; pair: [string, string]; from: Vector3; to: Vector3 | null};
   centring: null | {offset: Vector2; distance: number; height?: number; steps: number | null; tilt: number};
 }

@@ -1,6 +1,6 @@
 // A dialog over the page: the browser's own, which keeps focus inside and closes on Escape.
 import type {ComponentChildren} from "preact";
-import {useEffect, useRef} from "preact/hooks";
+import {useLayoutEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
 import {Notices} from "./notices";
 
@@ -16,18 +16,27 @@ export function Dialog({
   children: ComponentChildren;
 }) {
   const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  // The browser tells of a closing later, when the dialog may be open again: of the page's own it is not to be heard.
+  const ownClosings = useRef(0);
+  useLayoutEffect(() => {
     const dialog = element.current;
     if (!dialog || dialog.open === isOpen) return;
     if (isOpen) dialog.showModal();
-    else dialog.close();
+    else {
+      ++ownClosings.current;
+      dialog.close();
+    }
   }, [isOpen]);
+  const onClosed = () => {
+    if (ownClosings.current > 0) --ownClosings.current;
+    else onClose();
+  };
   return (
     <dialog
       ref={element}
       class="dialog"
       aria-label={title}
-      onClose={onClose}
+      onClose={onClosed}
       onClick={(event) => {
         if (event.target === element.current) onClose();
       }}

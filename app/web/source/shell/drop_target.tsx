@@ -1,7 +1,7 @@
-// A CSV file may be dropped anywhere on the page.
+// Tables may be dropped anywhere on the page, a log of joints and a file of points together.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {loadFile} from "./load";
+import {loadFiles} from "./load";
 
 function hasFiles(event: DragEvent): boolean {
   return event.dataTransfer !== null && [...event.dataTransfer.types].includes("Files");
@@ -22,8 +22,8 @@ export function DropTarget() {
       if (!hasFiles(event)) return;
       event.preventDefault();
       isOver.value = false;
-      const file = event.dataTransfer?.files[0];
-      if (file) void loadFile(file);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length > 0) void loadFiles(files);
     };
     window.addEventListener("dragover", over);
     window.addEventListener("dragleave", leave);
@@ -36,7 +36,7 @@ export function DropTarget() {
   }, []);
   return isOver.value ? (
     <div class="drop">
-      <p>Drop the readings (CSV) here</p>
+      <p>Drop the readings here</p>
     </div>
   ) : null;
 }

@@ -3,6 +3,7 @@ import type {WorkbenchState} from "../server/documents";
 import {post, postText} from "../server/requests";
 import {startCompare} from "../error/loop";
 import {cell, report, runJob, takeState} from "../server/workbench";
+import {askForColumns} from "./columns_dialog";
 import {dialog, view} from "./page_state";
 import {openInstead} from "./project";
 
@@ -12,14 +13,25 @@ async function afterReadings(): Promise<void> {
   await startCompare();
 }
 
-export async function loadFile(file: File): Promise<void> {
-  try {
-    takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(file.name)}`, file));
-  } catch (error) {
-    report(`${file.name} cannot be read`, error);
-    return;
+/** One measurement table; else whatever another program wrote, in one file or in several that belong together. */
+export async function loadFiles(files: File[]): Promise<void> {
+  const names = files.map((file) => file.name).join(" and ");
+  let refused: unknown = null;
+  if (files.length === 1) {
+    try {
+      takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(names)}`, files[0]));
+      await afterReadings();
+      return;
+    } catch (error) {
+      refused = error;
+    }
   }
-  await afterReadings();
+  try {
+    await askForColumns(files, afterReadings);
+    if (refused !== null) report(`${names} is no measurement table as it is`, refused);
+  } catch (error) {
+    report(`${names} cannot be read`, refused ?? error);
+  }
 }
 
 export async function openReadings(file: string): Promise<void> {

@@ -6,7 +6,7 @@ import {plural} from "../drawing/numbers";
 import {asProblem, get} from "../server/requests";
 import {cell, state} from "../server/workbench";
 import {Dialog} from "./dialog";
-import {loadFile, openCell, openProject, openReadings, openRecent, simulate} from "./load";
+import {loadFiles, openCell, openProject, openReadings, openRecent, simulate} from "./load";
 import {closeDialog, dialog} from "./page_state";
 import {ProblemWords, Waiting} from "./states";
 
@@ -61,18 +61,22 @@ function OpenBody() {
       <Projects files={files.value} />
       <div class="open-foot">
         <label class="button">
-          A file of your own …
+          Files of your own …
           <input
             class="hidden"
             type="file"
-            accept=".csv,text/csv"
+            accept=".csv,.txt,.tsv,.asc,text/csv,text/plain"
+            multiple
             onChange={(event) => {
-              const file = event.currentTarget.files?.[0];
-              if (file) void loadFile(file);
+              const files = [...(event.currentTarget.files ?? [])];
+              if (files.length > 0) void loadFiles(files);
             }}
           />
         </label>
-        <span class="muted">or drop a CSV anywhere on the page</span>
+        <span class="muted">or drop them on the page: also a log of joints and a tracker's points together</span>
+        <a href="/api/export/template.csv" download="template.csv">
+          An empty table
+        </a>
       </div>
       <PracticeForm />
     </div>

@@ -17,7 +17,7 @@ effect(() => {
   if (viewOfAddress() !== view.value) location.hash = view.value;
 });
 
-export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved";
+export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns";
 export const dialog = signal<"" | DialogName>("");
 
 /** A browser tells of a closed dialog a little later, when another one may be open: that one stays. */

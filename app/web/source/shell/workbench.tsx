@@ -10,6 +10,7 @@ import {DropTarget} from "./drop_target";
 import {Header} from "./header";
 import {KeysDialog, followKeys} from "./keys";
 import {Notices} from "./notices";
+import {ColumnsDialog} from "./columns_dialog";
 import {OpenDialog} from "./open_dialog";
 import {dialog, view, type ViewName} from "./page_state";
 import {SaveDialog, UnsavedDialog} from "./project";
@@ -73,6 +74,7 @@ export function Workbench() {
       ) : null}
       {dialog.value === "" ? <Notices /> : null}
       <OpenDialog />
+      <ColumnsDialog />
       <KeysDialog />
       <SaveDialog />
       <UnsavedDialog />

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <new>
 #include <thread>
 
 namespace tubeplan::app {
@@ -89,6 +90,24 @@ TEST(RepeatRuns, StoppedItGoesOnToTheSameSum) {
   RunSchedule rest(kRuns, 64, schedule.done());
   EXPECT_EQ(repeatRuns(experiment, rest, 3, quiet(), nullptr), RepeatStatus::kDone);
   EXPECT_EQ(experiment.total(), TallyWords{kSum});
+}
+
+/// Has no memory for one of its runs.
+class FailingSum : public SquareSum {
+ public:
+  using SquareSum::SquareSum;
+  std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
+    if (runs.first > 500) throw std::bad_alloc();
+    return SquareSum::run(runs, stop);
+  }
+};
+
+TEST(RepeatRuns, ARunThatFailsEndsItAndDoesNotHang) {
+  for (const int workers : {1, 3}) {
+    FailingSum experiment(kRuns);
+    RunSchedule schedule(kRuns, 8);
+    EXPECT_THROW((void)repeatRuns(experiment, schedule, workers, quiet(), nullptr), std::bad_alloc);
+  }
 }
 
 }  // namespace

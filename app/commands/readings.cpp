@@ -1,0 +1,89 @@
+// tubeplan readings: what other programs wrote, as a measurement table.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/cli/command.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/cell_reader.hpp"
+#include "app/files/foreign/foreign_heading.hpp"
+#include "app/files/foreign/foreign_readings.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/text_file.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct ReadingsOptions {
+  std::string cell, out, kind;
+  std::vector<std::string> files, columns, units;
+  bool is_template = false;
+};
+
+std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
+  std::map<UnitKind, const Unit*> units;
+  for (const auto& word : words) {
+    const Unit* unit = findUnitWord(word);
+    if (!unit) throw InputError("--units", inQuotes(word), "units such as mm, deg, N", "");
+    if (!units.emplace(unit->kind, unit).second)
+      throw InputError("--units", fmt::format("{} beside {}", unit->name, units[unit->kind]->name), "one of a kind",
+                       "");
+  }
+  return units;
+}
+
+void write(const ReadingsOptions& options, const std::string& text) {
+  if (options.out.empty())
+    fmt::print("{}", text);
+  else
+    writeFileAtomically(options.out, text, "--out");
+}
+
+int run(const ReadingsOptions& options) {
+  const Cell cell = readCell(options.cell);
+  if (options.is_template) {
+    write(options, measurementsCsv({}, cell.arm, cell.units));
+    return kDone;
+  }
+  if (options.files.empty()) throw InputError("FILES", "none", "the tables to read", "name one or more, or --template");
+  if (!options.out.empty()) checkWritableFile(options.out, "--out");
+  ForeignRequest request{{}, {options.columns, unitsOf(options.units)}, options.kind};
+  for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));
+  const ForeignReadings readings = readForeign(request, cell.arm);
+  const auto table =
+      parseMeasurementTable(readings.text, "the readings", cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  write(options, readings.text);
+  std::string said;
+  for (const auto& taken : readings.taken) said += fmt::format("  {}\n", taken);
+  for (const auto& left : readings.left_out) said += fmt::format("  left out: {}\n", left);
+  const std::size_t count = table.readings.size();
+  fmt::print(stderr, "{} reading{}\n{}", count, count == 1 ? "" : "s", said);
+  return kDone;
+}
+
+}  // namespace
+
+Run configureReadings(CLI::App& cli) {
+  const auto options = std::make_shared<ReadingsOptions>();
+  cli.add_option("CELL", options->cell, "the cell file")->required();
+  cli.add_option("FILES", options->files,
+                 "tables (CSV, or text with tabs or blanks): with joints and places together, or a "
+                 "log of the joints and a tracker's points");
+  cli.add_option("--column", options->columns,
+                 "NAME=COLUMN: which column one is, where its heading does not say so (x_mm=X, theta1=log.csv:J1)")
+      ->take_all();
+  cli.add_option("--units", options->units, "units of columns that state none: mm,deg,N")->delimiter(',');
+  cli.add_option("--kind", options->kind,
+                 "what the readings are, where no column says so; else position, or touch without coordinates")
+      ->check(CLI::IsMember(calibration::measurementKindNames()));
+  cli.add_option("--out", options->out, "write the measurement table to this file, else to standard output");
+  cli.add_flag("--template", options->is_template, "an empty table for this arm, to be filled in");
+  return [options] { return run(*options); };
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,68 @@
+#include "app/documents/signature_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
+#include "app/files/suggestion.hpp"
+#include "deflection/effects/signature.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::SignatureVariableKind;
+using nlohmann::json;
+
+/// A quantity that a signature is drawn against: its name, and the unit of its values.
+struct Variable {
+  std::string name;
+  Dimension unit = dimension::kNone;
+};
+
+Variable variableOf(const Cell& cell, const deflection::Signature& signature) {
+  switch (signature.kind) {
+    case SignatureVariableKind::kLoad:
+      return {"load", {0, 0, 1}};
+    case SignatureVariableKind::kTemperature:
+      return {"temperature", {0, 0, 0, 1}};
+    case SignatureVariableKind::kTime:
+      return {"time", dimension::kTime};
+    case SignatureVariableKind::kNone:
+      return {};
+    default:
+      break;
+  }
+  const int row = deflection::activeRows(cell.arm)[static_cast<std::size_t>(signature.joint)];
+  const auto& joint = cell.arm.rows[static_cast<std::size_t>(row)].joint;
+  if (signature.kind == SignatureVariableKind::kDirection) return {"direction of approach of " + joint.name};
+  return {joint.name, jointDimension(joint)};
+}
+
+}  // namespace
+
+json signatureJson(const Cell& cell, const std::string& effect, const std::string& at, double most_load) {
+  const auto made = deflection::makeEffect(cell.arm, effect, at);
+  if (made.status != deflection::EffectStatus::kMade)
+    throw InputError("effect", inQuotes(effect + "@" + at), made.reason, suggestion(at, made.known));
+  const auto signature = deflection::signatureOf(cell.arm, made.effect, deflection::gravityInBase(cell.arm, cell.X_WB),
+                                                 {.most_load = most_load});
+  const Variable variable = variableOf(cell, signature);
+  const bool is_temperature = signature.kind == SignatureVariableKind::kTemperature;
+  json values = json::array(), shift = json::array();
+  for (std::size_t k = 0; k < signature.at.size(); ++k) {
+    values.push_back(is_temperature ? cell.units.temperatureToFile(signature.at[k])
+                                    : cell.units.toFile(signature.at[k], variable.unit));
+    shift.push_back(std::isfinite(signature.shift[k]) ? json(lengthOf(signature.shift[k], cell.units)) : json());
+  }
+  return {{"effect", effect},
+          {"at", at},
+          {"variable", variable.name},
+          {"unit", cell.units.nameOf(variable.unit)},
+          {"values", values},
+          {"shift", shift},
+          {"shift_unit", cell.units.length().name}};
+}
+
+}  // namespace tubeplan::app

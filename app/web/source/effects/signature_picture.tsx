@@ -1,0 +1,94 @@
+// What an effect does to the tip of this arm, drawn against what it follows.
+import {useEffect} from "preact/hooks";
+import {useSignal} from "@preact/signals";
+import {roundTicks, short, unitText} from "../drawing/numbers";
+import type {SignatureDocument} from "../server/documents";
+import {get} from "../server/requests";
+
+const WIDTH = 420,
+  HEIGHT = 150,
+  LEFT = 56,
+  RIGHT = 12,
+  TOP = 10,
+  BOTTOM = 34;
+
+export function SignaturePicture({effect, at}: {effect: string; at: string}) {
+  const document = useSignal<SignatureDocument | null>(null);
+  useEffect(() => {
+    let isWanted = true;
+    document.value = null;
+    get<SignatureDocument>(`/api/signature?effect=${encodeURIComponent(effect)}&at=${encodeURIComponent(at)}`).then(
+      (found) => {
+        if (isWanted) document.value = found;
+      },
+      () => {}, // the laws stand without their picture
+    );
+    return () => {
+      isWanted = false;
+    };
+  }, [effect, at]);
+  const shown = document.value;
+  return (
+    <figure class="signature">
+      {shown === null ? null : shown.values.length === 0 ? (
+        <p class="muted">It does not move the tip of this arm by itself.</p>
+      ) : (
+        <Curve document={shown} />
+      )}
+      <figcaption class="muted">
+        at {at}: the tip's shift by half the usual size, against what it follows most on this arm
+      </figcaption>
+    </figure>
+  );
+}
+
+function Curve({document}: {document: SignatureDocument}) {
+  const {values, shift, variable, unit, shift_unit} = document;
+  const known = shift.filter((value): value is number => value !== null);
+  const low = Math.min(0, ...known),
+    high = Math.max(0, ...known);
+  const x = (value: number) => LEFT + ((value - values[0]) / (values.at(-1)! - values[0])) * (WIDTH - LEFT - RIGHT);
+  const y = (value: number) => HEIGHT - BOTTOM - ((value - low) / (high - low || 1)) * (HEIGHT - TOP - BOTTOM);
+  const isTwoLevels = values.length === 2;
+  let isBroken = true;
+  const path = values
+    .map((value, k) => {
+      const at = shift[k];
+      if (at === null) {
+        isBroken = true;
+        return "";
+      }
+      const step = `${isBroken ? "M" : "L"}${x(value).toFixed(1)},${y(at).toFixed(1)}`;
+      isBroken = false;
+      return step;
+    })
+    .join("");
+  return (
+    <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={`The tip's shift against ${variable}`}>
+      {roundTicks(low, high, 4).map((tick) => (
+        <>
+          <line class={tick === 0 ? "zero" : "grid"} x1={LEFT} x2={WIDTH - RIGHT} y1={y(tick)} y2={y(tick)} />
+          <text x={LEFT - 6} y={y(tick) + 4} text-anchor="end">
+            {short(tick)}
+          </text>
+        </>
+      ))}
+      {(isTwoLevels ? values : roundTicks(values[0], values.at(-1)!, 6)).map((tick) => (
+        <text x={x(tick)} y={HEIGHT - BOTTOM + 15} text-anchor="middle">
+          {isTwoLevels ? (tick < 0 ? "−" : "+") : short(tick)}
+        </text>
+      ))}
+      <text class="axis" x={(LEFT + WIDTH - RIGHT) / 2} y={HEIGHT - 4} text-anchor="middle">
+        {variable}
+        {unit === "1" ? "" : `, ${unitText(unit)}`}
+      </text>
+      <text class="axis" x={-(TOP + HEIGHT - BOTTOM) / 2} y={11} transform="rotate(-90)" text-anchor="middle">
+        shift, {shift_unit}
+      </text>
+      <path d={path} />
+      {isTwoLevels
+        ? values.map((value, k) => (shift[k] === null ? null : <circle cx={x(value)} cy={y(shift[k]!)} r={4} />))
+        : null}
+    </svg>
+  );
+}

@@ -1,0 +1,181 @@
+// A table that another program wrote: which of its columns is what. The program says what they seem to be; the user has
+// the last word, and what was chosen once is chosen again for a table with the same columns.
+import {signal} from "@preact/signals";
+import type {Problem, WorkbenchState} from "../server/documents";
+import {plural} from "../drawing/numbers";
+import {asProblem, post} from "../server/requests";
+import {cell, takeState} from "../server/workbench";
+import {
+  chosenColumns,
+  type ColumnChoice,
+  type ColumnsDocument,
+  guessed,
+  missingOf,
+  rememberedChoices,
+  rememberChoices,
+} from "./columns_choice";
+import {Dialog} from "./dialog";
+import {closeDialog, dialog} from "./page_state";
+import {ProblemWords} from "./states";
+
+interface Foreign {
+  tables: {name: string; text: string}[];
+  document: ColumnsDocument;
+  choices: ColumnChoice[][];
+}
+
+const foreign = signal<Foreign | null>(null);
+const problem = signal<Problem | null>(null);
+const sigma = signal("");
+let afterTaking: () => Promise<void> = async () => {};
+
+/** Opens the dialog where those texts are tables; else says so by throwing. */
+export async function askForColumns(files: File[], then: () => Promise<void>): Promise<void> {
+  const tables = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
+  const document = await post<ColumnsDocument>("/api/measurements/columns", {tables});
+  foreign.value = {tables, document, choices: rememberedChoices(document) ?? guessed(document)};
+  problem.value = null;
+  afterTaking = then;
+  dialog.value = "columns";
+}
+
+export function ColumnsDialog() {
+  const shown = foreign.value;
+  return (
+    <Dialog isOpen={dialog.value === "columns"} title="Which column is what" onClose={() => closeDialog("columns")}>
+      {shown ? <ColumnsForm shown={shown} /> : null}
+    </Dialog>
+  );
+}
+
+/** What no column says: the noise of a coordinate. */
+function noise(): {sigma?: number} {
+  return sigma.value.trim() === "" ? {} : {sigma: Number(sigma.value)};
+}
+
+async function take(shown: Foreign): Promise<void> {
+  try {
+    const columns = chosenColumns(shown.document, shown.choices);
+    takeState(await post<WorkbenchState>("/api/measurements/foreign", {tables: shown.tables, columns, ...noise()}));
+  } catch (error) {
+    problem.value = asProblem(error);
+    return;
+  }
+  rememberChoices(shown.document, shown.choices);
+  closeDialog("columns");
+  await afterTaking();
+}
+
+function ColumnsForm({shown}: {shown: Foreign}) {
+  const missing = missingOf(shown.document, shown.choices);
+  return (
+    <form
+      class="columns-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void take(shown);
+      }}
+    >
+      {shown.document.tables.map((_, table) => (
+        <TablePreview shown={shown} table={table} />
+      ))}
+      {shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
+        <label class="field narrow">
+          one standard deviation of a coordinate ({cell.value?.units.length})
+          <input
+            inputMode="decimal"
+            placeholder="0.003"
+            value={sigma.value}
+            onInput={(event) => {
+              sigma.value = event.currentTarget.value.replace(",", ".");
+              problem.value = null;
+            }}
+          />
+        </label>
+      )}
+      <p class="muted" role="status">
+        {missing.length > 0 ? `Still to be said: ${missing.join(", ")}` : "Nothing else must be said."}
+      </p>
+      {problem.value ? <ProblemWords problem={problem.value} /> : null}
+      <div class="row">
+        <button class="button first" type="submit" disabled={missing.length > 0}>
+          Take the readings
+        </button>
+      </div>
+    </form>
+  );
+}
+
+function TablePreview({shown, table}: {shown: Foreign; table: number}) {
+  const {name, columns, rows, count} = shown.document.tables[table];
+  return (
+    <section>
+      <h2>{name}</h2>
+      <div class="columns-table">
+        <table>
+          <thead>
+            <tr>
+              {columns.map((column) => (
+                <th scope="col">{column}</th>
+              ))}
+            </tr>
+            <tr>
+              {columns.map((column, k) => (
+                <td>
+                  <MeaningOf shown={shown} table={table} column={k} name={column} />
+                </td>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row) => (
+              <tr>
+                {row.map((field) => (
+                  <td>{field}</td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="muted">{plural(count, "row")}</p>
+    </section>
+  );
+}
+
+function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number; column: number; name: string}) {
+  const choice = shown.choices[table][column];
+  const units = shown.document.targets.find((target) => target.quantity === choice.quantity)?.units ?? [];
+  const change = (next: Partial<ColumnChoice>) => {
+    const choices = shown.choices.map((row) => [...row]);
+    choices[table][column] = {...choice, ...next};
+    foreign.value = {...shown, choices};
+    problem.value = null;
+  };
+  return (
+    <>
+      <select
+        aria-label={`what ${name} is`}
+        value={choice.quantity}
+        onChange={(event) => change({quantity: event.currentTarget.value, unit: ""})}
+      >
+        <option value="">{shown.document.tables[table].names === column ? "the row's name" : "nothing"}</option>
+        {shown.document.targets.map((target) => (
+          <option value={target.quantity}>{target.quantity}</option>
+        ))}
+      </select>
+      {units.length > 0 ? (
+        <select
+          aria-label={`unit of ${name}`}
+          value={choice.unit}
+          onChange={(event) => change({unit: event.currentTarget.value})}
+        >
+          <option value="">unit?</option>
+          {units.map((unit) => (
+            <option value={unit}>{unit}</option>
+          ))}
+        </select>
+      ) : null}
+    </>
+  );
+}

@@ -1,0 +1,42 @@
+import {describe, expect, it} from "vitest";
+import {chosenColumns, type ColumnsDocument, guessed, missingOf} from "../source/shell/columns_choice";
+
+const document: ColumnsDocument = {
+  tables: [
+    {name: "log.csv", columns: ["J1", "J2 [deg]", "Note"], rows: [["1", "2", "a"]], count: 1, names: null},
+    {name: "points.txt", columns: ["column 1", "column 2"], rows: [["P1", "3"]], count: 1, names: null},
+  ],
+  targets: [
+    {quantity: "point", units: [], is_required: false, found: {table: 1, column: 0, unit: ""}},
+    {quantity: "q1", units: ["deg", "rad"], is_required: true, found: {table: 0, column: 0, unit: ""}},
+    {quantity: "q2", units: ["deg", "rad"], is_required: true, found: {table: 0, column: 1, unit: "deg"}},
+    {quantity: "x", units: ["in", "mm"], is_required: false, found: null},
+  ],
+};
+
+describe("columns of foreign tables", () => {
+  it("begin as the program found them, and a unit that nobody stated is asked for", () => {
+    const choices = guessed(document);
+    expect(choices[0].map((choice) => choice.quantity)).toEqual(["q1", "q2", ""]);
+    expect(missingOf(document, choices)).toEqual(["the unit of q1"]);
+  });
+
+  it("are said as the server takes them", () => {
+    const choices = guessed(document);
+    choices[0][0].unit = "rad";
+    choices[1][1] = {quantity: "x", unit: "mm"};
+    expect(missingOf(document, choices)).toEqual([]);
+    expect(chosenColumns(document, choices)).toEqual([
+      "q1_rad=log.csv:J1",
+      "q2_deg=log.csv:J2 [deg]",
+      "point=points.txt:column 1",
+      "x_mm=points.txt:column 2",
+    ]);
+  });
+
+  it("are each one thing, and every joint has one", () => {
+    const choices = guessed(document);
+    choices[0][0] = {quantity: "q2", unit: "deg"};
+    expect(missingOf(document, choices)).toEqual(["a column for q1", "only one column for q2"]);
+  });
+});

@@ -1,0 +1,148 @@
+#include "app/workbench/line_server.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/asio.hpp>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/workbench/live.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using boost::asio::ip::tcp;
+using Failure = boost::system::error_code;
+
+constexpr std::size_t kLongestLine = 4096;
+constexpr int kMostConnections = 16;
+
+/// Numbers apart by blanks, commas or semicolons.
+std::vector<std::string> wordsOf(std::string line) {
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+  std::istringstream text(line);
+  return {std::istream_iterator<std::string>(text), {}};
+}
+
+double loadOf(const std::string& word, const Units& units) {
+  const auto load = tubesheets::parseNumber(word);
+  if (!load) throw InputError("line", inQuotes(word), "a load");
+  return parseLoad(*load, units);
+}
+
+std::string tipText(const nlohmann::json& shown) {
+  std::string text;
+  for (const auto& coordinate : shown.at("tip"))
+    text += (text.empty() ? "" : " ") + formatNumber(coordinate.get<double>());
+  return text;
+}
+
+std::string answerTo(Workbench& workbench, const std::string& line) {
+  try {
+    const Session session = workbench.session();
+    const Cell& cell = currentModel(session).cell;
+    auto words = wordsOf(line);
+    double load = 0;
+    if (words.size() == deflection::activeRows(cell.arm).size() + 1) {
+      load = loadOf(words.back(), cell.units);
+      words.pop_back();
+    }
+    const auto q = parseJoints(fmt::format("{}", fmt::join(words, ",")), cell.arm, cell.units, "line");
+    return tipText(showEncoders(workbench, q, load, "TCP"));
+  } catch (const InputError& error) {
+    return fmt::format("error: {}", error.what());
+  }
+}
+
+/// One client: a line is read, answered, and only then the next one read, so that a slow client holds up itself only.
+class LineClient : public std::enable_shared_from_this<LineClient> {
+ public:
+  LineClient(tcp::socket socket, Workbench& workbench, int& open)
+      : socket_(std::move(socket)), workbench_(workbench), open_(open) {
+    ++open_;
+  }
+  ~LineClient() { --open_; }
+
+  void readLine() {
+    boost::asio::async_read_until(socket_, boost::asio::dynamic_buffer(text_, kLongestLine), '\n',
+                                  [self = shared_from_this()](Failure failure, std::size_t size) {
+                                    if (!failure) self->answer(size);
+                                  });
+  }
+
+ private:
+  void answer(std::size_t size) {
+    const std::string line = text_.substr(0, size);
+    text_.erase(0, size);
+    answer_ = answerTo(workbench_, line) + "\n";
+    boost::asio::async_write(socket_, boost::asio::buffer(answer_),
+                             [self = shared_from_this()](Failure failure, std::size_t) {
+                               if (!failure) self->readLine();
+                             });
+  }
+
+  tcp::socket socket_;
+  Workbench& workbench_;
+  int& open_;
+  std::string text_, answer_;
+};
+
+}  // namespace
+
+class LineServer::Implementation {
+ public:
+  Implementation(Workbench& workbench, int port) : workbench_(workbench), acceptor_(context_) {
+    try {
+      const tcp::endpoint here(boost::asio::ip::address_v4::loopback(), static_cast<unsigned short>(port));
+      acceptor_.open(here.protocol());
+      acceptor_.set_option(tcp::acceptor::reuse_address(true));
+      acceptor_.bind(here);
+      acceptor_.listen();
+    } catch (const boost::system::system_error& failure) {
+      throw InputError("--lines", fmt::format("the port {}, which cannot be listened at", port), "a free one",
+                       failure.code().message());
+    }
+    accept();
+    thread_ = std::thread([this] { context_.run(); });
+  }
+
+  ~Implementation() {
+    context_.stop();
+    thread_.join();
+  }
+
+  [[nodiscard]] int port() const { return acceptor_.local_endpoint().port(); }
+
+ private:
+  void accept() {
+    acceptor_.async_accept([this](Failure failure, tcp::socket socket) {
+      if (!failure && open_ < kMostConnections)
+        std::make_shared<LineClient>(std::move(socket), workbench_, open_)->readLine();
+      accept();
+    });
+  }
+
+  Workbench& workbench_;
+  int open_ = 0;  ///< of the context's thread alone; outlives its connections
+  boost::asio::io_context context_;
+  tcp::acceptor acceptor_;
+  std::thread thread_;
+};
+
+LineServer::LineServer(Workbench& workbench, int port)
+    : implementation_(std::make_unique<Implementation>(workbench, port)) {}
+
+LineServer::~LineServer() = default;
+
+int LineServer::port() const { return implementation_->port(); }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,74 @@
+// What other programs wrote, opened in the page: a tracker's points and a log of the joints, column by column.
+import assert from "node:assert/strict";
+import {after, before, describe} from "node:test";
+import {readFileSync, writeFileSync} from "node:fs";
+import path from "node:path";
+import {it} from "./limits.mjs";
+import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+
+let made, browser, points, log;
+
+/** The simulated readings as a tracker and a controller would have written them. */
+function writeForeign() {
+  const [head, ...rows] = readFileSync(path.join(made.folder, "readings.csv"), "utf8").trim().split("\n");
+  const at = (name) => head.split(",").indexOf(name);
+  const fields = rows.map((row) => row.split(","));
+  points = path.join(made.folder, "points.txt");
+  log = path.join(made.folder, "log.csv");
+  const place = (row) => ["x_in", "y_in", "z_in"].map((name) => row[at(name)]).join("  ");
+  writeFileSync(points, `Exported points\n${fields.map((row, k) => `Job::Arm::P${k} ${place(row)}`).join("\n")}\n`);
+  const joints = (row) => [1, 2, 3, 4].map((k) => row[at(`theta${k}_deg`)].replace(".", ","));
+  const lines = fields.map((row, k) => [`P${k}`, ...joints(row), row[at("load_lbf")].replace(".", ",")].join(";"));
+  writeFileSync(log, `Point;J1;J2;J3;J4;Payload [lb]\n${lines.join("\n")}\n`);
+}
+
+before(async () => {
+  made = makeFolder();
+  simulate(made.folder, "readings", {hide: "", seed: 7, readings: 40});
+  writeForeign();
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  made?.remove();
+});
+
+async function openFiles(tab, files) {
+  await tab.waitForSelector(".project-tools");
+  await tab.keyboard.press("o");
+  await tab.setInputFiles("dialog[open] input[type=file]", files);
+  await tab.waitForSelector("dialog[open] >> text=Which column is what");
+}
+
+describe("tables of other programs", () => {
+  it("become readings once their units are said, which is not asked again", async () => {
+    const server = await serve(made.folder, "bench.yaml");
+    const tab = await openTab(browser, server.address);
+    await openFiles(tab, [log, points]);
+    const take = tab.locator("dialog[open] button[type=submit]");
+    assert.equal(await take.isDisabled(), true);
+    for (const name of ["J1", "J2", "J3", "J4"]) await tab.selectOption(`select[aria-label='unit of ${name}']`, "deg");
+    for (const k of [2, 3, 4]) await tab.selectOption(`select[aria-label='unit of column ${k}']`, "in");
+    assert.equal(await tab.inputValue("select[aria-label='unit of Payload [lb]']"), "lbf");
+    await take.click();
+    await tab.waitForSelector("dialog[open] >> text=a reading without sigma");
+    await tab.fill("dialog[open] input[inputmode=decimal]", "0.005");
+    if (process.env.PICTURES) await tab.screenshot({path: `${process.env.PICTURES}/columns.png`});
+    await take.click();
+    await tab.waitForFunction(() => !document.querySelector("dialog[open]"));
+    assert.equal((await stateOf(server)).measurements.readings, 40);
+    await ask(server, "compare");
+
+    await openFiles(tab, [log, points]);
+    assert.equal(await take.isDisabled(), false);
+  });
+
+  it("without the joints are refused in words", async () => {
+    const server = await serve(made.folder, "bench.yaml");
+    const tab = await openTab(browser, server.address);
+    await openFiles(tab, [points]);
+    await tab.waitForSelector("dialog[open] >> text=a column for theta1");
+    assert.equal(await tab.locator("dialog[open] button[type=submit]").isDisabled(), true);
+    assert.equal((await stateOf(server)).measurements, null);
+  });
+});
