@@ -133,12 +133,8 @@ Waypoints nearestNeighbourOrder(Waypoints open, const JointSpeeds& speeds) {
 }
 
 ob::StateSpacePtr jointSpace(const deflection::Arm& arm) {
-  const auto active = deflection::activeRows(arm);
   const auto space = std::make_shared<ob::RealVectorStateSpace>();
-  for (const int row : active) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
-    space->addDimension(joint.lower, joint.upper);
-  }
+  for (const auto& joint : arm.joints()) space->addDimension(joint.lower, joint.upper);
   return space;
 }
 

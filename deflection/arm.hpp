@@ -10,8 +10,10 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -156,11 +158,25 @@ struct ArmOf {
   std::vector<SideChain<S>> side_chains;         ///< what only weighs
   std::vector<RigidMounting> mountings;          ///< one for each set-up that has rigid rows
   std::optional<TipLoad<S>> tip_load;
+
+  /// The joints with readings of their own, revolute and prismatic, in order: the order of every joint vector.
+  [[nodiscard]] auto joints() const {
+    return rows | std::views::filter([](const Row<S>& row) { return row.joint.type != JointType::kPassive; }) |
+           std::views::transform(&Row<S>::joint);
+  }
+  [[nodiscard]] Eigen::Index jointCount() const { return std::ranges::distance(joints()); }
+  /// The k-th of them; one past the last is our own bug.
+  [[nodiscard]] const Joint<S>& joint(Eigen::Index k) const {
+    for (const Joint<S>& joint : joints())
+      if (k-- == 0) return joint;
+    assert(false);
+    return rows.front().joint;
+  }
 };
 
 using Arm = ArmOf<double>;
 
-/// Indices of the rows that carry a revolute or prismatic joint, in order: the order of every joint vector.
+/// Indices of the rows of `joints()`.
 std::vector<int> activeRows(const Arm& arm);
 
 /// The names of its rows, in order, and the row of a name.

@@ -52,7 +52,7 @@ PreparedArm::PreparedArm(const Arm& arm) : arm_(arm), is_fixed_(!dependsOnPostur
 PreparedArm::~PreparedArm() = default;
 
 void PreparedArm::prepareFixed() {
-  prepare(arm_, turnsUndone(arm_, VectorXd::Zero(static_cast<Eigen::Index>(activeRows(arm_).size()))));
+  prepare(arm_, turnsUndone(arm_, VectorXd::Zero(arm_.jointCount())));
   findRevoluteChain(arm_);
   is_prepared_ = true;
 }

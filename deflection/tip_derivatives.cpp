@@ -6,7 +6,7 @@ namespace tubeplan::deflection {
 
 std::vector<Variable> jointVariables(const Arm& arm) {
   std::vector<Variable> variables;
-  for (int k = 0; k < static_cast<int>(activeRows(arm).size()); ++k) variables.push_back(Variable::joint(k));
+  for (int k = 0; k < arm.jointCount(); ++k) variables.push_back(Variable::joint(k));
   return variables;
 }
 

@@ -36,12 +36,11 @@ std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
 MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOptions& options) {
   MotionProblem problem;
   const auto& arm = clearance.cell().arm;
-  const auto active = deflection::activeRows(arm);
-  problem.lower.resize(static_cast<Eigen::Index>(active.size()));
+  problem.lower.resize(arm.jointCount());
   problem.upper.resize(problem.lower.size());
   for (int k = 0; k < problem.lower.size(); ++k) {
-    problem.lower[k] = arm.rows[active[k]].joint.lower;
-    problem.upper[k] = arm.rows[active[k]].joint.upper;
+    problem.lower[k] = arm.joint(k).lower;
+    problem.upper[k] = arm.joint(k).upper;
   }
   problem.clearance_of = sideBySide(clearance, ContactRule::kTravel, options.reach.spare);
   problem.travel = clearance.travel();

@@ -111,10 +111,8 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
 /// What speaks against resting in the start or the end posture; empty where nothing does.
 std::string findEndProblem(const ArmClearance& clearance, const VisitPlanOptions& options) {
   const auto problemAt = [&](const std::string& name, const Eigen::VectorXd& q) -> std::string {
-    const auto active = deflection::activeRows(clearance.cell().arm);
     for (int j = 0; j < q.size(); ++j) {
-      const auto& joint =
-          clearance.cell().arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint;
+      const auto& joint = clearance.cell().arm.joint(j);
       if (!(q[j] >= joint.lower && q[j] <= joint.upper)) return name + ": " + joint.name + " is past its limit";
     }
     const Clearance there = clearance.withSpare(q, ContactRule::kTravel, options.reach.spare);
@@ -158,11 +156,10 @@ std::string_view nameOf(SegmentKind kind) {
 }
 
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm) {
-  const auto active = deflection::activeRows(arm);
-  JointSpeeds speeds{Eigen::VectorXd(active.size()), Eigen::VectorXd(active.size())};
+  JointSpeeds speeds{Eigen::VectorXd(arm.jointCount()), Eigen::VectorXd(arm.jointCount())};
   for (int k = 0; k < speeds.max_speed.size(); ++k) {
-    speeds.max_speed[k] = arm.rows[active[k]].joint.max_speed;
-    speeds.max_acceleration[k] = arm.rows[active[k]].joint.max_acceleration;
+    speeds.max_speed[k] = arm.joint(k).max_speed;
+    speeds.max_acceleration[k] = arm.joint(k).max_acceleration;
   }
   return speeds;
 }

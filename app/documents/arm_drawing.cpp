@@ -18,12 +18,11 @@ using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kView = 420, kMargin = 40;  // px
 
 VectorXd middleOf(const Arm& arm) {
-  const auto active = deflection::activeRows(arm);
-  VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
+  VectorXd q(arm.jointCount());
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
+    const auto& joint = arm.joint(k);
     const double middle = (joint.lower + joint.upper) / 2;
-    q[static_cast<Eigen::Index>(k)] = std::isfinite(middle) ? middle : 0;
+    q[k] = std::isfinite(middle) ? middle : 0;
   }
   return q;
 }

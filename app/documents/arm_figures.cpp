@@ -24,7 +24,7 @@ void clean(Vector3d& p, double size) {
 }
 
 deflection::RigidFrames<double> framesAtZero(const Arm& arm) {
-  const auto joints = static_cast<Eigen::Index>(deflection::activeRows(arm).size());
+  const auto joints = arm.jointCount();
   auto frames = deflection::rigidFramesOf<double>(arm, VectorXd::Zero(joints));
   const double reach = deflection::reachOf(arm);
   for (auto& row : frames.rows) clean(row.p, reach);
@@ -72,7 +72,7 @@ nlohmann::json armJson(const Arm& arm, const Units& units) {
                     {"weight", units.toFile(weight, dimension::kForce)}});
   }
   return {{"name", arm.name},
-          {"joints", deflection::activeRows(arm).size()},
+          {"joints", arm.jointCount()},
           {"reach", lengthOf(deflection::reachOf(arm), units)},
           {"weight", units.toFile(deflection::weightOf(arm), dimension::kForce)},
           {"rows", rows},

@@ -71,15 +71,13 @@ json lackOfFitJson(const ModelLackOfFit& lack_of_fit, const Units& units) {
 json equivalentsJson(const Comparison& result, const JointEquivalents& joints, const Units& units) {
   if (!joints.ok) return nullptr;
   json list = json::array();
-  const auto active = deflection::activeRows(result.fitted.arm);
-  for (std::size_t j = 0; j < active.size(); ++j) {
-    const auto& joint = result.fitted.arm.rows.at(static_cast<std::size_t>(active[j])).joint;
+  for (Eigen::Index j = 0; j < result.fitted.arm.jointCount(); ++j) {
+    const auto& joint = result.fitted.arm.joint(j);
     const double factor = units.factor(jointDimension(joint));
-    const auto row = static_cast<Eigen::Index>(j);
     list.push_back({{"joint", joint.name},
-                    {"mean", finiteJson(joints.mean[row] / factor)},
-                    {"spread", finiteJson(joints.spread[row] / factor)},
-                    {"encoder_sigma", finiteJson(joints.sigma[row] / factor)},
+                    {"mean", finiteJson(joints.mean[j] / factor)},
+                    {"spread", finiteJson(joints.spread[j] / factor)},
+                    {"encoder_sigma", finiteJson(joints.sigma[j] / factor)},
                     {"unit", units.nameOf(jointDimension(joint))}});
   }
   return {{"joints", list},
@@ -175,13 +173,11 @@ std::string lackOfFitLine(const char* title, const ModelLackOfFit& lack_of_fit, 
 std::string equivalentsText(const Comparison& result, const Units& units) {
   if (!result.joints_after.ok) return "";
   std::string text = "  as joint errors (mean, spread):";
-  const auto active = deflection::activeRows(result.fitted.arm);
-  for (std::size_t j = 0; j < active.size(); ++j) {
-    const auto& joint = result.fitted.arm.rows.at(static_cast<std::size_t>(active[j])).joint;
+  for (Eigen::Index j = 0; j < result.fitted.arm.jointCount(); ++j) {
+    const auto& joint = result.fitted.arm.joint(j);
     const double factor = units.factor(jointDimension(joint));
-    const auto row = static_cast<Eigen::Index>(j);
-    text += fmt::format(" {} {:+.2g}, {:.2g} {};", joint.name, result.joints_after.mean[row] / factor,
-                        result.joints_after.spread[row] / factor, units.nameOf(jointDimension(joint)));
+    text += fmt::format(" {} {:+.2g}, {:.2g} {};", joint.name, result.joints_after.mean[j] / factor,
+                        result.joints_after.spread[j] / factor, units.nameOf(jointDimension(joint)));
   }
   text.back() = '\n';
   return text;
@@ -246,9 +242,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   report["joint_equivalents"] = {{"as_it_stands", equivalentsJson(result, result.joints_before, units)},
                                  {"after_refit", equivalentsJson(result, result.joints_after, units)}};
   report["joint_columns"] = json::array();
-  for (const int row : deflection::activeRows(result.fitted.arm))
-    report["joint_columns"].push_back(
-        jointColumn(result.fitted.arm.rows.at(static_cast<std::size_t>(row)).joint, units));
+  for (const auto& joint : result.fitted.arm.joints()) report["joint_columns"].push_back(jointColumn(joint, units));
   report["readings"] = comparedReadingsJson(result, readings, units);
   return report;
 }

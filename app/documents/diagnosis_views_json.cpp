@@ -66,8 +66,7 @@ json addedJson(const AddedVariable& added, const Explanation& explanation, const
 
 json jointsJson(const deflection::Arm& arm, const Units& units) {
   json joints = json::array();
-  for (const int row : deflection::activeRows(arm)) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
+  for (const auto& joint : arm.joints()) {
     joints.push_back({{"name", joint.name}, {"unit", units.nameOf(jointDimension(joint))}});
   }
   return joints;

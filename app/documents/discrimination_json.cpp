@@ -21,7 +21,7 @@ using calibration::Measurement, calibration::ReadingCandidate, calibration::Disc
 
 std::vector<std::string> jointNames(const deflection::Arm& arm) {
   std::vector<std::string> names;
-  for (const int row : deflection::activeRows(arm)) names.push_back(arm.rows[static_cast<std::size_t>(row)].joint.name);
+  for (const auto& joint : arm.joints()) names.push_back(joint.name);
   return names;
 }
 

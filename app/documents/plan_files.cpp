@@ -181,8 +181,7 @@ std::string pathCsv(const PlanOutcome& outcome) {
   const Cell& cell = outcome.cell;
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
   std::string text = "time_s,segment,kind";
-  for (int row : deflection::activeRows(cell.arm))
-    text += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
+  for (const auto& joint : cell.arm.joints()) text += "," + jointColumn(joint, cell.units);
   text += ",leg,row,column\n";
   for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm))) {
     text += fmt::format("{},{},{}", row.time, row.segment + 1, planner::nameOf(row.kind));

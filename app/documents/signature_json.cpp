@@ -34,8 +34,7 @@ Variable variableOf(const Cell& cell, const deflection::Signature& signature) {
     default:
       break;
   }
-  const int row = deflection::activeRows(cell.arm)[static_cast<std::size_t>(signature.joint)];
-  const auto& joint = cell.arm.rows[static_cast<std::size_t>(row)].joint;
+  const auto& joint = cell.arm.joint(signature.joint);
   if (signature.kind == SignatureVariableKind::kDirection) return {"direction of approach of " + joint.name};
   return {joint.name, jointDimension(joint)};
 }

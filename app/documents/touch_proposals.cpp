@@ -122,8 +122,7 @@ std::string tellsText(const Proposal& proposal, std::size_t index) {
 std::string proposedText(const TouchOutcome& outcome, const Proposal& proposal, char letter) {
   const Units& units = outcome.cell.units;
   std::string joints, text;
-  for (const int row : deflection::activeRows(outcome.cell.arm))
-    joints += fmt::format(" {:>9}", outcome.cell.arm.rows[static_cast<std::size_t>(row)].joint.name);
+  for (const auto& joint : outcome.cell.arm.joints()) joints += fmt::format(" {:>9}", joint.name);
   const bool tells = letter == 'N';  // of the base, all of them tell all
   text += fmt::format("  {:<5} {:<8} {:<9} {:>8}{}{}\n", "", "", "point", std::string(units.force().name), joints,
                       tells ? "   tells most of" : "");
@@ -252,8 +251,7 @@ std::string proposalsCsv(const TouchOutcome& outcome) {
   const Units& units = outcome.cell.units;
   std::string text =
       "id,kind,point," + std::string(outcome.setup.empty() ? "" : "setup,") + "load_" + std::string(units.force().name);
-  for (const int row : deflection::activeRows(outcome.cell.arm))
-    text += "," + jointColumn(outcome.cell.arm.rows[static_cast<std::size_t>(row)].joint, units);
+  for (const auto& joint : outcome.cell.arm.joints()) text += "," + jointColumn(joint, units);
   text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", units.length().name);
   if (outcome.base) appendRows(outcome, *outcome.base, 'T', text);
   if (outcome.parameters) appendRows(outcome, *outcome.parameters, 'N', text);

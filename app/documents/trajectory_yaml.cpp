@@ -28,7 +28,7 @@ std::string timeOf(double seconds) {
 std::string trajectoryYaml(const PlanOutcome& outcome) {
   const auto& arm = outcome.model.arm;
   std::vector<std::string> names;
-  for (const int row : deflection::activeRows(arm)) names.push_back(arm.rows[static_cast<std::size_t>(row)].joint.name);
+  for (const auto& joint : arm.joints()) names.push_back(joint.name);
   std::string text =
       fmt::format("header: {{stamp: {{sec: 0, nanosec: 0}}, frame_id: \"\"}}\njoint_names: [{}]\npoints:\n",
                   fmt::join(names, ", "));

@@ -78,16 +78,16 @@ void readModelError(const YamlNode& node, Cell& cell) {
 
 // In the file's unit of angle, or of length for a sliding joint.
 void readPark(const YamlNode& node, Cell& cell) {
-  const auto active = deflection::activeRows(cell.arm);
-  const auto& numbers = node.list(active.size(), fmt::format("{} numbers, one for each joint", active.size()));
-  cell.park.emplace(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = cell.arm.rows[static_cast<std::size_t>(active[k])].joint;
+  const auto& numbers =
+      node.list(cell.arm.jointCount(), fmt::format("{} numbers, one for each joint", cell.arm.jointCount()));
+  cell.park.emplace(cell.arm.jointCount());
+  for (Eigen::Index k = 0; k < cell.arm.jointCount(); ++k) {
+    const auto& joint = cell.arm.joint(k);
     const bool slides = joint.type == deflection::JointType::kPrismatic;
     const double q = readQuantity(numbers[k], cell.units, slides ? dimension::kLength : dimension::kAngle);
     if (!(q >= joint.lower && q <= joint.upper))
       numbers[k].fail("a reading past a limit of " + joint.name, "one within its limits", "");
-    (*cell.park)[static_cast<Eigen::Index>(k)] = q;
+    (*cell.park)[k] = q;
   }
 }
 

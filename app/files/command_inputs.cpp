@@ -47,7 +47,7 @@ bool namesCsvFile(const std::string& request) { return std::filesystem::path(req
 Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                             const std::string& option) {
   std::vector<const deflection::Joint<double>*> joints;
-  for (const int row : deflection::activeRows(arm)) joints.push_back(&arm.rows[static_cast<std::size_t>(row)].joint);
+  for (const auto& joint : arm.joints()) joints.push_back(&joint);
   return parseJointsOf(text, joints, units, option, "the arm");
 }
 

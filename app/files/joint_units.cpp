@@ -11,11 +11,8 @@ std::string jointColumn(const deflection::Joint<double>& joint, const Units& uni
 }
 
 Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units) {
-  const auto active = deflection::activeRows(arm);
-  Eigen::VectorXd factors(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k)
-    factors[static_cast<Eigen::Index>(k)] =
-        units.factor(jointDimension(arm.rows[static_cast<std::size_t>(active[k])].joint));
+  Eigen::VectorXd factors(arm.jointCount());
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) factors[k] = units.factor(jointDimension(arm.joint(k)));
   return factors;
 }
 

@@ -105,11 +105,10 @@ NumberColumn takeJoint(Header& header, const deflection::Joint<double>& joint) {
 }
 
 void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& columns) {
-  for (const int row : deflection::activeRows(arm))
-    columns.joints.push_back(takeJoint(header, arm.rows[static_cast<std::size_t>(row)].joint));
+  for (const auto& joint : arm.joints()) columns.joints.push_back(takeJoint(header, joint));
   for (const auto* joint : deflection::sideJoints(arm)) columns.side_joints.push_back(takeJoint(header, *joint));
-  for (const int row : deflection::activeRows(arm))
-    if (const auto approach_direction = header.take(arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir"))
+  for (const auto& joint : arm.joints())
+    if (const auto approach_direction = header.take(joint.name + "_dir"))
       columns.approach_directions.push_back(*approach_direction);
   if (!columns.approach_directions.empty() && columns.approach_directions.size() != columns.joints.size())
     header.fail(fmt::format("{} columns <joint>_dir", columns.approach_directions.size()),

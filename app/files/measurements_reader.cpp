@@ -300,21 +300,18 @@ std::vector<Measurement> readMeasurements(const std::string& path, const deflect
 }
 
 bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
-  const auto active = deflection::activeRows(arm);
-  for (std::size_t i = 0; i < active.size(); ++i)
-    if (isPast(arm.rows[static_cast<std::size_t>(active[i])].joint, reading.q[static_cast<Eigen::Index>(i)]))
-      return true;
+  for (Eigen::Index i = 0; i < arm.jointCount(); ++i)
+    if (isPast(arm.joint(i), reading.q[i])) return true;
   return false;
 }
 
 void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
                          const std::string& advice) {
-  const auto active = deflection::activeRows(arm);
   for (const auto& reading : table.readings)
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      const auto& joint = arm.rows[static_cast<std::size_t>(active[i])].joint;
+    for (Eigen::Index i = 0; i < arm.jointCount(); ++i) {
+      const auto& joint = arm.joint(i);
       const auto& column = table.joints[i];
-      const double q = reading.q[static_cast<Eigen::Index>(i)];
+      const double q = reading.q[i];
       if (!isPast(joint, q)) continue;
       throw InputError(
           fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),

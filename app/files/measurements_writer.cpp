@@ -40,11 +40,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 class Table {
  public:
   Table(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units)
-      : readings_(readings),
-        arm_(arm),
-        units_(units),
-        active_(deflection::activeRows(arm)),
-        side_joints_(deflection::sideJoints(arm)) {}
+      : readings_(readings), arm_(arm), units_(units), side_joints_(deflection::sideJoints(arm)) {}
 
   std::string text() {
     addNames();
@@ -84,18 +80,13 @@ class Table {
       add("setup", [](const auto& m) { return tubesheets::csvField(m.setup); });
   }
 
-  [[nodiscard]] const deflection::Joint<double>& joint(std::size_t k) const {
-    return arm_.rows[static_cast<std::size_t>(active_[k])].joint;
-  }
-
   void addJoints() {
     add("load_" + std::string(units_.force().name),
         [this](const auto& m) { return formatNumber(units_.toFile(m.load, dimension::kForce)); });
     if (anyHas(readings_, [](const auto& m) { return m.wrench.has_value(); })) addWrench();
-    for (std::size_t k = 0; k < active_.size(); ++k)
-      add(jointColumn(joint(k), units_), [this, k](const auto& m) {
-        return formatNumber(units_.toFile(m.q[static_cast<Eigen::Index>(k)], jointDimension(joint(k))));
-      });
+    for (Eigen::Index k = 0; k < arm_.jointCount(); ++k)
+      add(jointColumn(arm_.joint(k), units_),
+          [this, k](const auto& m) { return formatNumber(units_.toFile(m.q[k], jointDimension(arm_.joint(k)))); });
     for (std::size_t k = 0; k < side_joints_.size(); ++k)
       add(jointColumn(*side_joints_[k], units_), [this, k](const auto& m) {
         return formatNumber(units_.toFile(m.side_q[static_cast<Eigen::Index>(k)], jointDimension(*side_joints_[k])));
@@ -167,10 +158,12 @@ class Table {
 
   void addConditions() {
     if (anyHas(readings_, [](const auto& m) { return !m.approach_directions.empty(); }))
-      for (std::size_t k = 0; k < active_.size(); ++k)
-        add(joint(k).name + "_dir", [k](const auto& m) {
+      for (std::size_t k = 0; const auto& joint : arm_.joints()) {
+        add(joint.name + "_dir", [k](const auto& m) {
           return std::to_string(m.approach_directions.empty() ? 0 : m.approach_directions[k]);
         });
+        ++k;
+      }
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.temperature); }))
       add("temperature_" + std::string(units_.temperature().name),
           [this](const auto& m) { return numberOrNothing(units_.temperatureToFile(m.temperature)); });
@@ -184,7 +177,6 @@ class Table {
   const std::vector<Measurement>& readings_;
   const deflection::Arm& arm_;
   const Units& units_;
-  std::vector<int> active_;
   std::vector<const deflection::Joint<double>*> side_joints_;
   std::vector<Column> columns_;
 };

@@ -104,12 +104,11 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
   std::stringstream text(readTextFile(path));
   const std::string echo = ",leg,row,column";
   std::string header = "time_s,segment,kind", line;
-  const auto active = deflection::activeRows(cell.arm);
-  for (int row : active) header += "," + jointColumn(cell.arm.rows[static_cast<std::size_t>(row)].joint, cell.units);
+  for (const auto& joint : cell.arm.joints()) header += "," + jointColumn(joint, cell.units);
   std::getline(text, line);
   const bool has_echo = line == header + echo;
   if (line != header && !has_echo) throw InputError(path + ":1", inQuotes(line), header + echo, "plan again");
-  const std::size_t columns = 3 + active.size() + (has_echo ? 3 : 0);
+  const std::size_t columns = 3 + static_cast<std::size_t>(cell.arm.jointCount()) + (has_echo ? 3 : 0);
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
   PathNumbers numbers;
   for (int number = 2; std::getline(text, line); ++number) {
@@ -121,8 +120,8 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
                          static_cast<int>(cellNumber(cells[1], where)) - 1,
                          segmentKindOf(cells[2], where),
                          {}};
-    row.q.resize(static_cast<Eigen::Index>(active.size()));
-    for (std::size_t k = 0; k < active.size(); ++k)
+    row.q.resize(cell.arm.jointCount());
+    for (Eigen::Index k = 0; k < cell.arm.jointCount(); ++k)
       row.q[static_cast<Eigen::Index>(k)] = cellNumber(cells[3 + k], where);
     numbers.add(row.time, row.segment + 1, row.q);
     row.q.array() *= factors.array();

@@ -18,8 +18,7 @@ namespace {
 std::string headText(const TruthFile& file) {
   const Units& units = file.cell.units;
   std::vector<std::string> encoders;
-  for (const int row : deflection::activeRows(file.truth.arm)) {
-    const auto& joint = file.truth.arm.rows[static_cast<std::size_t>(row)].joint;
+  for (const auto& joint : file.truth.arm.joints()) {
     encoders.push_back(formatNumber(units.toFile(joint.encoder_sigma, jointDimension(joint))));
   }
   return fmt::format(

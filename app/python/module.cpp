@@ -76,24 +76,22 @@ class PythonCell {
 
   [[nodiscard]] std::vector<std::string> joints() const {
     std::vector<std::string> names;
-    for (const int row : deflection::activeRows(cell_.arm))
-      names.push_back(cell_.arm.rows[static_cast<std::size_t>(row)].joint.name);
+    for (const auto& joint : cell_.arm.joints()) names.push_back(joint.name);
     return names;
   }
 
   [[nodiscard]] Rows limits() const {
-    const auto active = deflection::activeRows(cell_.arm);
-    Rows limits(static_cast<Eigen::Index>(active.size()), 2);
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      const auto& joint = cell_.arm.rows[static_cast<std::size_t>(active[k])].joint;
-      limits.row(static_cast<Eigen::Index>(k)) << joint.lower, joint.upper;
+    Rows limits(cell_.arm.jointCount(), 2);
+    for (Eigen::Index k = 0; k < cell_.arm.jointCount(); ++k) {
+      const auto& joint = cell_.arm.joint(k);
+      limits.row(k) << joint.lower, joint.upper;
     }
     return limits;
   }
 
   /// Deflected tips in the world: N x 3 places, N x 3 x 3 tool frames, and whether each shape converged.
   [[nodiscard]] py::tuple poses(const Rows& q, double load) const {
-    const auto joints = static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size());
+    const auto joints = cell_.arm.jointCount();
     if (q.cols() != joints)
       throw py::value_error("q has " + std::to_string(q.cols()) + " columns, expected one for each of the " +
                             std::to_string(joints) + " joints");

@@ -52,7 +52,7 @@ std::string answerTo(Workbench& workbench, const std::string& line) {
     const Cell& cell = currentModel(session).cell;
     auto words = wordsOf(line);
     double load = 0;
-    if (words.size() == deflection::activeRows(cell.arm).size() + 1) {
+    if (std::ssize(words) == cell.arm.jointCount() + 1) {
       load = loadOf(words.back(), cell.units);
       words.pop_back();
     }

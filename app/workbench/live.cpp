@@ -31,10 +31,9 @@ void tell(Workbench& workbench, json news) {
 
 json jointsInUnits(const Eigen::VectorXd& q, const Cell& cell) {
   json values = json::array();
-  const auto active = deflection::activeRows(cell.arm);
-  for (std::size_t j = 0; j < active.size(); ++j) {
-    const auto& joint = cell.arm.rows[static_cast<std::size_t>(active[j])].joint;
-    values.push_back(cell.units.toFile(q[static_cast<Eigen::Index>(j)], jointDimension(joint)));
+  for (Eigen::Index j = 0; j < cell.arm.jointCount(); ++j) {
+    const auto& joint = cell.arm.joint(j);
+    values.push_back(cell.units.toFile(q[j], jointDimension(joint)));
   }
   return values;
 }

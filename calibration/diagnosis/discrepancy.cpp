@@ -162,8 +162,7 @@ class TermMaker {
  public:
   TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
     Index index = 0;
-    for (const int row : deflection::activeRows(arm))
-      joints_.emplace_back(arm.rows[static_cast<std::size_t>(row)].joint, index++, readings);
+    for (const auto& joint : arm.joints()) joints_.emplace_back(joint, index++, readings);
     has_directions_ = std::any_of(readings.begin(), readings.end(),
                                   [](const Measurement& m) { return !m.approach_directions.empty(); });
   }

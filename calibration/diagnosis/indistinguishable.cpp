@@ -30,7 +30,6 @@ double medianSigma(const std::vector<Measurement>& readings) {
 std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;
-  const auto active = deflection::activeRows(arm);
   double heaviest = 0;
   for (const auto& reading : basis.readings) heaviest = std::max(heaviest, reading.load);
   std::vector<Measurement> all;
@@ -43,11 +42,11 @@ std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uin
     m.sigma = medianSigma(basis.readings);
     m.sigma_W.reset();
     m.correlation_W.reset();
-    for (std::size_t j = 0; j < active.size(); ++j) {
-      const auto& joint = arm.rows[static_cast<std::size_t>(active[j])].joint;
+    for (Eigen::Index j = 0; j < arm.jointCount(); ++j) {
+      const auto& joint = arm.joint(j);
       const double low = std::isfinite(joint.lower) ? joint.lower : -std::numbers::pi;
       const double high = std::isfinite(joint.upper) ? joint.upper : std::numbers::pi;
-      m.q[static_cast<Index>(j)] = random.uniform(low, high);
+      m.q[j] = random.uniform(low, high);
       if (!m.approach_directions.empty()) m.approach_directions[j] = random.uniform(0, 1) < 0.5 ? -1 : 1;
     }
     m.load = 0;

@@ -14,10 +14,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"angles", value,
             "the joint readings are in " + value + ", not in " + checked.units.angles.name + " as their columns say"};
-  Eigen::VectorXd factors =
-      Eigen::VectorXd::Ones(static_cast<Eigen::Index>(deflection::activeRows(checked.start.arm).size()));
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(checked.start.arm.jointCount());
   for (Eigen::Index j = 0; j < factors.size(); ++j)
-    if (jointAt(checked.start.arm, static_cast<int>(j)).type == deflection::JointType::kRevolute) factors[j] = *factor;
+    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute) factors[j] = *factor;
   mend.change = [factors](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q = reading.q.cwiseProduct(factors);
   };

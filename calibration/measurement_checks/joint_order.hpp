@@ -8,11 +8,10 @@ namespace tubeplan::calibration::mistakes::joint_order {
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto& arm = checked.start.arm;
-  const int joints = static_cast<int>(deflection::activeRows(arm).size());
+  const int joints = arm.jointCount();
   for (int a = 0; a < joints; ++a)
     for (int b = a + 1; b < joints; ++b)
-      if (jointAt(arm, a).type == jointAt(arm, b).type)
-        texts.push_back(jointAt(arm, a).name + ":" + jointAt(arm, b).name);
+      if (arm.joint(a).type == arm.joint(b).type) texts.push_back(arm.joint(a).name + ":" + arm.joint(b).name);
   return texts;
 }
 

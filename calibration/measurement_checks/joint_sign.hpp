@@ -7,8 +7,7 @@ namespace tubeplan::calibration::mistakes::joint_sign {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> names;
-  for (const int row : deflection::activeRows(checked.start.arm))
-    names.push_back(checked.start.arm.rows[static_cast<std::size_t>(row)].joint.name);
+  for (const auto& joint : checked.start.arm.joints()) names.push_back(joint.name);
   return names;
 }
 

@@ -17,16 +17,16 @@ inline std::string textOf(const CheckedReadings& checked, int joint, double offs
   const double number = offset / checked.units.angles.factor;
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.6g", number);
-  return jointAt(checked.start.arm, joint).name + ":" + digits;
+  return checked.start.arm.joint(joint).name + ":" + digits;
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
-  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j)
-    if (jointAt(checked.start.arm, j).type == deflection::JointType::kRevolute)
+  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
+    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
       for (const int quarters : {-1, 1, 2}) texts.push_back(textOf(checked, j, quarters * std::numbers::pi / 2));
-  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j)
-    if (jointAt(checked.start.arm, j).type == deflection::JointType::kRevolute)
+  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
+    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
       for (const int part : {-1, 1}) texts.push_back(textOf(checked, j, part * std::numbers::pi / 9));
   return texts;
 }
@@ -38,7 +38,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), offset);
   if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(offset))
     return std::nullopt;
-  if (jointAt(checked.start.arm, joint).type != deflection::JointType::kRevolute) return std::nullopt;
+  if (checked.start.arm.joint(joint).type != deflection::JointType::kRevolute) return std::nullopt;
   Mend mend{
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};

@@ -312,7 +312,7 @@ class Checking {
       std::size_t count = 0;
       for (const auto& reading : set)
         for (int j = 0; j < reading.q.size(); ++j) {
-          const auto& joint = jointAt(checked_.start.arm, j);
+          const auto& joint = checked_.start.arm.joint(j);
           if (reading.q[j] < joint.lower - kLimitSlack || reading.q[j] > joint.upper + kLimitSlack) {
             ++count;
             break;
@@ -336,8 +336,8 @@ class Checking {
     PlacedArm start = startOf(from);
     if (from.zero_of == 0)
       for (auto& base_pose : start.base_poses) base_pose.is_known = true;
-    const auto active = deflection::activeRows(checked_.start.arm);
-    const auto& row = checked_.start.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(from.zero_of)])];
+    const int zeroed = deflection::activeRows(checked_.start.arm)[static_cast<std::size_t>(from.zero_of)];
+    const auto& row = checked_.start.arm.rows[static_cast<std::size_t>(zeroed)];
     const std::string name = row.name + ".joint.offset";
     const auto best = fit(std::move(start), mended(from, Depth::kDrawn), Depth::kHeld, name);
     if (!best.ok) return std::nullopt;

@@ -70,8 +70,6 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// Joint's index by its name; -1 where there is none.
 [[nodiscard]] int jointNamed(const deflection::Arm& arm, const std::string& name);
 
-[[nodiscard]] const deflection::Joint<double>& jointAt(const deflection::Arm& arm, int joint);
-
 /// Two joint names or a joint and a number, parted at the colon; empty where there is none.
 [[nodiscard]] std::pair<std::string, std::string> partedAtColon(const std::string& value);
 

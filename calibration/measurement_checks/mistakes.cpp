@@ -47,15 +47,9 @@ bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading)
   return tube && (*reading.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
 }
 
-const deflection::Joint<double>& jointAt(const deflection::Arm& arm, int joint) {
-  const auto active = deflection::activeRows(arm);
-  return arm.rows.at(static_cast<std::size_t>(active.at(static_cast<std::size_t>(joint)))).joint;
-}
-
 int jointNamed(const deflection::Arm& arm, const std::string& name) {
-  const auto active = deflection::activeRows(arm);
-  for (std::size_t j = 0; j < active.size(); ++j)
-    if (arm.rows[static_cast<std::size_t>(active[j])].joint.name == name) return static_cast<int>(j);
+  for (Eigen::Index j = 0; j < arm.jointCount(); ++j)
+    if (arm.joint(j).name == name) return static_cast<int>(j);
   return -1;
 }
 

@@ -91,8 +91,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   const double factor = checked.units.angles.factor;
   if (checked.readings.size() < kFew || factor == 1) return std::nullopt;
   double largest = 0;
-  for (int j = 0; j < static_cast<int>(deflection::activeRows(arm).size()); ++j) {
-    const auto& joint = jointAt(arm, j);
+  for (int j = 0; j < arm.jointCount(); ++j) {
+    const auto& joint = arm.joint(j);
     if (joint.type != deflection::JointType::kRevolute) continue;
     for (const auto& reading : checked.readings) {
       const double number = reading.q[j] / factor;
@@ -214,8 +214,8 @@ std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
 
 std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found) {
   constexpr double kSlack = 1.02;  // of the reach: an arm may sag a little further than it is long
-  for (int j = 0; j < static_cast<int>(deflection::activeRows(checked.start.arm).size()); ++j) {
-    const auto& joint = jointAt(checked.start.arm, j);
+  for (int j = 0; j < checked.start.arm.jointCount(); ++j) {
+    const auto& joint = checked.start.arm.joint(j);
     const bool is_endless =
         joint.type == deflection::JointType::kPrismatic && !std::isfinite(joint.upper - joint.lower);
     if (is_endless) return std::nullopt;  // a slide without limits reaches everywhere

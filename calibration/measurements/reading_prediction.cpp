@@ -165,12 +165,10 @@ std::optional<ToolPose> frameAt(const deflection::Arm& arm, const Eigen::Isometr
 
 MatrixXd encoderCovariance(const deflection::Arm& arm, const MatrixXd& by_joints) {
   MatrixXd covariance = MatrixXd::Zero(by_joints.rows(), by_joints.rows());
-  const auto active = deflection::activeRows(arm);
-  const auto joints = static_cast<Eigen::Index>(active.size());
+  const auto joints = arm.jointCount();
   assert(by_joints.cols() % joints == 0);
   for (Eigen::Index k = 0; k < by_joints.cols(); ++k) {
-    const auto row = static_cast<std::size_t>(active[static_cast<std::size_t>(k % joints)]);
-    const Eigen::VectorXd column = by_joints.col(k) * arm.rows[row].joint.encoder_sigma;
+    const Eigen::VectorXd column = by_joints.col(k) * arm.joint(k % joints).encoder_sigma;
     covariance += column * column.transpose();
   }
   return covariance;

@@ -38,10 +38,8 @@ Turned turned(const MatrixXd& by_joints, const VectorXd& sigma, const VectorXd& 
 }
 
 VectorXd encoderSigmas(const deflection::Arm& arm) {
-  const auto active = deflection::activeRows(arm);
-  VectorXd sigma(static_cast<Index>(active.size()));
-  for (std::size_t j = 0; j < active.size(); ++j)
-    sigma[static_cast<Index>(j)] = arm.rows[static_cast<std::size_t>(active[j])].joint.encoder_sigma;
+  VectorXd sigma(arm.jointCount());
+  for (Eigen::Index j = 0; j < arm.jointCount(); ++j) sigma[j] = arm.joint(j).encoder_sigma;
   return sigma;
 }
 

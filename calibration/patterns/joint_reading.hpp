@@ -13,15 +13,14 @@ namespace tubeplan::calibration::patterns::joint_reading {
 inline constexpr double kBeyondNoise = 50;  // encoder sigmas that a joint must move
 
 inline std::vector<Variable> variables(const ReadingScene& scene) {
-  const auto active = deflection::activeRows(scene.placed.arm);
   std::vector<Variable> list;
-  for (std::size_t j = 0; j < active.size(); ++j) {
-    const auto& joint = scene.placed.arm.rows[static_cast<std::size_t>(active[j])].joint;
+  for (Eigen::Index j = 0; j < scene.placed.arm.jointCount(); ++j) {
+    const auto& joint = scene.placed.arm.joint(j);
     const bool slides = joint.type == deflection::JointType::kPrismatic;
     Variable variable{joint.name, slides ? VariableUnit::kLength : VariableUnit::kAngle, {}, {}, {}};
     variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
     for (std::size_t k = 0; k < scene.readings.size(); ++k)
-      variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].q[static_cast<Eigen::Index>(j)];
+      variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].q[j];
     const double range = variable.value.maxCoeff() - variable.value.minCoeff();
     if (!varies(variable.value) || range < kBeyondNoise * joint.encoder_sigma) continue;
     variable.basis.resize(variable.value.size(), 2);

@@ -8,14 +8,9 @@
 namespace tubeplan::calibration::patterns::joint_sense {
 
 inline std::vector<Variable> variables(const ReadingScene& scene) {
-  const auto active = deflection::activeRows(scene.placed.arm);
   std::vector<Variable> list;
-  for (std::size_t j = 0; j < active.size(); ++j) {
-    Variable variable{"sense of " + scene.placed.arm.rows[static_cast<std::size_t>(active[j])].joint.name,
-                      VariableUnit::kNone,
-                      {},
-                      {},
-                      {}};
+  for (Eigen::Index j = 0; j < scene.placed.arm.jointCount(); ++j) {
+    Variable variable{"sense of " + scene.placed.arm.joint(j).name, VariableUnit::kNone, {}, {}, {}};
     variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
     for (std::size_t k = 0; k < scene.readings.size(); ++k) {
       const auto& approach_directions = scene.readings[k].approach_directions;

@@ -39,7 +39,7 @@ ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace&
   for (const auto* joint : deflection::sideJoints(arm))
     side_limits_.emplace_back(std::max(joint->lower, -kWidest), std::min(joint->upper, kWidest));
   phase_ = conditions_.uniform(0, deflection::kFullTurn);
-  for (const int row : deflection::activeRows(arm)) encoder_sigmas_.push_back(arm.rows[row].joint.encoder_sigma);
+  for (const auto& joint : arm.joints()) encoder_sigmas_.push_back(joint.encoder_sigma);
 }
 
 ReadingConditions ConditionSeries::next() {

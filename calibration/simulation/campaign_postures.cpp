@@ -39,11 +39,10 @@ const char* describe(PostureRefusal refusal) {
 
 PostureSource::PostureSource(const deflection::Arm& arm, std::uint64_t seed)
     : arm_(arm), random_(seed, CampaignRandom::Stream::kPostures) {
-  const auto active = deflection::activeRows(arm);
-  lower_.resize(static_cast<Eigen::Index>(active.size()));
+  lower_.resize(arm.jointCount());
   upper_ = lower_;
   for (int k = 0; k < lower_.size(); ++k) {
-    const auto& joint = arm.rows[active[k]].joint;
+    const auto& joint = arm.joint(k);
     const bool slides = joint.type == deflection::JointType::kPrismatic;
     const double span = slides ? deflection::reachOf(arm) : std::numbers::pi;
     lower_[k] = std::isfinite(joint.lower) ? joint.lower : -span;
@@ -80,9 +79,8 @@ HoleStart PostureSource::atHole(const CampaignSite& site, const std::vector<Camp
 }
 
 bool PostureSource::isWithinLimits(const Eigen::VectorXd& q) const {
-  const auto active = deflection::activeRows(arm_);
   for (int k = 0; k < q.size(); ++k) {
-    const auto& joint = arm_.rows[active[k]].joint;
+    const auto& joint = arm_.joint(k);
     const bool bounded = std::isfinite(joint.lower) || std::isfinite(joint.upper);
     if (bounded && (q[k] < lower_[k] || q[k] > upper_[k])) return false;
   }

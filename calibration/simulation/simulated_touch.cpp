@@ -8,9 +8,8 @@ namespace tubeplan::calibration {
 namespace {
 
 Eigen::VectorXd encoderNoise(const deflection::Arm& arm, RandomStream& random) {
-  const auto active = deflection::activeRows(arm);
-  Eigen::VectorXd noise(active.size());
-  for (int k = 0; k < noise.size(); ++k) noise[k] = random.normal(arm.rows[active[k]].joint.encoder_sigma);
+  Eigen::VectorXd noise(arm.jointCount());
+  for (int k = 0; k < noise.size(); ++k) noise[k] = random.normal(arm.joint(k).encoder_sigma);
   return noise;
 }
 

@@ -253,7 +253,7 @@ std::vector<NamedSymbol> formulaSymbols(const Arm& arm, const FormulaUnits& unit
 
 std::vector<std::string> formulaTargets(const Arm& arm) {
   std::vector<std::string> targets;
-  for (int row : activeRows(arm)) targets.push_back(arm.rows[row].joint.name);
+  for (const auto& joint : arm.joints()) targets.push_back(joint.name);
   targets.insert(targets.end(), std::begin(kFrameTargets), std::end(kFrameTargets));
   return targets;
 }

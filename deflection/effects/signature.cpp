@@ -48,26 +48,26 @@ Range rangeOf(const Joint<double>& joint) {
 class Sweeper {
  public:
   Sweeper(const Arm& arm, const Effect& effect, const Vector3d& gravity_B, const SignatureOptions& options)
-      : options_(options), without_(arm), with_(arm), active_(activeRows(arm)) {
+      : options_(options), without_(arm), with_(arm) {
     with_.effects.push_back(ofUsualSize(arm, effect, options.duration));
-    const auto joints = static_cast<Index>(active_.size());
+    const Index joints = arm.jointCount();
     middle_.q.resize(joints);
     for (Index j = 0; j < joints; ++j) {
-      const Range range = rangeOf(jointOf(static_cast<int>(j)));
+      const Range range = rangeOf(arm.joint(j));
       constexpr double kGolden = 0.6180339887498949;  // shares of the ranges that no symmetry of the arm picks out
       const double share = 0.3 + 0.4 * std::fmod(0.5 + kGolden * static_cast<double>(j), 1);
       middle_.q[j] = range.lower + share * (range.upper - range.lower);
     }
     middle_.gravity_B = gravity_B;
     middle_.load = options.most_load / 2;
-    middle_.approach_directions.assign(active_.size(), 1);
+    middle_.approach_directions.assign(static_cast<std::size_t>(joints), 1);
     middle_.temperature = arm.reference_temperature + options.temperatures / 2;
     middle_.time = 0.75 * options.duration;
   }
 
   Signature best() {
-    for (int j = 0; j < static_cast<int>(active_.size()); ++j) {
-      const Range range = rangeOf(jointOf(j));
+    for (int j = 0; j < without_.jointCount(); ++j) {
+      const Range range = rangeOf(without_.joint(j));
       sweep(SignatureVariableKind::kJoint, j, range, [j](Posture& posture, double at) { posture.q[j] = at; });
       sweep(SignatureVariableKind::kDirection, j, {-1, 1}, [j](Posture& posture, double at) {
         posture.approach_directions[static_cast<std::size_t>(j)] = static_cast<int>(at);
@@ -86,10 +86,6 @@ class Sweeper {
   }
 
  private:
-  [[nodiscard]] const Joint<double>& jointOf(int j) const {
-    return without_.rows[static_cast<std::size_t>(active_[static_cast<std::size_t>(j)])].joint;
-  }
-
   /// In the tool frame, where a base that turns with the first joint does not turn it.
   [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
     const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
@@ -116,7 +112,7 @@ class Sweeper {
     using enum SignatureVariableKind;
     if (found.kind == kLoad) return 1;
     if (found.kind != kJoint) return kOfCondition;
-    const int row = active_[static_cast<std::size_t>(found.joint)];
+    const int row = activeRows(without_)[static_cast<std::size_t>(found.joint)];
     const Place& place = with_.effects.back().place;
     return row == place.row || row == place.other ? kOfOwnJoint : 1;
   }
@@ -142,7 +138,6 @@ class Sweeper {
 
   const SignatureOptions& options_;
   Arm without_, with_;
-  std::vector<int> active_;
   Posture middle_;
   Signature best_;
   double most_change_ = 0;

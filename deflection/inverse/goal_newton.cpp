@@ -104,11 +104,10 @@ PlaceTip deflectedTip(const Arm& arm, double load, const Vector3d& gravity_B,
 
 GoalProblem::GoalProblem(const Arm& arm, bool turret, PlaceTip place, const InverseKinematicsOptions& options)
     : turret_(turret), place_(std::move(place)), options_(options), reach_(reachOf(arm)) {
-  const auto active = activeRows(arm);
-  const auto n = static_cast<Index>(active.size());
+  const auto n = arm.jointCount();
   scale_ = lower_ = upper_ = VectorXd::Ones(n);
   for (Index k = 0; k < n; ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint;
+    const auto& joint = arm.joint(k);
     if (joint.type == JointType::kPrismatic) scale_[k] = reach_;
     lower_[k] = joint.lower;
     upper_[k] = joint.upper;

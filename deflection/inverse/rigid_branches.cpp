@@ -58,10 +58,9 @@ std::vector<Vector2d> solveTwoLinks(const Vector2d& elbow, const Vector2d& wrist
 }  // namespace
 
 bool carriesPlane(const Arm& arm, const AxesAtZero& axes) {
-  const auto active = activeRows(arm);
-  if (active.size() != 4) return false;
-  for (int row : active)
-    if (arm.rows[row].joint.type != JointType::kRevolute) return false;
+  if (arm.jointCount() != 4) return false;
+  for (const auto& joint : arm.joints())
+    if (joint.type != JointType::kRevolute) return false;
   const double parallel = std::cos(5 * kPi / 180);
   const Vector3d& h = axes.direction[1];
   return std::abs(h.dot(axes.direction[2])) > parallel && std::abs(h.dot(axes.direction[3])) > parallel &&
@@ -104,16 +103,15 @@ std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
 }
 
 std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {
-  const auto active = activeRows(arm);
   std::vector<VectorXd> starts;
   // Kronecker lattice of the generalised golden ratio: even in any number of dimensions, the same on every machine.
-  const int n = static_cast<int>(active.size());
+  const int n = static_cast<int>(arm.jointCount());
   double ratio = 2;
   for (int k = 0; k < 60; ++k) ratio = std::pow(1 + ratio, 1. / (n + 1));
   for (int s = 0; s < count; ++s) {
     VectorXd q(n);
     for (int k = 0; k < n; ++k) {
-      const auto& joint = arm.rows[active[k]].joint;
+      const auto& joint = arm.joint(k);
       const double span = joint.type == JointType::kPrismatic ? reachOf(arm) : kPi;
       const double lower = std::isfinite(joint.lower) ? joint.lower : -span,
                    upper = std::isfinite(joint.upper) ? joint.upper : span;

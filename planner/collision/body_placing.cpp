@@ -94,7 +94,7 @@ Isometry3d PlacedPostures::X_WL(int row, int lane) const {
 
 BodyPlacing::BodyPlacing(const Workcell& cell)
     : cell_(cell), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)), arm_(cell.arm) {
-  const auto joints = static_cast<Index>(deflection::activeRows(cell.arm).size());
+  const auto joints = cell.arm.jointCount();
   constexpr std::size_t kLanes = kernels::kMostLanes;
   if (arm_.revoluteChain()) {
     arm_.solve({VectorXd::Zero(joints), cell.load, gravity_B_});

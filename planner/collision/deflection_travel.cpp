@@ -33,9 +33,8 @@ struct FlexiblePlace {
 
 /// How far a point can jump where clearances snap over: every gap times the reach beyond it.
 double jumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
-  const deflection::Posture posture{
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(deflection::activeRows(cell.arm).size())), cell.load,
-      deflection::gravityInBase(cell.arm, cell.X_WB)};
+  const deflection::Posture posture{Eigen::VectorXd::Zero(cell.arm.jointCount()), cell.load,
+                                    deflection::gravityInBase(cell.arm, cell.X_WB)};
   const auto context = deflection::contextOf(cell.arm, posture);
   double jump = 0, reach = 0;
   for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
@@ -163,7 +162,6 @@ class Bound {
 
 DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<double>& body_reach) {
   DeflectionTravel travel;
-  const auto active = deflection::activeRows(cell.arm);
   const auto refuse = [&](std::string reason) {
     travel.reason = std::move(reason);
     return travel;
@@ -174,6 +172,7 @@ DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<doub
     if (row.joint.type == deflection::JointType::kPrismatic) return refuse("the arm has a sliding joint");
   const Bound bound(cell, body_reach);
   if (!bound.bendsLittle()) return refuse("an element may bend by more than 0.1 rad");
+  const auto active = deflection::activeRows(cell.arm);
   travel.per_joint.resize(static_cast<Eigen::Index>(active.size()));
   for (std::size_t j = 0; j < active.size(); ++j)
     travel.per_joint[static_cast<Eigen::Index>(j)] = bound.travelBy(active[j]);

@@ -34,7 +34,7 @@ class ToolPlacer {
  public:
   ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options)
       : cell_(cell),
-        joints_(static_cast<Eigen::Index>(deflection::activeRows(arm).size())),
+        joints_(arm.jointCount()),
         gravity_B_(deflection::gravityInBase(arm, cell.X_WB)),
         solver_(arm, cell.load, gravity_B_, withinTilt(cell.tool, options)),
         kinematics_(arm) {}

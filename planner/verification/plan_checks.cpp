@@ -61,7 +61,7 @@ class Checker {
   }
 
   bool shapesFit() {
-    const auto joints = static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size());
+    const auto joints = cell_.arm.jointCount();
     const auto fits = [&](const VectorXd& q) { return q.size() == joints && q.allFinite(); };
     const bool fit =
         std::all_of(plan_.path.begin(), plan_.path.end(), [&](const PathRow& row) { return fits(row.q); }) &&
@@ -82,7 +82,7 @@ class Checker {
       if (!seen.insert({tube.row, tube.column}).second) find(name + " is visited twice");
       if (!((tube.hole_W - holeCentre(*hole)).norm() <= options_.stated_tolerance))
         find(name + ": the stated hole is not where the sheet has it");
-      if (tube.q.size() != static_cast<Eigen::Index>(deflection::activeRows(cell_.arm).size())) continue;
+      if (tube.q.size() != cell_.arm.jointCount()) continue;
       const Vector3d tip = tipAt(tube.q);
       const double off = (tip - holeCentre(*hole)).norm();
       result_.worst_centring = std::max(result_.worst_centring, off);
@@ -110,9 +110,10 @@ class Checker {
     const double apart = (cell_.X_WB * other.p_BD - tip).norm();
     result_.worst_statics = std::fmax(result_.worst_statics, apart);
     if (!(apart <= options_.statics_tolerance))
-      find(fmt::format("{}: by members cut into pieces the tip is {:.3g} m from where the model has it: raise the "
-                       "beams' `segments`",
-                       tube, apart));
+      find(
+          fmt::format("{}: by members cut into pieces the tip is {:.3g} m from where the model has it: raise the "
+                      "beams' `segments`",
+                      tube, apart));
   }
 
   /// Travels before the first approach: the one from the start posture, or none.
@@ -148,10 +149,9 @@ class Checker {
   }
 
   void checkJoints() {
-    const auto active = deflection::activeRows(cell_.arm);
     for (std::size_t k = 0; k < plan_.path.size(); ++k)
       for (int j = 0; j < plan_.path[k].q.size(); ++j) {
-        const auto& joint = cell_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint;
+        const auto& joint = cell_.arm.joint(j);
         const double q = plan_.path[k].q[j];
         if (q < joint.lower - 1e-12 || q > joint.upper + 1e-12)
           find(fmt::format("path row {}: {} is past its limit", k + 1, joint.name));

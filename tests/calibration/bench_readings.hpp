@@ -51,10 +51,7 @@ inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::
     Eigen::Vector3d p = predictReading(arm, cell.X_WB, reading).value;
     for (double& coordinate : p) coordinate += reading.sigma * normal(random);
     reading.p_W = p;
-    const auto active = deflection::activeRows(arm);
-    for (int j = 0; j < 4; ++j)
-      reading.q[j] +=
-          arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint.encoder_sigma * normal(random);
+    for (int j = 0; j < 4; ++j) reading.q[j] += arm.joint(j).encoder_sigma * normal(random);
     readings.push_back(reading);
   }
   return readings;

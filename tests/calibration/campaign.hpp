@@ -36,15 +36,15 @@ inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::
   boost::random::mt19937_64 random(seed);
   boost::random::uniform_real_distribution<double> share(0, 1);
   boost::random::normal_distribution<double> normal;
-  const auto active = deflection::activeRows(truth);
   std::vector<Measurement> readings;
   for (int posture = 0; posture < plan.postures; ++posture) {
     Measurement reading;
     reading.load = 60. * (posture % 3);
-    reading.q.resize(static_cast<Eigen::Index>(active.size()));
+    reading.q.resize(truth.jointCount());
     for (auto& q : reading.q) q = -1 + 2 * share(random);
     reading.q[1] += 1.2;
-    for (std::size_t j = 0; j < active.size(); ++j) reading.approach_directions.push_back(share(random) < 0.5 ? -1 : 1);
+    for (Eigen::Index j = 0; j < truth.jointCount(); ++j)
+      reading.approach_directions.push_back(share(random) < 0.5 ? -1 : 1);
     reading.temperature = truth.reference_temperature + 20 * (share(random) - 0.5);
     reading.sigma = plan.stated;
     for (int again = 0; again < plan.repeats; ++again) {
@@ -53,9 +53,7 @@ inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::
       one.id = std::to_string(readings.size() + 1);
       one.p_W = predictReading(truth, Eigen::Isometry3d::Identity(), one).value;
       for (int c = 0; c < 3; ++c) (*one.p_W)[c] += plan.noise * normal(random);
-      for (std::size_t j = 0; j < active.size(); ++j)
-        one.q[static_cast<Eigen::Index>(j)] +=
-            truth.rows[static_cast<std::size_t>(active[j])].joint.encoder_sigma * normal(random);
+      for (Eigen::Index j = 0; j < truth.jointCount(); ++j) one.q[j] += truth.joint(j).encoder_sigma * normal(random);
       readings.push_back(one);
     }
   }

@@ -107,10 +107,9 @@ class ReadingMaker {
   /// Well inside the Cobra's limits, the elbow up; other arms draw from half of each joint's range.
   [[nodiscard]] Eigen::VectorXd drawPosture() {
     static constexpr double kFrom[] = {-120, 30, -110, -80}, kTo[] = {120, 110, -20, 20};
-    const auto active = deflection::activeRows(truth_.arm);
-    Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+    Eigen::VectorXd q(truth_.arm.jointCount());
     for (int k = 0; k < q.size(); ++k) {
-      const auto& joint = truth_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint;
+      const auto& joint = truth_.arm.joint(k);
       q[k] = q.size() == 4 ? uniform(kFrom[k], kTo[k]) * kDegree : uniform(joint.lower, joint.upper) / 2;
     }
     return q;
@@ -172,10 +171,8 @@ class ReadingMaker {
   }
 
   Eigen::VectorXd encoderNoise() {
-    const auto active = deflection::activeRows(truth_.arm);
-    Eigen::VectorXd d(static_cast<Eigen::Index>(active.size()));
-    for (int k = 0; k < d.size(); ++k)
-      d[k] = noise(truth_.arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])].joint.encoder_sigma);
+    Eigen::VectorXd d(truth_.arm.jointCount());
+    for (int k = 0; k < d.size(); ++k) d[k] = noise(truth_.arm.joint(k).encoder_sigma);
     return d;
   }
 

@@ -23,10 +23,9 @@ inline Arm cobraArm(int segments = 1) {
 
 inline Eigen::VectorXd randomJoints(const Arm& arm, std::mt19937_64& random) {
   std::uniform_real_distribution<double> share(0.02, 0.98);
-  const auto active = activeRows(arm);
-  Eigen::VectorXd q(active.size());
+  Eigen::VectorXd q(arm.jointCount());
   for (int k = 0; k < q.size(); ++k) {
-    const auto& joint = arm.rows[active[k]].joint;
+    const auto& joint = arm.joint(k);
     q[k] = joint.lower + share(random) * (joint.upper - joint.lower);
   }
   return q;

@@ -89,7 +89,7 @@ inline Eigen::VectorXd randomReadings(const std::vector<const Joint<double>*>& j
 
 inline Posture randomPostureOf(const Arm& arm, double most_load) {
   std::vector<const Joint<double>*> joints;
-  for (const int row : activeRows(arm)) joints.push_back(&arm.rows[static_cast<std::size_t>(row)].joint);
+  for (const auto& joint : arm.joints()) joints.push_back(&joint);
   Posture posture{randomReadings(joints), between(0, most_load), Eigen::Vector3d::UnitX()};
   posture.gravity_B = rotationFromFixedAngles<double>(vectorIn(3)) * posture.gravity_B;
   posture.side_q = randomReadings(sideJoints(arm));

@@ -148,10 +148,9 @@ RC_GTEST_PROP(RandomArms, FindTheirWayBackOrSayWhyNot, ()) {
   RC_ASSERT((there.X_BD.p - goal.p_BT).norm() <= 1e-9 * reachOf(arm));
   const double cosine = std::clamp((there.X_BD.R * arm.tool_axis_L).dot(goal.axis_B), -1., 1.);
   RC_ASSERT(std::abs(std::acos(cosine) - branch.tilt) <= 1e-6);
-  const auto active = activeRows(arm);
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
-    const double q = branch.q[static_cast<Eigen::Index>(k)];
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
+    const auto& joint = arm.joint(k);
+    const double q = branch.q[k];
     RC_ASSERT(q >= joint.lower - 1e-9 && q <= joint.upper + 1e-9);
   }
 }

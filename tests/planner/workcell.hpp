@@ -48,19 +48,17 @@ inline Workcell alone(Workcell cell) {
 
 /// Any posture within the joints' limits, collisions or not.
 inline Eigen::VectorXd randomPosture(const deflection::Arm& arm, std::mt19937_64& generator) {
-  const auto active = deflection::activeRows(arm);
-  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+  Eigen::VectorXd q(arm.jointCount());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint;
+    const auto& joint = arm.joint(j);
     q[j] = uniform(generator, joint.lower, joint.upper);
   }
   return q;
 }
 
 inline bool withinLimits(const deflection::Arm& arm, const Eigen::VectorXd& q) {
-  const auto active = deflection::activeRows(arm);
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint;
+    const auto& joint = arm.joint(j);
     if (!(q[j] >= joint.lower - 1e-12 && q[j] <= joint.upper + 1e-12)) return false;
   }
   return true;

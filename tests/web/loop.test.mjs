@@ -282,6 +282,24 @@ describe("by keys alone", () => {
     await tab.context().close();
   });
 
+  it("keeps a dialog open that is opened again before the browser tells of its closing", async () => {
+    const tab = await openTab(browser, `${server.address}#error`);
+    await tab.waitForSelector(".error-view");
+    await tab.keyboard.press("o");
+    await tab.waitForSelector("dialog[open] .file");
+    const isOpen = await tab.evaluate(async () => {
+      document.querySelector("dialog[open] button[title^='Close']").click();
+      for (let k = 0; k < 20; ++k) await Promise.resolve(); // the page has drawn, the browser's event is still to come
+      document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "o", bubbles: true}));
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      return document.querySelector("dialog[open]") !== null;
+    });
+    assert.ok(isOpen);
+    await tab.waitForSelector("dialog[open] .file");
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+  });
+
   it("changes the view, opens and closes dialogs, and lists the keys", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".error-view");

@@ -205,6 +205,14 @@ export async function openTab(browser, address, options = {}) {
   if (slowness > 1) {
     const session = await context.newCDPSession(tab);
     await session.send("Emulation.setCPUThrottlingRate", {rate: slowness});
+    await session.send("Network.enable");
+    const latency = 40 * slowness; // ms
+    await session.send("Network.emulateNetworkConditions", {
+      offline: false,
+      latency,
+      downloadThroughput: -1,
+      uploadThroughput: -1,
+    });
   }
   tab.errors = [];
   tab.on("console", (message) => message.type() === "error" && tab.errors.push(message.text()));

@@ -30,8 +30,7 @@ json drawnJson(const CentringResults& results) {
   const auto& spread = results.task.options.spread;
   const Units& units = results.task.cell.units;
   json encoders = json::object();
-  for (const int row : deflection::activeRows(results.task.truth.arm)) {
-    const auto& joint = results.task.truth.arm.rows[static_cast<std::size_t>(row)].joint;
+  for (const auto& joint : results.task.truth.arm.joints()) {
     encoders[joint.name] = finiteJson(joint.encoder_sigma / units.factor(jointDimension(joint)));
   }
   return {{"base_shift_sigma", lengthJson(spread.base_shift_sigma, units)},

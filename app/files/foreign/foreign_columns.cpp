@@ -21,8 +21,7 @@ namespace {
 
 void addJoints(const deflection::Arm& arm, std::vector<ColumnTarget>& targets) {
   int number = 0;
-  for (const int row : deflection::activeRows(arm)) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(row)].joint;
+  for (const auto& joint : arm.joints()) {
     ++number;
     std::vector<std::string> aliases = {parseHeading(joint.name).name};
     for (const char* name : {"j", "joint", "axis", "a", "q", "theta", "encoder"})
@@ -35,8 +34,8 @@ void addJoints(const deflection::Arm& arm, std::vector<ColumnTarget>& targets) {
                        .unit = unitKindOf(*joint),
                        .is_joint = true,
                        .aliases = {parseHeading(joint->name).name}});
-  for (const int row : deflection::activeRows(arm)) {
-    const std::string name = arm.rows[static_cast<std::size_t>(row)].joint.name + "_dir";
+  for (const auto& joint : arm.joints()) {
+    const std::string name = joint.name + "_dir";
     targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {parseHeading(name).name}});
   }
 }

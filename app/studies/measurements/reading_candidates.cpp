@@ -23,14 +23,13 @@ constexpr int kTriesPerPosture = 40;  // before a scene is taken to leave no mor
 constexpr double kSamePlace = 1e-7;   // m, of a place touched again
 
 VectorXd drawPosture(const deflection::Arm& arm, boost::random::mt19937_64& random) {
-  const auto active = deflection::activeRows(arm);
-  VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
+  VectorXd q(arm.jointCount());
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
+    const auto& joint = arm.joint(k);
     const double span = joint.type == deflection::JointType::kPrismatic ? deflection::reachOf(arm) : std::numbers::pi;
     const double lower = std::isfinite(joint.lower) ? joint.lower : -span;
     const double upper = std::isfinite(joint.upper) ? joint.upper : span;
-    q[static_cast<Eigen::Index>(k)] = boost::random::uniform_real_distribution<double>(lower, upper)(random);
+    q[k] = boost::random::uniform_real_distribution<double>(lower, upper)(random);
   }
   return q;
 }

@@ -53,7 +53,7 @@ TEST_F(NextReadings, AreProposedWhereTheAnswerIsOneOfSeveral) {
       EXPECT_GE(reading["separation_sigmas"], 0);
       EXPECT_TRUE(reading["point"].is_null());
       const double theta2 = reading["posture"]["theta2"];
-      const auto& joint = arm.rows[static_cast<std::size_t>(deflection::activeRows(arm)[1])].joint;
+      const auto& joint = arm.joint(1);
       EXPECT_GE(theta2, joint.lower / 0.017453292519943295 - 1e-6);
       EXPECT_LE(theta2, joint.upper / 0.017453292519943295 + 1e-6);
     }

@@ -28,11 +28,10 @@ std::string urdfText(const std::string& robot) {
 Units metres() { return Units(parseYaml("units: {length: m, angle: deg, force: N}", "u.yaml").at("units")); }
 
 VectorXd drawPosture(const deflection::Arm& arm, std::mt19937_64& random) {
-  const auto active = deflection::activeRows(arm);
-  VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
-    q[static_cast<Eigen::Index>(k)] = std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
+  VectorXd q(arm.jointCount());
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
+    const auto& joint = arm.joint(k);
+    q[k] = std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
   }
   return q;
 }
@@ -76,12 +75,10 @@ TEST(Urdf, TipsAreWhereTheFileHasThem) {
   for (const auto& robot : kRobots) {
     const deflection::Arm arm = parseUrdf(urdfText(robot), robot).arm;
     const auto model = urdf::parseURDF(urdfText(robot));
-    const auto active = deflection::activeRows(arm);
     for (int k = 0; k < 100; ++k) {
       const VectorXd q = drawPosture(arm, random);
       std::map<std::string, double> joints;
-      for (std::size_t j = 0; j < active.size(); ++j)
-        joints[arm.rows[static_cast<std::size_t>(active[j])].joint.name] = q[static_cast<Eigen::Index>(j)];
+      for (Eigen::Index j = 0; j < arm.jointCount(); ++j) joints[arm.joint(j).name] = q[j];
       const auto tip = deflection::solveFlexibleKinematics(arm, {q}).X_BT;
       const Isometry3d X = leafFrame(*model, joints);
       EXPECT_LE((tip.p - X.translation()).norm(), 1e-12) << robot;
@@ -96,7 +93,7 @@ TEST(Urdf, ExportedAndImportedAgainIsTheSameArm) {
     const deflection::Arm arm = parseUrdf(urdfText(robot), robot).arm;
     const deflection::Arm again = parseUrdf(urdfOf(arm).text, robot).arm;
     expectSameTips(arm, again, random, 1e-9);
-    ASSERT_EQ(deflection::activeRows(arm).size(), deflection::activeRows(again).size());
+    ASSERT_EQ(arm.jointCount(), again.jointCount());
     for (std::size_t k = 0; k < arm.rows.size(); ++k) {
       EXPECT_EQ(arm.rows[k].joint.name, again.rows[k].joint.name);
       EXPECT_DOUBLE_EQ(arm.rows[k].joint.lower, again.rows[k].joint.lower);
@@ -129,7 +126,7 @@ TEST(Urdf, AnArmsFileReadsBackAsTheArm) {
 TEST(Urdf, WeightsFollowersAndSolidsComeAlong) {
   const UrdfArm palletizer = parseUrdf(urdfText("palletizer"), "p.urdf");
   EXPECT_EQ(palletizer.arm.rows.back().joint.follows.front().ratio, -1);
-  EXPECT_EQ(deflection::activeRows(palletizer.arm).size(), 4u);
+  EXPECT_EQ(palletizer.arm.jointCount(), 4);
   EXPECT_NEAR(palletizer.arm.rows[2].weight.lumps.front().weight, 60 * 9.80665, 1e-9);
   const UrdfArm ur5 = parseUrdf(urdfText("ur5"), "ur5.urdf");
   ASSERT_EQ(ur5.shapes.size(), 3u);

@@ -46,10 +46,7 @@ struct Bench {
     Eigen::Vector3d p = predictReading(truth, cell.X_WB, reading).value;
     for (double& coordinate : p) coordinate += reading.sigma * normal(random);
     reading.p_W = p;
-    const auto active = deflection::activeRows(truth);
-    for (int j = 0; j < 4; ++j)
-      reading.q[j] += truth.rows[static_cast<std::size_t>(active[static_cast<std::size_t>(j)])].joint.encoder_sigma *
-                      normal(random);
+    for (int j = 0; j < 4; ++j) reading.q[j] += truth.joint(j).encoder_sigma * normal(random);
     readings.push_back(reading);
   }
 

@@ -28,12 +28,11 @@ struct Asked {
 };
 
 VectorXd drawnWithin(const Arm& arm, std::mt19937_64& random) {
-  const auto active = activeRows(arm);
-  VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
+  VectorXd q(arm.jointCount());
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
+    const auto& joint = arm.joint(k);
     const double share = std::uniform_real_distribution<>(0.2, 0.8)(random);
-    q[static_cast<Eigen::Index>(k)] = joint.lower + share * (joint.upper - joint.lower);
+    q[k] = joint.lower + share * (joint.upper - joint.lower);
   }
   return q;
 }

@@ -53,7 +53,7 @@ inline Posture randomCase(const Arm& arm, std::mt19937_64& random) {
 
 inline PostureBatch randomBatch(const Arm& arm, Eigen::Index count, std::mt19937_64& random) {
   PostureBatch batch;
-  batch.resize(static_cast<Eigen::Index>(activeRows(arm).size()), count);
+  batch.resize(arm.jointCount(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Posture posture = randomCase(arm, random);
     batch.q.col(k) = posture.q;

@@ -26,7 +26,7 @@ std::vector<Workcell> cells() {
 }
 
 deflection::Side randomPostures(const Workcell& cell, Index count, std::mt19937_64& random) {
-  deflection::Side q(static_cast<Index>(deflection::activeRows(cell.arm).size()), count);
+  deflection::Side q(cell.arm.jointCount(), count);
   for (Index k = 0; k < count; ++k) q.col(k) = randomPosture(cell.arm, random);
   return q;
 }

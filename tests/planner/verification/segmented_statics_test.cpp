@@ -31,8 +31,7 @@ Arm cantilever(double E, double I) {
 SegmentedStatics solved(const Arm& arm, double load, int pieces = 32) {
   SegmentedStaticsOptions options;
   options.pieces = pieces;
-  return solveSegmentedStatics(
-      arm, {VectorXd::Zero(static_cast<Eigen::Index>(deflection::activeRows(arm).size())), load}, options);
+  return solveSegmentedStatics(arm, {VectorXd::Zero(arm.jointCount()), load}, options);
 }
 
 TEST(SegmentedStatics, ACantileverSagsByTheClosedForm) {
@@ -59,12 +58,11 @@ TEST(SegmentedStatics, TheErrorFallsWithTheSquareOfThePieces) {
 }
 
 VectorXd anyPosture(const Arm& arm, std::mt19937_64& random) {
-  const auto active = deflection::activeRows(arm);
-  VectorXd q(static_cast<Eigen::Index>(active.size()));
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const auto& joint = arm.rows[static_cast<std::size_t>(active[k])].joint;
+  VectorXd q(arm.jointCount());
+  for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
+    const auto& joint = arm.joint(k);
     const double low = std::max(joint.lower, -3.), high = std::min(joint.upper, 3.);
-    q[static_cast<Eigen::Index>(k)] = std::uniform_real_distribution<double>(low, high)(random);
+    q[k] = std::uniform_real_distribution<double>(low, high)(random);
   }
   return q;
 }
