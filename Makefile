@@ -1,6 +1,7 @@
 # make demo   installs what is missing, builds, and plans the mock-up's tubes
 # make test   the same, and runs every test
 # make package  the same as demo's build, and a Debian package of it in build/
+# make site   the documents, every command and the catalogue of effects as a site in build/site/html
 # make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
 TUBES   ?= spread:60
 TOUCHES ?= auto
@@ -12,7 +13,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test bench package program packages format clean
+.PHONY: demo test bench package site program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -27,6 +28,9 @@ bench: $(BENCH)/build.ninja
 
 package: program $(BUILD)/.packages-deb
 	cd $(BUILD) && SOURCE_DATE_EPOCH=$$(git -C .. log -1 --format=%ct) cpack -G DEB
+
+site: program $(BUILD)/.packages-docs
+	python3 docs/site/make_site.py $(BUILD)/tubeplan $(BUILD)/site
 
 program: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) -j $(JOBS) --target installed
@@ -44,10 +48,11 @@ packages: $(BUILD)/.packages
 $(BUILD)/.packages: packages.txt
 $(BENCH)/.packages: packages.txt packages-bench.txt
 $(BUILD)/.packages-deb: packages-deb.txt
+$(BUILD)/.packages-docs: packages-docs.txt
 
 # The stamp stands for "all of its lists is installed"; only what is missing is fetched. A package whose command is there
 # from elsewhere counts as installed: Node.js's own packages bring npm and do not go with Debian's.
-$(BUILD)/.packages $(BENCH)/.packages $(BUILD)/.packages-deb:
+$(BUILD)/.packages $(BENCH)/.packages $(BUILD)/.packages-deb $(BUILD)/.packages-docs:
 	@missing=; for package in $$(grep -hv '^#' $^); do \
 	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || command -v $$package >/dev/null || missing="$$missing $$package"; \
 	done; \
