@@ -2,7 +2,8 @@
 """altered_plans.py TUBEPLAN CELL PLAN-FOLDER [--runs 300] [--seed 1]: how many altered copies of a proved plan `verify` catches.
 
 Each copy has one change: a joint value of one tube, a joint value of one row of the path, a skipped tube, two tubes
-exchanged, a hole's coordinate, a row's time, or an obstacle of the cell moved into the path. All must be refused.
+exchanged, a hole's coordinate, a row's time, an obstacle of the cell moved into the path, or another stiffness of its
+arm. All must be refused; `--only NAME` makes one kind of change alone.
 """
 import argparse
 import contextlib
@@ -103,10 +104,27 @@ def moved_obstacle(folder, rng):
     return f"nozzle dam under x {x:.1f}, y {y:.1f}"
 
 
+def other_stiffness(folder, rng):
+    """One stiffness of the arm by 5 % to a factor of two: only statics can see it."""
+    path = folder / "cell.yaml"
+    text = path.read_text()
+    arm = re.search(r"^arm: (.*)$", text, re.M)
+    arm_text = (folder / arm[1].strip("'\"")).resolve().read_text()
+    places = [(m[1], n) for m in re.finditer(r"(joint_stiffness|beam): \{[^}]*\}", arm_text)
+              for n in re.finditer(r"\b([EGIJ][xyz]?|[xyz]): ([0-9.e+]+)", arm_text[:m.end()]) if n.start() > m.start()]
+    kind, number = rng.choice(places)
+    factor = rng.choice([-1, 1]) * 10 ** rng.uniform(-1.3, -.3) + 1
+    changed = repr(float(number[2]) * factor)
+    (folder / "other-arm.yaml").write_text(arm_text[:number.start(2)] + changed + arm_text[number.end(2):])
+    path.write_text(text[:arm.start(1)] + "other-arm.yaml" + text[arm.end(1):])
+    return f"{kind} {number[1]} from {number[2]} to {changed}"
+
+
 ALTERATIONS = {"a tube's joint": change_plan(tube_joint), "a skipped tube": change_plan(skipped_tube),
                "two tubes exchanged": change_plan(exchanged_tubes), "a hole's place": change_plan(hole_place),
                "a joint on the path": path_joint, "a skipped approach": skipped_rows, "a row too early": earlier_row,
-               "an obstacle moved": moved_obstacle}
+               "an obstacle moved": moved_obstacle, "another stiffness": other_stiffness}
+OF_THE_CELL = {"an obstacle moved", "another stiffness"}
 
 
 @contextlib.contextmanager
@@ -128,17 +146,18 @@ def main():
     parser.add_argument("plan", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=300)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", choices=ALTERATIONS)
     asked = parser.parse_args()
     rng = random.Random(asked.seed)
     with copy_of(asked.plan) as folder:
         if verify(asked.program, asked.cell, folder) != 0:
             sys.exit("the plan as it is is not proved")
-    names, caught, missed = list(ALTERATIONS), dict.fromkeys(ALTERATIONS, 0), []
+    names, caught, missed = [asked.only] if asked.only else list(ALTERATIONS), dict.fromkeys(ALTERATIONS, 0), []
     for run in range(asked.runs):
         name = names[run % len(names)]
         with copy_of(asked.plan) as folder:
             what = ALTERATIONS[name](folder, rng)
-            cell = str(folder / "cell.yaml") if name == "an obstacle moved" else asked.cell
+            cell = str(folder / "cell.yaml") if name in OF_THE_CELL else asked.cell
             code = verify(asked.program, cell, folder)
         if code in (1, 2):
             caught[name] += 1

@@ -8,7 +8,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include "app/jobs/diagnosis_job.hpp"
+#include "app/jobs/diagnosis.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
