@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "planner/motion/detour_shaping.hpp"
 #include "planner/motion/side_by_side.hpp"
 #include "planner/reach/compensation.hpp"
 #include "planner/timing/flowing_timing.hpp"
@@ -77,6 +78,7 @@ TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<Tu
   problem_.roadmap = [&roadmap](const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) {
     return roadmap.get().between(q0, q1, checks);
   };
+  if (options.travel == TravelKind::kLine) lines_.emplace(clearance.cell(), speeds_, options.line);
 }
 
 const Eigen::VectorXd& TravelNetwork::standoff(Stop stop) const {
@@ -90,16 +92,38 @@ TubePosture TravelNetwork::postureOf(Stop stop) const {
   return {reach_[static_cast<std::size_t>(stop.visit)].tube, stop.branch};
 }
 
+/// Not run where no line joins the two, or something is in its way.
+MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1) {
+  MotionPlan plan;
+  LineTravel line = lines_->between(q0, q1);
+  if (line.status != LineTravelStatus::kOnLine) return plan;
+  const MotionCheckResult check = checkFlow(line.waypoints, problem_, options_.motion.check, plan.checks);
+  if (check.status != MotionCheckStatus::kFree) return plan;
+  plan.status = MotionPlanStatus::kFree;
+  plan.cost = flowTime(line.waypoints, problem_);
+  plan.waypoints = std::move(line.waypoints);
+  plan.flows = true;
+  plan.line_deviation = line.deviation;
+  plan.proved_margin = check.proved_margin;
+  plan.tightest = check.tightest;
+  return plan;
+}
+
+MotionPlan TravelNetwork::planned(Stop a, Stop b) {
+  if (lines_ && a.visit >= 0 && b.visit >= 0)
+    if (MotionPlan line = onLine(standoff(a), standoff(b)); line.status == MotionPlanStatus::kFree) return line;
+  MotionPlannerOptions motion = options_.motion;
+  motion.seed = pairSeed(options_.seed, postureOf(a), postureOf(b));
+  return planMotion(standoff(a), standoff(b), problem_, motion);
+}
+
 const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
   const bool is_backward = postureOf(b) < postureOf(a);
   if (is_backward) std::swap(a, b);
   const TubePosture first = postureOf(a), second = postureOf(b);
   auto known = cache_.travels.find({first, second});
   if (known == cache_.travels.end()) {
-    MotionPlannerOptions motion = options_.motion;
-    motion.seed = pairSeed(options_.seed, first, second);
-    const MotionPlan plan = planMotion(standoff(a), standoff(b), problem_, motion);
-    known = cache_.travels.emplace(MotionEnds{first, second}, plan).first;
+    known = cache_.travels.emplace(MotionEnds{first, second}, planned(a, b)).first;
   }
   if (!is_backward) return known->second;
   const auto backward = backward_.find({second, first});

@@ -46,12 +46,16 @@ class TravelNetwork {
   [[nodiscard]] const deflection::Arm& arm() const { return clearance_.cell().arm; }
 
  private:
+  [[nodiscard]] MotionPlan onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
+  [[nodiscard]] MotionPlan planned(Stop a, Stop b);
+
   const ArmClearance& clearance_;
   const std::vector<TubeReach>& reach_;
   const JointSpeeds speeds_;
   const VisitPlanOptions& options_;
   PlanCache& cache_;
   MotionProblem problem_;
+  std::optional<LineTravels> lines_;           ///< where the tool is to go straight
   std::map<MotionEnds, MotionPlan> backward_;  ///< the greater end first
 };
 

@@ -63,7 +63,12 @@ std::vector<MotionEnds> laySegments(const std::vector<Stop>& stops, const VisitC
       const MotionPlan& travel = network.between(stops[k - 1], stops[k]);
       plan.segments.push_back(segmentOf(SegmentKind::kTravel, visit, travel.waypoints));
       plan.segments.back().flows = travel.flows;
-      plan.detours += travel.waypoints.size() > 2;
+      if (std::isnan(travel.line_deviation)) {
+        plan.detours += travel.waypoints.size() > 2;
+      } else {
+        ++plan.lines;
+        plan.line_deviation = std::fmax(plan.line_deviation, travel.line_deviation);
+      }
       ends.push_back({network.postureOf(stops[k - 1]), network.postureOf(stops[k])});
     }
     if (!is_visit) continue;
@@ -153,6 +158,14 @@ VisitPlan stopped(VisitPlan plan) {
 std::string_view nameOf(SegmentKind kind) {
   static constexpr std::array<std::string_view, 3> kNames{"travel", "approach", "retreat"};
   return kNames.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view nameOf(TravelKind kind) { return kind == TravelKind::kLine ? "line" : "joints"; }
+
+std::optional<TravelKind> findTravelKind(std::string_view name) {
+  for (const TravelKind kind : {TravelKind::kJoints, TravelKind::kLine})
+    if (name == nameOf(kind)) return kind;
+  return std::nullopt;
 }
 
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm) {

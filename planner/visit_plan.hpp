@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "planner/motion/motion_planner.hpp"
 #include "planner/order/visit_order.hpp"
 #include "planner/plan_cache.hpp"
+#include "planner/reach/line_travel.hpp"
 #include "planner/reach/tube_reach.hpp"
 #include "planner/timing/trapezoid_timing.hpp"
 #include "planner/visit_conditions.hpp"
@@ -31,8 +33,18 @@ inline void keep(const PlanHooks& hooks, const PlanCache& cache) {
   if (hooks.keep) hooks.keep(cache);
 }
 
+/// How the tool goes from tube to tube.
+enum class TravelKind {
+  kJoints,  ///< straight in joint space, or round what is in the way
+  kLine,    ///< the deflected tip on the line between the standoffs, where that is possible and free
+};
+std::string_view nameOf(TravelKind kind);  ///< joints, line
+std::optional<TravelKind> findTravelKind(std::string_view name);
+
 struct VisitPlanOptions {
   std::uint64_t seed = 1;
+  TravelKind travel = TravelKind::kJoints;
+  LineTravelOptions line;
   TubeReachOptions reach;
   VisitOrderOptions order;
   MotionPlannerOptions motion;
@@ -84,8 +96,10 @@ struct VisitPlan {
   double total_time = std::numeric_limits<double>::quiet_NaN();       ///< s, approaches, retreats and stays included
   double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< m, proved, over all segments
   Clearance tightest;
-  int detours = 0;  ///< travels that are not a straight joint move
-  KeptWork kept;    ///< what the memory had already
+  int detours = 0;  ///< travels that are neither a straight joint move nor a line
+  int lines = 0;    ///< travels with the tip on a line
+  double line_deviation = std::numeric_limits<double>::quiet_NaN();  ///< m, most a tip leaves its line
+  KeptWork kept;                                                     ///< what the memory had already
 };
 
 /// Plans the visit of `tubes` (indices in the sheet). Same cell, list, options and seed: same plan, at any number of

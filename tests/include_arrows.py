@@ -29,7 +29,7 @@ ARROWS = {
     'planner/collision': 'planner/workcell planner/scene deflection/inverse',
     'planner/timing': '',
     'planner/motion': 'planner/collision planner/timing',
-    'planner/reach': 'planner/motion planner/collision planner/workcell planner/scene deflection/inverse',
+    'planner/reach': 'planner/motion planner/collision planner/timing planner/workcell planner/scene deflection/inverse',
     'planner/order': 'planner/timing',
     'planner': 'planner/order planner/reach planner/motion planner/collision planner/timing planner/workcell '
                'planner/visit_conditions planner/scene',

@@ -1,4 +1,6 @@
 // tubeplan plan: the main job.
+#include "app/jobs/plan.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +13,6 @@
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/plan_files.hpp"
 #include "app/documents/trajectory_yaml.hpp"
-#include "app/jobs/plan_job.hpp"
 
 namespace tubeplan::app {
 
@@ -97,6 +98,10 @@ Run configurePlan(CLI::App& cli) {
                  "touched holes (CSV) that place the base, or auto: the true arm touches three");
   cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
+  cli.add_option("--travel", request.travel,
+                 "joints: the quickest way from tube to tube; line: the tip straight from standoff to standoff, as a "
+                 "camera is moved along a row, wherever that is possible and free")
+      ->capture_default_str();
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
   auto& conditions = request.conditions;
   cli.add_option("--start", conditions.start,

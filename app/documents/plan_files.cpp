@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/calibration_json.hpp"
+#include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/documents/step_chances_json.hpp"
 #include "app/documents/work_list_export.hpp"
@@ -131,6 +132,15 @@ std::string pathFingerprintOf(const PlanOutcome& outcome) {
   return numbers.fingerprint();
 }
 
+/// How the tool goes from tube to tube: on how many lines, and how far the deflected tip leaves them.
+json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, const Units& units) {
+  json travel = {{"kind", request.travel}};
+  if (request.travel != planner::nameOf(planner::TravelKind::kLine)) return travel;
+  travel["on_line"] = plan.lines;
+  travel["line_deviation"] = lengthJson(plan.line_deviation, units);
+  return travel;
+}
+
 }  // namespace
 
 json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
@@ -152,6 +162,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"row_by_row_time_s", plan.row_by_row_time},
                  {"total_time_s", plan.total_time},
                  {"detours", plan.detours},
+                 {"travel", travelJson(request, plan, outcome.cell.units)},
                  {"min_clearance", lengthOf(minClearance(outcome), outcome.cell.units)},
                  {"clearance_required", lengthOf(outcome.model.scene.clearance, outcome.cell.units)},
                  {"tightest", tightestText(outcome)},
@@ -261,6 +272,9 @@ std::string planText(const PlanOutcome& outcome) {
       "travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n",
       plan.travel_time, plan.lower_bound, 100 * plan.optimality_gap, plan.row_by_row_time, plan.total_time,
       plan.detours);
+  if (plan.lines > 0)
+    text += fmt::format("{} travels with the tip on a line, at most {} off it\n", plan.lines,
+                        lengthText(plan.line_deviation, units));
   text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
                       minClearance(outcome) / units.factor(dimension::kLength), unit,
                       outcome.model.scene.clearance / units.factor(dimension::kLength),

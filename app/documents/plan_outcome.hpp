@@ -22,6 +22,7 @@ struct PlanRequest {
       touches;  ///< file, `auto` (the truth touches holes chosen by the program), or empty: base as the cell has it
   std::string truth;  ///< file; empty: nothing is scored
   std::string compensation = "via-point";
+  std::string travel = "joints";  ///< or line: see planner::TravelKind
   double load = 0;  ///< in the cell's unit of force
   ConditionsRequest conditions;
   double padding = 0;              ///< of the base's standard deviations, kept beyond the scene's clearance

@@ -222,6 +222,8 @@ std::string chancesText(const PlanOutcome& outcome) {
 json summaryData(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const double unit = outcome.cell.units.factor(dimension::kLength);
+  const auto travels = std::count_if(plan.segments.begin(), plan.segments.end(),
+                                     [](const auto& segment) { return segment.kind == planner::SegmentKind::kTravel; });
   json rows = json::array();
   rows.push_back(
       {"tubes planned", fmt::format("{} of {}", plan.visits.size(), plan.visits.size() + plan.unreachable.size())});
@@ -237,6 +239,10 @@ json summaryData(const PlanOutcome& outcome) {
     for (const auto& warning : judgeBase(outcome.calibration->flexible, outcome.cell).warnings)
       rows.push_back({"warning", warning});
   rows.push_back({"steps, as predicted", chancesText(outcome)});
+  if (plan.lines > 0)
+    rows.push_back(
+        {"travels with the tip on a line", fmt::format("{} of {}, at most {} off it", plan.lines, travels,
+                                                       lengthText(plan.line_deviation, outcome.cell.units))});
   rows.push_back({"whole path", fmt::format("{:.0f} s, {} detours", plan.total_time, plan.detours)});
   return rows;
 }

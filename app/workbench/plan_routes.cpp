@@ -12,7 +12,7 @@
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
-#include "app/jobs/plan_job.hpp"
+#include "app/jobs/plan.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/path_answer.hpp"
 #include "app/workbench/posture_answer.hpp"
@@ -110,6 +110,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   asked.compensation = textOf(body, "compensation", asked.compensation);
   if (!planner::findCompensation(asked.compensation))
     throw InputError("request (compensation)", inQuotes(asked.compensation), "none, goal-point or via-point");
+  asked.travel = textOf(body, "travel", asked.travel);
   asked.load = numberOf(body, "load", 0);
   (void)parseLoad(asked.load, cell.units);
   asked.seed = seedOf(body);

@@ -48,6 +48,8 @@ struct MotionPlan {
   bool straight = false;  ///< start and goal alone
   bool apart = false;     ///< no path: the ends lie in parts of the free space that the roadmap has no way between
   bool flows = false;     ///< through the waypoints without rest; what is proved free is then that flow
+  /// m; most the deflected tip leaves the line between its ends, where it was to keep to it; else not a number
+  double line_deviation = std::numeric_limits<double>::quiet_NaN();
   double cost = std::numeric_limits<double>::quiet_NaN();
   double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< m, least over the stretches
   Clearance tightest;  ///< the tightest posture met on the way; when there is none, what blocks the straight move

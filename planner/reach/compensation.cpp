@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "deflection/inverse/inverse_solver.hpp"
 #include "planner/reach/tip_prediction.hpp"
+#include "planner/reach/tool_placer.hpp"
 
 namespace tubeplan::planner {
 
@@ -22,56 +22,6 @@ struct CompensationRow {
 constexpr std::array kModes{CompensationRow{Compensation::kNone, "none"},
                             CompensationRow{Compensation::kGoalPoint, "goal-point"},
                             CompensationRow{Compensation::kViaPoint, "via-point"}};
-
-deflection::InverseKinematicsOptions withinTilt(const tubesheets::SteppedTool& tool,
-                                                deflection::InverseKinematicsOptions options) {
-  options.max_tilt = std::min(options.max_tilt, toleratedTilt(tool));
-  return options;
-}
-
-/// Inverse kinematics of one model of the cell (the arm as it is, or rigid), goals given in the world.
-class ToolPlacer {
- public:
-  ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options)
-      : cell_(cell),
-        joints_(arm.jointCount()),
-        gravity_B_(deflection::gravityInBase(arm, cell.X_WB)),
-        solver_(arm, cell.load, gravity_B_, withinTilt(cell.tool, options)),
-        kinematics_(arm) {}
-
-  std::vector<deflection::Branch> allBranches(const Vector3d& tip_W) {
-    return std::move(solver_.solve(goalAt(tip_W)).branches);
-  }
-  std::vector<deflection::Branch> near(const std::vector<Vector3d>& tips_W, const std::vector<VectorXd>& starts) {
-    goals_.clear();
-    for (const Vector3d& tip_W : tips_W) goals_.push_back(goalAt(tip_W));
-    return solver_.refine(goals_, starts);
-  }
-  /// Not numbers where the shape does not converge.
-  std::vector<Vector3d> tipsAt(const std::vector<VectorXd>& postures) {
-    const auto n = static_cast<Eigen::Index>(postures.size());
-    batch_.resize(joints_, n, cell_.load, gravity_B_);
-    for (Eigen::Index k = 0; k < n; ++k) batch_.q.col(k) = postures[static_cast<std::size_t>(k)];
-    kinematics_.solve(batch_, tips_);
-    std::vector<Vector3d> tips_W;
-    for (Eigen::Index k = 0; k < n; ++k) tips_W.push_back(cell_.X_WB * Vector3d(tips_.poses.col(k).head<3>()));
-    return tips_W;
-  }
-
- private:
-  ToolGoal goalAt(const Vector3d& tip_W) const {
-    return {cell_.X_WB.inverse() * tip_W, cell_.X_WB.linear().transpose() * kHoleAxis_W};
-  }
-
-  const Workcell& cell_;
-  Eigen::Index joints_;
-  Vector3d gravity_B_;
-  deflection::InverseSolver solver_;
-  deflection::BatchKinematics kinematics_;
-  std::vector<ToolGoal> goals_;
-  deflection::PostureBatch batch_;
-  deflection::TipBatch tips_;
-};
 
 /// The way up to a branch's goal: its via points at equal heights, from the goal down to the standoff, are made twice
 /// as many until the placer's own tip keeps to the vertical midway between them.

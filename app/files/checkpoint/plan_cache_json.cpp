@@ -115,6 +115,7 @@ json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
           {"waypoints", posturesJson(plan.waypoints)},
           {"flows", plan.flows},
           {"apart", plan.apart},
+          {"line_deviation", numberJson(plan.line_deviation)},
           {"cost", numberJson(plan.cost)},
           {"margin", numberJson(plan.proved_margin)},
           {"tightest", clearanceJson(plan.tightest)},
@@ -130,6 +131,7 @@ planner::MotionPlan travelFrom(const json& object) {
   plan.straight = plan.waypoints.size() == 2;
   plan.flows = object.at("flows");
   plan.apart = object.at("apart");
+  if (object.contains("line_deviation")) plan.line_deviation = numberFrom(object["line_deviation"]);
   plan.cost = numberFrom(object.at("cost"));
   plan.proved_margin = numberFrom(object.at("margin"));
   plan.tightest = clearanceFrom(object.at("tightest"));

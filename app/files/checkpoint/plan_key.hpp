@@ -7,6 +7,7 @@
 
 #include "app/files/cell_reader.hpp"
 #include "planner/visit_conditions.hpp"
+#include "planner/visit_plan.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -22,6 +23,7 @@ struct PlanKeyInputs {
   const planner::Workcell& model;  ///< as planned with: base as calibrated, load
   const planner::VisitConditions& conditions;
   std::string compensation;
+  planner::TravelKind travel = planner::TravelKind::kJoints;
   double standoff = 0;  ///< m
   double padding = 0;   ///< standard deviations of the base's place
   std::uint64_t seed = 1;

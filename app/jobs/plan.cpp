@@ -1,7 +1,6 @@
-#include "app/jobs/plan_job.hpp"
+#include "app/jobs/plan.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <set>
 
@@ -14,7 +13,7 @@
 #include "app/files/units.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
-#include "planner/collision/padding.hpp"
+#include "app/studies/positioning/planned_visits.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
@@ -27,6 +26,15 @@ constexpr int kTouchCount = 3;
 planner::Compensation compensationOf(const std::string& name) {
   if (const auto mode = planner::findCompensation(name)) return *mode;
   throw InputError("--compensation", inQuotes(name), "none, goal-point or via-point");
+}
+
+planner::TravelKind travelOf(const PlanRequest& request) {
+  const auto kind = planner::findTravelKind(request.travel);
+  if (!kind) throw InputError("--travel", inQuotes(request.travel), "joints or line");
+  if (*kind == planner::TravelKind::kLine && request.compensation != planner::nameOf(planner::Compensation::kViaPoint))
+    throw InputError("--travel line", request.compensation + " compensation", "via-point",
+                     "only via points solved on the flexible model keep its tip on a line");
+  return *kind;
 }
 
 void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
@@ -62,28 +70,6 @@ std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, con
   return touches;
 }
 
-/// The model's own view of each visit: where the tip goes, and how sure that is.
-void predict(PlanOutcome& outcome) {
-  planner::TipPrediction tips(outcome.model);
-  std::vector<Eigen::VectorXd> postures;
-  for (const auto& visit : outcome.plan.visits) {
-    const auto hole = planner::holeCentre(outcome.model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
-    outcome.predicted.push_back(planner::scoreVisit(tips, outcome.model, hole, visit.branch));
-    postures.push_back(visit.branch.q);
-  }
-  outcome.chances = stepChances({outcome.cell, outcome.model, outcome.touches, postures, outcome.predicted});
-}
-
-void score(PlanOutcome& outcome) {
-  if (!outcome.truth) return;
-  const ScoringModels models = scoringModels(outcome.nominal, outcome.calibration, *outcome.truth);
-  outcome.scores.resize(outcome.plan.visits.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, outcome.scores.size(), [&](std::size_t k) {
-    const auto& visit = outcome.plan.visits[k];
-    outcome.scores[k] = scoreModes(models, {visit.tube, visit.branch.q});
-  });
-}
-
 void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   const std::set<int> old(before.begin(), before.end());
   int kept = 0;
@@ -111,6 +97,7 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
   options.reach.compensation.mode = outcome.compensation;
   options.reach.compensation.standoff = standoffOf(request, outcome);
   options.reach.padding = request.padding;
+  options.travel = travelOf(request);
   options.conditions = outcome.conditions;
   return options;
 }
@@ -123,15 +110,6 @@ void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
     throw InputError("--padding", "a base without a covariance", "one that was found by touching",
                      "give --touches, or a cell that `calibrate` wrote");
-}
-
-/// The most that a tip at a visited hole is padded by.
-double paddingAtHoles(const PlanRequest& request, const PlanOutcome& outcome) {
-  const planner::BasePadding padding(outcome.model, request.padding);
-  double most = 0;
-  for (const auto& visit : outcome.plan.visits)
-    most = std::max(most, padding.of({visit.branch.predicted_tip_W, visit.branch.predicted_tip_W, 0}));
-  return most;
 }
 
 /// The cell as the planner has it.
@@ -167,8 +145,8 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   planner::PlanCache& cache = checkpoint ? checkpoint->cache() : forgotten;
   if (checkpoint) {
     checkpoint->begin(
-        planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, standoffOf(request, outcome),
-                   request.padding, request.seed, checkpoint->fromFingerprint()},
+        planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, travelOf(request),
+                   standoffOf(request, outcome), request.padding, request.seed, checkpoint->fromFingerprint()},
                   tubes));
     hooks.keep = [checkpoint](const planner::PlanCache&) { checkpoint->saveNowAndThen(); };
   }
@@ -177,9 +155,12 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
   if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(cache.visiting_order, outcome.conditions);
   countChanges(order_before, outcome);
-  if (request.padding > 0) outcome.padding = paddingAtHoles(request, outcome);
-  predict(outcome);
-  score(outcome);
+  if (request.padding > 0) outcome.padding = paddingAtHoles(outcome.model, outcome.plan, request.padding);
+  outcome.predicted = predictVisits(outcome.model, outcome.plan);
+  outcome.chances =
+      stepChances({outcome.cell, outcome.model, outcome.touches, visitPostures(outcome.plan), outcome.predicted});
+  if (outcome.truth)
+    outcome.scores = scoreVisitModes(scoringModels(outcome.nominal, outcome.calibration, *outcome.truth), outcome.plan);
 }
 
 }  // namespace
