@@ -13,7 +13,7 @@
 #include "app/files/atomic_file.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/touch_input.hpp"
-#include "app/jobs/calibration_job.hpp"
+#include "app/jobs/calibration.hpp"
 
 namespace tubeplan::app {
 

@@ -10,9 +10,10 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/comparison_json.hpp"
+#include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
-#include "app/jobs/comparison_job.hpp"
+#include "app/jobs/comparison.hpp"
 
 namespace tubeplan::app {
 
@@ -32,7 +33,7 @@ int run(const CompareOptions& options) {
   const auto [comparison, warnings, figures] = compareModel(input, options.request, terminalWorkHooks());
   writeJson(options.json, figures);
   if (!options.report.empty())
-    writeFileAtomically(options.report, comparisonPage(input, options.request, figures), "--report");
+    writeFileAtomically(options.report, comparisonPage(input, options.request.seed, figures), "--report");
   if (printsText(options.json)) {
     fmt::print("{}{}", checksText(input.checks, input.cell.units),
                comparisonText(comparison, input.readings, input.cell.units));

@@ -10,11 +10,12 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/diagnosis_json.hpp"
+#include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
-#include "app/jobs/diagnosis_job.hpp"
+#include "app/jobs/diagnosis.hpp"
 
 namespace tubeplan::app {
 
@@ -34,7 +35,7 @@ int run(const DiagnoseOptions& options) {
   if (!options.run_sheet.empty()) checkWritableFile(options.run_sheet, "--run-sheet");
   const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
   if (!options.report.empty())
-    writeFileAtomically(options.report, diagnosisPage(input, options.request, outcome.figures), "--report");
+    writeFileAtomically(options.report, diagnosisPage(input, options.request.seed, outcome.figures), "--report");
   writeJson(options.json, outcome.figures);
   std::string sheet;
   if (!options.run_sheet.empty())

@@ -16,7 +16,7 @@
 #include "app/documents/predicted_centring_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
-#include "app/jobs/identification_job.hpp"
+#include "app/jobs/identification.hpp"
 
 namespace tubeplan::app {
 

@@ -15,11 +15,12 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/diagnosis_json.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/improvement_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
-#include "app/jobs/improvement_job.hpp"
+#include "app/jobs/improvement.hpp"
 
 namespace tubeplan::app {
 
@@ -68,11 +69,11 @@ class Keeper {
 void print(const Improvement& result, const ImproveOptions& options, const Units& units) {
   for (std::size_t k = 0; k < result.steps.size(); ++k) {
     const auto& step = result.steps[k];
-    fmt::print("step {}: {}: {}\n", k + 1, nameOf(step.verdict), step.sentence);
+    fmt::print("step {}: {}: {}\n", k + 1, nameOf(step.diagnosis.verdict), sentenceOf(step, units));
     if (step.added.empty())
-      fmt::print("  ended ({}): {}\n", nameOf(result.end), step.reason);
+      fmt::print("  ended ({}): {}\n", nameOf(result.end), reasonText(step, units));
     else
-      fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), step.reason);
+      fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), reasonText(step, units));
     if (!step.also.empty()) fmt::print("  the same all over the arm's range: {}\n", fmt::join(step.also, ", "));
   }
   if (result.end == ImprovementEnd::kNotFitted)

@@ -1,4 +1,6 @@
 // tubeplan ladder: the error of each model in turn, fitted and held-out, against the noise floor.
+#include "app/jobs/ladder.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,10 +11,10 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
-#include "app/jobs/ladder_job.hpp"
 
 namespace tubeplan::app {
 
@@ -22,7 +24,7 @@ struct LadderOptions {
   std::string measurements, json, report;
   std::vector<std::string> cells;
   MeasurementOptions given;
-  LadderStepOptions steps;
+  LadderRequest request;
   bool with_rigid = false;
 };
 
@@ -42,12 +44,12 @@ int run(const LadderOptions& options) {
   checkJsonTarget(options.json);
   if (!options.report.empty()) checkWritableFile(options.report, "--report");
   const auto models = modelsOf(options);
-  const auto outcome = climbLadder(models, options.steps, terminalWorkHooks());
+  const auto outcome = climbLadder(models, options.request, terminalWorkHooks());
   nlohmann::json figures = outcome.figures;
   addChecks(models.back().input.checks, models.front().input.cell.units, figures);
   writeJson(options.json, figures);
   if (!options.report.empty())
-    writeFileAtomically(options.report, ladderPage(outcome.figures, options.measurements, options.steps.seed),
+    writeFileAtomically(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed),
                         "--report");
   const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
@@ -65,14 +67,15 @@ Run configureLadder(CLI::App& cli) {
   addMeasurementOptions(cli, options->given);
   cli.add_option("--report", options->report, "write the ladder as a page to this file (HTML)");
   cli.add_flag("--rigid", options->with_rigid, "begin with the first model's arm taken as rigid");
-  cli.add_option("--truth", options->steps.truth,
+  cli.add_option("--truth", options->request.truth,
                  "the cell that stands for the real arm in the step table (else the best model of the ladder, with an "
                  "unmodelled error as large as the noise floor)");
-  cli.add_option("--sheet", options->steps.sheet, "a cell whose tube sheet and calibration tool the step table is for");
-  cli.add_option("--holes", options->steps.holes, "random holes of the step table")
+  cli.add_option("--sheet", options->request.sheet,
+                 "a cell whose tube sheet and calibration tool the step table is for");
+  cli.add_option("--holes", options->request.holes, "random holes of the step table")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  cli.add_option("--seed", options->steps.seed, "seed of the folds and the holes");
+  cli.add_option("--seed", options->request.seed, "seed of the folds and the holes");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

@@ -11,7 +11,7 @@
 #include "app/files/atomic_file.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/truth_file.hpp"
-#include "app/jobs/simulation_job.hpp"
+#include "app/jobs/simulation.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

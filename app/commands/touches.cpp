@@ -1,4 +1,6 @@
 // tubeplan touches: which holes to touch, or postures and loads to measure, next.
+#include "app/jobs/touches.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +13,6 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/touch_proposals.hpp"
 #include "app/files/atomic_file.hpp"
-#include "app/jobs/touch_job.hpp"
 
 namespace tubeplan::app {
 

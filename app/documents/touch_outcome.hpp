@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/files/cell_reader.hpp"
-#include "calibration/design/next_readings.hpp"
+#include "app/studies/measurements/touch_proposals.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 namespace tubeplan::app {
@@ -34,26 +34,15 @@ struct ReadingNoise {
   std::string from;
 };
 
-struct TouchOutcome {
+struct TouchOutcome : TouchProposals {
+  using Proposal = TouchProposal;
+
   Cell cell;                       ///< as known: with what the readings tell
   ReadingNoise noise, base_noise;  ///< of readings for the parameters, and of touches for the base
   std::vector<double> loads;       ///< N
   std::string setup;               ///< that new readings belong to; empty where there is one for all
-  int work = 0, work_lost = 0;     ///< postures that the tip shall be known in; tubes of the list that are out of reach
   std::vector<std::string> notes;
   calibration::MeasurementChecks checks = {};  ///< of the readings made
-
-  struct Proposal {
-    std::vector<calibration::ReadingCandidate> candidates;
-    calibration::NextReadings next;
-    std::string reason;  ///< why there is none; empty where there is one
-    [[nodiscard]] const calibration::ReadingCandidate& chosen(const calibration::DesignStep& step) const {
-      return candidates[static_cast<std::size_t>(next.candidates[static_cast<std::size_t>(step.candidate)])];
-    }
-  };
-  std::optional<Proposal> base, parameters;
-  std::vector<std::string> nearest_holes;  ///< the three nearest the base that can be touched, for comparison
-  calibration::TipSigma tip_nearest;
 };
 
 }  // namespace tubeplan::app

@@ -261,7 +261,7 @@ std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, co
   return withYamlValue(text, "identify", identifyList(identify));
 }
 
-CellFiles improvedCell(const Cell& original, const Cell& improved, const calibration::Identification& result,
+CellFiles improvedCell(const Cell& original, const CellModel& improved, const calibration::Identification& result,
                        const std::vector<calibration::Measurement>& readings, const fs::path& out) {
   CellFiles files = filesOf(original, result, out);
   if (!improved.identify.empty()) {

@@ -57,7 +57,7 @@ void makePair(std::string& cell, TextFile& arm);
                                               const std::vector<std::string>& freed, const std::filesystem::path& out);
 
 /// An improved cell: what it was read from, with the effects and freed names it has gained and the numbers of a fit.
-[[nodiscard]] CellFiles improvedCell(const Cell& original, const Cell& improved,
+[[nodiscard]] CellFiles improvedCell(const Cell& original, const CellModel& improved,
                                      const calibration::Identification& result,
                                      const std::vector<calibration::Measurement>& readings,
                                      const std::filesystem::path& out);

@@ -122,7 +122,7 @@ void readPath(const std::string& path, const Cell& cell, PlanFiles& files) {
                          {}};
     row.q.resize(cell.arm.jointCount());
     for (Eigen::Index k = 0; k < cell.arm.jointCount(); ++k)
-      row.q[static_cast<Eigen::Index>(k)] = cellNumber(cells[3 + k], where);
+      row.q[k] = cellNumber(cells[3 + static_cast<std::size_t>(k)], where);
     numbers.add(row.time, row.segment + 1, row.q);
     row.q.array() *= factors.array();
     files.plan.path.push_back(std::move(row));

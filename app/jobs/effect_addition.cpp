@@ -23,20 +23,10 @@ using deflection::Effect;
 constexpr const char* kWhere = "EFFECT@AT";
 constexpr const char* kFormulaAt = "formula@";
 
-void addEffect(Addition& addition, const Effect& effect, const std::vector<std::string>& freed) {
-  auto& arm = addition.cell.arm;
-  const std::string name = deflection::textOf(arm, effect);
-  for (const auto& present : arm.effects)
-    if (deflection::textOf(arm, present) == name)
-      throw InputError(kWhere, name + ", which the cell has already", "another effect or place", "");
-  arm.effects.push_back(effect);
-  addition.names.push_back(name);
-  addition.freed.insert(addition.freed.end(), freed.begin(), freed.end());
-  if (effect.formula) addition.formulas.push_back(effect);
-}
-
-void addEffect(Addition& addition, const Effect& effect) {
-  addEffect(addition, effect, freedNames(addition.cell.arm, effect));
+void addOrRefuse(Addition& addition, const Effect& effect) {
+  if (!addEffect(effect, freedNames(addition.cell.arm, effect), addition.cell, addition))
+    throw InputError(kWhere, deflection::textOf(addition.cell.arm, effect) + ", which the cell has already",
+                     "another effect or place", "");
 }
 
 /// "free@latch-link.beam.Iz", "free@geometry".
@@ -56,7 +46,7 @@ void addAtAllJoints(Addition& addition, const std::string& effect) {
   if (effects.empty())
     throw InputError(kWhere, inQuotes(effect) + " at all joints", "an effect that acts at each joint",
                      "`tubeplan effects CELL` lists the places of each");
-  for (const Effect& one : effects) addEffect(addition, one);
+  for (const Effect& one : effects) addOrRefuse(addition, one);
 }
 
 void addCause(Addition& addition, const std::string& text) {
@@ -64,17 +54,7 @@ void addCause(Addition& addition, const std::string& text) {
   const std::string name = text.substr(0, at), place = at == std::string::npos ? "" : text.substr(at + 1);
   if (name == calibration::kFreedNumbers) return freeNumbers(addition, place);
   if (place == calibration::kAllJoints) return addAtAllJoints(addition, name);
-  addEffect(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
-}
-
-/// Names that were not free already, each once.
-void finish(Addition& addition) {
-  auto& identify = addition.cell.identify;
-  std::vector<std::string> more;
-  for (const auto& name : addition.freed)
-    if (std::find(identify.begin(), identify.end(), name) == identify.end())
-      identify.push_back(name), more.push_back(name);
-  addition.freed = std::move(more);
+  addOrRefuse(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
 }
 
 }  // namespace
@@ -82,7 +62,7 @@ void finish(Addition& addition) {
 Addition addToCell(const Cell& cell, const AdditionRequest& request) {
   if (request.causes.empty() && request.formula.empty())
     throw InputError(kWhere, "nothing", "EFFECT@AT, as backlash@tool.z, or --formula 'theta3 += c*sin(3*theta1)'");
-  Addition addition{cell, {}, {}, {}};
+  Addition addition{{}, cell};
   std::string target;
   for (const auto& cause : request.causes) {
     if (!request.formula.empty() && target.empty() && cause.starts_with(kFormulaAt))
@@ -91,28 +71,8 @@ Addition addToCell(const Cell& cell, const AdditionRequest& request) {
       addCause(addition, cause);
   }
   if (!request.formula.empty())
-    addEffect(addition, parseFormula(request.formula, addition.cell.arm, cell.units, "--formula", target));
-  finish(addition);
-  return addition;
-}
-
-Addition addToCell(const Cell& cell, const calibration::Explanation& found) {
-  Addition addition{cell, {}, {}, {}};
-  for (const auto& effect : found.effects) {
-    if (!effect.frees.empty()) {
-      addition.names.push_back(effect.effect + "@" + effect.at);
-      addition.freed.insert(addition.freed.end(), effect.frees.begin(), effect.frees.end());
-      continue;
-    }
-    std::vector<std::string> freed;
-    const auto& numbers = deflection::numbersOf(effect.fitted);
-    for (std::size_t v = 0; v < numbers.size(); ++v)
-      if (std::isfinite(effect.numbers[v].sigma) ||
-          (numbers[v].is_shape && numbers[v].quantity != deflection::Quantity::kTime))
-        freed.push_back(deflection::textOf(cell.arm, effect.fitted) + "." + numbers[v].name);
-    addEffect(addition, effect.fitted, freed);
-  }
-  finish(addition);
+    addOrRefuse(addition, parseFormula(request.formula, addition.cell.arm, cell.units, "--formula", target));
+  freeAdded(addition.cell, addition);
   return addition;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/files/reading_input.hpp"
-#include "calibration/diagnosis/diagnosis.hpp"
+#include "app/studies/model/explained_model.hpp"
 
 namespace tubeplan::app {
 
@@ -19,18 +19,12 @@ struct AdditionRequest {
   std::string formula;
 };
 
-struct Addition {
-  Cell cell;                       ///< with all of it, as it will be read again
-  std::vector<std::string> names;  ///< backlash@tool.z, free@latch-link.beam.Iz
-  std::vector<std::string> freed;  ///< the numbers that the cell's `identify` has now too
-  std::vector<deflection::Effect> formulas;
+struct Addition : AddedCauses {
+  Cell cell;  ///< with all of it, as it will be read again
 };
 
 /// Throws InputError for nothing, an effect that the cell has already, or what the readers of effects refuse.
 [[nodiscard]] Addition addToCell(const Cell& cell, const AdditionRequest& request);
-
-/// The same for what a diagnosis found, its numbers where it found them.
-[[nodiscard]] Addition addToCell(const Cell& cell, const calibration::Explanation& found);
 
 /// The cell's text with what was added, to be written at `out`.
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);

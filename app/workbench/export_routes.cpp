@@ -1,6 +1,8 @@
 // Everything that was made, as the commands write it: downloads, and the model into the opened folder.
 #include <algorithm>
 
+#include "app/documents/diagnosis_pages.hpp"
+#include "app/documents/ladder_json.hpp"
 #include "app/documents/plan_files.hpp"
 #include "app/documents/trajectory_yaml.hpp"
 #include "app/documents/work_list_export.hpp"
@@ -9,9 +11,6 @@
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/touch_input.hpp"
-#include "app/jobs/comparison_job.hpp"
-#include "app/jobs/diagnosis_job.hpp"
-#include "app/jobs/ladder_job.hpp"
 #include "app/report/plan_report.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/model_files.hpp"
@@ -73,11 +72,11 @@ std::string trajectoryText(const Session& s) { return trajectoryYaml(planOf(s));
 std::string planReport(const Session& s) { return renderPlanReport(reportJson(s.plan_request, planOf(s))); }
 std::string comparisonReport(const Session& s) {
   const auto figures = figuresOf(s, "compare");
-  return comparisonPage(inputOfResult(s, "compare"), {}, figures);
+  return comparisonPage(inputOfResult(s, "compare"), 1, figures);
 }
 std::string diagnosisReport(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
-  return diagnosisPage(inputOfResult(s, "diagnose"), {}, figures);
+  return diagnosisPage(inputOfResult(s, "diagnose"), 1, figures);
 }
 std::string ladderReport(const Session& s) { return ladderPage(figuresOf(s, "ladder"), inputOf(s).file, 1); }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/files/reading_input.hpp"
-#include "app/jobs/comparison_job.hpp"
+#include "app/jobs/comparison.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/workbench.hpp"

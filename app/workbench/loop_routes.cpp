@@ -2,18 +2,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/documents/improvement_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/suggestion.hpp"
-#include "app/jobs/comparison_job.hpp"
-#include "app/jobs/diagnosis_job.hpp"
+#include "app/jobs/comparison.hpp"
+#include "app/jobs/diagnosis.hpp"
 #include "app/jobs/effect_addition.hpp"
-#include "app/jobs/identification_job.hpp"
-#include "app/jobs/improvement_job.hpp"
-#include "app/jobs/ladder_job.hpp"
-#include "app/jobs/simulation_job.hpp"
+#include "app/jobs/identification.hpp"
+#include "app/jobs/improvement.hpp"
+#include "app/jobs/ladder.hpp"
+#include "app/jobs/simulation.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -62,11 +63,11 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
     requireDefinedFormulas(models.back().input.readings, cell, models.back().input.file);
   }
   models.back().fit = top;
-  LadderStepOptions options;
-  options.truth = began.truth;
-  options.holes = 300;
-  options.seed = seed;
-  return climbLadder(models, options, hooks).figures;
+  LadderRequest asked;
+  asked.truth = began.truth;
+  asked.holes = 300;
+  asked.seed = seed;
+  return climbLadder(models, asked, hooks).figures;
 }
 
 Answer ladder(Workbench& workbench, const Request& request) {
@@ -160,28 +161,29 @@ Answer add(Workbench& workbench, const Request& request) {
 Answer improve(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
-  return beginJob(
-      workbench, "improve", "diagnose and add until nothing more is shown", [&workbench, asked](JobContext& context) {
-        const Session began = workbench.session();
-        const CellReadings input = inputOf(began);
-        const auto outcome = improveModel(input, asked, hooksOf(context));
-        if (!outcome.isUsable())
-          throw InputError(input.file,
-                           outcome.steps.empty() ? outcome.models.front().fit.reason : outcome.steps.back().reason,
-                           "readings that allow a verdict");
-        std::vector<NamedCell> improved;  // one on the stack for each step, to be undone one by one
-        for (const auto& model : outcome.models)
-          improved.push_back(
-              {model.name == "as given" ? "fitted" : model.name,
-               improvedCell(input.cell, model.cell, model.fit, input.readings, input.cell.path).reread()});
-        finishJob(workbench, began, [&](Session& session) {
-          int id = 0;
-          for (std::size_t k = 0; k < improved.size(); ++k)
-            id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
-          putResult(session, "improve", id, improvementJson(outcome, input.cell.units));
-        });
-        return "improve";
-      });
+  return beginJob(workbench, "improve", "diagnose and add until nothing more is shown",
+                  [&workbench, asked](JobContext& context) {
+                    const Session began = workbench.session();
+                    const CellReadings input = inputOf(began);
+                    const auto outcome = improveModel(input, asked, hooksOf(context));
+                    if (!outcome.isUsable())
+                      throw InputError(input.file,
+                                       outcome.steps.empty() ? outcome.models.front().fit.reason
+                                                             : reasonText(outcome.steps.back(), input.cell.units),
+                                       "readings that allow a verdict");
+                    std::vector<NamedCell> improved;  // one on the stack for each step, to be undone one by one
+                    for (const auto& model : outcome.models)
+                      improved.push_back(
+                          {model.name == "as given" ? "fitted" : model.name,
+                           improvedCell(input.cell, model.cell, model.fit, input.readings, input.cell.path).reread()});
+                    finishJob(workbench, began, [&](Session& session) {
+                      int id = 0;
+                      for (std::size_t k = 0; k < improved.size(); ++k)
+                        id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
+                      putResult(session, "improve", id, improvementJson(outcome, input.cell.units));
+                    });
+                    return "improve";
+                  });
 }
 
 SimulationRequest simulationAsked(const nlohmann::json& body) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/jobs/diagnosis_job.hpp"
+#include "app/jobs/diagnosis.hpp"
 #include "app/studies/monte_carlo/random_draw.hpp"
 #include "deflection/effects/effect.hpp"
 

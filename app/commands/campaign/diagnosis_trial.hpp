@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/jobs/simulation_job.hpp"
+#include "app/jobs/simulation.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 
 namespace tubeplan::app {

@@ -1,4 +1,6 @@
 // The commands touches and sensitivity from outside.
+#include "app/jobs/touches.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "app/documents/touch_outcome.hpp"
 #include "app/files/workcell.hpp"
-#include "app/jobs/touch_job.hpp"
 #include "calibration/design/touch_reserve.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/test_files.hpp"

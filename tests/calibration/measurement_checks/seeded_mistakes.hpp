@@ -18,7 +18,7 @@
 #include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/text_file.hpp"
-#include "app/jobs/simulation_job.hpp"
+#include "app/jobs/simulation.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 #include "calibration/measurements/measurement_posture.hpp"
@@ -123,7 +123,7 @@ inline bool areHoles(const SeededSet& set) {
 inline int drawnJoint(const SeededSet& set, SeededRandom& random) {
   return drawnBelow(static_cast<int>(set.table.joints.size()), random);
 }
-inline std::string jointName(const SeededSet& set, int joint) { return jointAt(set.cell.arm, joint).name; }
+inline std::string jointName(const SeededSet& set, int joint) { return set.cell.arm.joint(joint).name; }
 
 inline Made millimetres(SeededSet& s, SeededRandom&) { return writtenIn(s, "mm"); }
 inline Made centimetres(SeededSet& s, SeededRandom&) { return writtenIn(s, "cm"); }

@@ -1,4 +1,4 @@
-#include "app/jobs/simulation_job.hpp"
+#include "app/jobs/simulation.hpp"
 
 #include <fmt/format.h>
 

@@ -38,8 +38,4 @@ struct DiagnosisOutcome {
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
                                              const WorkHooks& hooks = {});
 
-/// The page of --report.
-[[nodiscard]] std::string diagnosisPage(const CellReadings& input, const DiagnosisRequest& request,
-                                        const nlohmann::json& figures);
-
 }  // namespace tubeplan::app

@@ -1,13 +1,12 @@
-// Diagnose, add, identify, until nothing more is sure: from a cell and its readings to the improved cell.
+// Diagnose, add, identify, until nothing more is sure: from a cell's model and its readings to the improved one.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "app/files/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/studies/model/model_comparison.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
@@ -17,14 +16,14 @@ namespace tubeplan::app {
 /// A model on the way, fitted: as given, and after each step.
 struct ImprovedModel {
   std::string name;  ///< "as given", "+ backlash@tool.z"
-  Cell cell;         ///< with what was added; its numbers are those of `fit`
+  CellModel cell;    ///< with what was added; its numbers are those of `fit`
   calibration::Identification fit;
 };
 
 struct ImprovementRequest {
   int steps = 6;  ///< the most that add something
   std::uint64_t seed = 1;
-  std::function<void(const ImprovedModel&)> on_model;  ///< told of every model once it is fitted
+  std::function<void(const ImprovedModel&)> on_model;  ///< called with every model once it is fitted
 };
 
 enum class ImprovementEnd {
@@ -39,13 +38,29 @@ enum class ImprovementEnd {
   kNotFitted,  ///< the model as given cannot be fitted
 };
 
+/// Why a cause was added, or why the loop ends.
+enum class ImprovementReason {
+  kNothingMissing,
+  kScatter,            ///< what is left follows nothing that the readings state; `first`: its size
+  kSure,               ///< and it predicts the farthest poses
+  kSureInAll,          ///< in every alternative
+  kAlternativesClose,  ///< they differ by `first` over the arm's range, less than the gain `second`
+  kAlternativesApart,  ///< they differ by `first`, more than the gain `second`
+  kUnsureButLower,     ///< it lowers the error of readings kept out and of the farthest poses
+  kNoneLower,          ///< no cause is sure, and none lowers those
+  kFarthestWorse,      ///< by a fit to the nearer poses the farthest are `first`, `second` before
+  kNotLowerTogether,   ///< fitted with everything else it does not lower the error of readings kept out
+  kMistakeExplains,
+  kNoVerdict,
+};
+
 /// One round of the loop as it went.
 struct ImprovementStep {
-  calibration::Verdict verdict = calibration::Verdict::kNotRun;
-  std::string sentence;                                    ///< of the diagnosis
-  std::vector<std::string> added;                          ///< none in the round that ended it
+  calibration::Diagnosis diagnosis;
+  ImprovementReason reason = ImprovementReason::kNoVerdict;
+  double first = std::numeric_limits<double>::quiet_NaN(), second = first;  ///< m, see ImprovementReason
+  std::vector<std::string> added;                                           ///< none in the round that ended it
   std::vector<std::string> also;                           ///< what no reading could tell from one of those
-  std::string reason;                                      ///< why it was added, or why the loop ends here
   calibration::ErrorSize heldout_before, heldout_after;    ///< folds of poses kept out
   calibration::ErrorSize farthest_before, farthest_after;  ///< the quarter of the poses that reach farthest kept out
 };
@@ -62,15 +77,9 @@ struct Improvement {
   }
 };
 
-/// Throws InputError for readings from which nothing can be fitted, JobStopped.
-[[nodiscard]] Improvement improveModel(const CellReadings& input, const ImprovementRequest& request,
-                                       const WorkHooks& hooks = {});
-
-/// "adequate", "nothing-sure", ...
-[[nodiscard]] const char* nameOf(ImprovementEnd end);
-
-/// As `tubeplan improve --json` writes it.
-[[nodiscard]] nlohmann::json improvementJson(const Improvement& result, const Units& units);
+/// Readings that tell nothing end it as not fitted, the fit refused. Throws JobStopped.
+[[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
+                                       const ImprovementRequest& request, const WorkHooks& hooks = {});
 
 /// The ladder of the models.
 [[nodiscard]] std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result);

@@ -1,4 +1,4 @@
-#include "app/jobs/identification_job.hpp"
+#include "app/jobs/identification.hpp"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,12 @@
-#include "app/jobs/diagnosis_job.hpp"
+#include "app/jobs/diagnosis.hpp"
 
 #include "app/documents/diagnosis_json.hpp"
 #include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/reading_input.hpp"
-#include "app/report/diagnosis_report.hpp"
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "app/version.hpp"
 
 namespace tubeplan::app {
 
@@ -81,16 +79,6 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);
   addChecks(input.checks, cell.units, outcome.figures);
   return outcome;
-}
-
-std::string diagnosisPage(const CellReadings& input, const DiagnosisRequest& request, const nlohmann::json& figures) {
-  nlohmann::json page = figures;
-  page.update({{"title", "Diagnosis of " + input.cell.name},
-               {"cell", input.cell.name},
-               {"measurements", input.file},
-               {"seed", request.seed},
-               {"version", kVersion}});
-  return renderDiagnosisReport(page);
 }
 
 }  // namespace tubeplan::app

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "app/files/reading_input.hpp"
-#include "app/jobs/ladder_steps.hpp"
-#include "app/studies/job_steps.hpp"
+#include "app/studies/model/ladder_steps.hpp"
 
 namespace tubeplan::app {
 
@@ -16,6 +15,13 @@ struct LadderModel {
   std::string name;
   CellReadings input;
   const calibration::Identification* fit = nullptr;  ///< as fitForLadder gives it, where it is made already
+};
+
+struct LadderRequest {
+  std::string truth;  ///< a cell's file; empty: the best model of the ladder, with an unmodelled error
+  std::string sheet;  ///< a cell's file, for its sheet and tool; empty: the truth's, else the first cell's that has one
+  int holes = 1000;   ///< of the step table
+  std::uint64_t seed = 1;
 };
 
 struct LadderOutcome {
@@ -28,11 +34,7 @@ struct LadderOutcome {
 [[nodiscard]] Cell rigidOf(Cell cell);
 
 /// There must be a model. Throws InputError for sheets that differ, JobStopped.
-[[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderStepOptions& options,
+[[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
                                         const WorkHooks& hooks = {});
-
-/// The page of --report.
-[[nodiscard]] std::string ladderPage(const nlohmann::json& figures, const std::string& measurements,
-                                     std::uint64_t seed);
 
 }  // namespace tubeplan::app

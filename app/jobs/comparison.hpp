@@ -28,8 +28,4 @@ struct ComparisonOutcome {
                                              const WorkHooks& hooks = {},
                                              const calibration::Identification* refitted = nullptr);
 
-/// The page of --report.
-[[nodiscard]] std::string comparisonPage(const CellReadings& input, const ComparisonRequest& request,
-                                         const nlohmann::json& figures);
-
 }  // namespace tubeplan::app

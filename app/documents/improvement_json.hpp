@@ -1,0 +1,24 @@
+// How a model was improved step by step, as JSON and in words.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "app/studies/model/improvement.hpp"
+
+namespace tubeplan::app {
+
+/// "adequate", "nothing-sure", ...
+[[nodiscard]] const char* nameOf(ImprovementEnd end);
+
+/// The sentence of a step's diagnosis.
+[[nodiscard]] std::string sentenceOf(const ImprovementStep& step, const Units& units);
+
+/// Why a cause was added, or why the loop ends there.
+[[nodiscard]] std::string reasonText(const ImprovementStep& step, const Units& units);
+
+/// As `tubeplan improve --json` writes it.
+[[nodiscard]] nlohmann::json improvementJson(const Improvement& result, const Units& units);
+
+}  // namespace tubeplan::app

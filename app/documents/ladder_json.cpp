@@ -1,0 +1,62 @@
+#include "app/documents/ladder_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures.hpp"
+#include "app/documents/model_comparison_json.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+nlohmann::json ladderStepsJson(const LadderSteps& steps, std::uint64_t seed, const Units& units) {
+  if (!steps.reason.empty()) return {{"reason", steps.reason}};
+  return {{"real_arm", steps.real.name},
+          {"unmodelled_sigma", lengthOf(steps.real.unmodelled, units)},
+          {"holes", steps.holes},
+          {"out_of_reach", steps.out_of_reach},
+          {"seed", seed}};
+}
+
+}  // namespace
+
+nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
+                          std::uint64_t seed, const Units& units) {
+  nlohmann::json figures = modelComparisonJson(comparison, units);
+  figures["step_table"] = ladderStepsJson(steps, seed, units);
+  return figures;
+}
+
+std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
+  if (!steps.reason.empty()) return "no step table: " + steps.reason + "\n";
+  std::string text = fmt::format("for the real arm stands {}", steps.real.name);
+  if (steps.real.unmodelled > 0)
+    text +=
+        fmt::format(" (sigma {:.3g} {} of a coordinate)", lengthOf(steps.real.unmodelled, units), units.length().name);
+  return text +
+         fmt::format("; {} random holes within its reach ({} drawn beyond it)\n", steps.holes, steps.out_of_reach);
+}
+
+std::string ladderPage(const nlohmann::json& figures, const std::string& measurements, std::uint64_t seed) {
+  nlohmann::json page = {
+      {"title", "Ladder of models"}, {"measurements", measurements}, {"seed", seed},
+      {"version", kVersion},         {"units", figures["units"]},    {"models", nlohmann::json::array()}};
+  for (const auto& compared : figures["rungs"]) {
+    page["noise_floor"] = compared["rms"]["noise_floor"];
+    page["models"].push_back({{"name", compared["name"]},
+                              {"rms", compared["rms"]["fitted"]},
+                              {"heldout_rms", compared["rms"]["heldout"]},
+                              {"chi2_per_dof", compared["chi2_per_dof"]},
+                              {"numbers", compared["fitted_numbers"]}});
+    if (compared.contains("steps") && compared["steps"].is_object())
+      page["models"].back()["steps"] = compared["steps"]["counts"];
+  }
+  page["step_table"] = figures["step_table"];
+  return renderLadderReport(page);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,26 @@
+// A ladder of models with its step table as JSON, in words and as a page.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/files/units.hpp"
+#include "app/studies/model/ladder_steps.hpp"
+
+namespace tubeplan::app {
+
+/// As `tubeplan ladder --json` writes it; of the steps {real_arm, unmodelled_sigma, holes, out_of_reach, seed}, or
+/// {reason}.
+[[nodiscard]] nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
+                                        std::uint64_t seed, const Units& units);
+
+/// One sentence on what stands for the real arm, or why there is no table.
+[[nodiscard]] std::string ladderStepsText(const LadderSteps& steps, const Units& units);
+
+/// The page of --report.
+[[nodiscard]] std::string ladderPage(const nlohmann::json& figures, const std::string& measurements,
+                                     std::uint64_t seed);
+
+}  // namespace tubeplan::app

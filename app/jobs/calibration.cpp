@@ -1,0 +1,31 @@
+#include "app/jobs/calibration.hpp"
+
+#include "app/documents/calibration_json.hpp"
+#include "app/documents/step_chances_json.hpp"
+#include "app/files/cell_writer.hpp"
+#include "app/files/input_error.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "app/studies/positioning/model_error_by_touches.hpp"
+
+namespace tubeplan::app {
+
+CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
+                                 const std::string& file) {
+  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
+    throw InputError(file, problem, "three or more different holes, well spread", "touch another hole");
+  CalibrationOutcome outcome;
+  calibration::BaseCalibrationOptions options;
+  if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
+  outcome.calibration = calibration::calibrateBase(cell.arm, touches, cell.X_WB, options);
+  outcome.model_error = modelErrorOf(cell, outcome.calibration, touches);
+  outcome.figures = calibrationJson(outcome.calibration, cell);
+  if (outcome.model_error) outcome.figures["model_error"] = modelErrorJson(*outcome.model_error, cell.units);
+  return outcome;
+}
+
+std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome, const std::string& out) {
+  const auto& base = outcome.calibration;
+  return cellTextWithBase(cell, {base.X_WB, base.covariance, true, outcome.model_error}, out);
+}
+
+}  // namespace tubeplan::app

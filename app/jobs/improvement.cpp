@@ -1,0 +1,30 @@
+#include "app/jobs/improvement.hpp"
+
+#include "app/documents/measurement_checks_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+Improvement notImproved(const calibration::MeasurementCheck& mistake, const Units& units) {
+  Improvement result;
+  result.end = ImprovementEnd::kMistake;
+  ImprovementStep& step = result.steps.emplace_back();
+  step.diagnosis.verdict = calibration::Verdict::kInconclusive;
+  step.diagnosis.reason = checkText(mistake, units);
+  step.reason = ImprovementReason::kMistakeExplains;
+  return result;
+}
+
+}  // namespace
+
+Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks) {
+  if (const auto* mistake = calibration::grossMistake(input.checks)) return notImproved(*mistake, input.cell.units);
+  Improvement result = improveModel(input.cell, input.readings, request, hooks);
+  if (result.end == ImprovementEnd::kNotFitted &&
+      result.models.front().fit.status == calibration::IdentificationStatus::kRefused)
+    throw refusalOf(result.models.front().fit.reading_problem, result.models.front().fit.reason, input);
+  return result;
+}
+
+}  // namespace tubeplan::app

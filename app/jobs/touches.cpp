@@ -1,0 +1,175 @@
+#include "app/jobs/touches.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "app/documents/touch_outcome.hpp"
+#include "app/files/command_inputs.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/workcell.hpp"
+#include "app/jobs/cell_estimate.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Estimate, calibration::Measurement;
+
+constexpr double kUsualSigma = 1.27e-4;  // m: 0.005 in, the centring of a calibration tool
+
+bool wants(const TouchRequest& request, const std::string& goal) {
+  return request.goal == goal || request.goal == "both";
+}
+
+/// Median of what the readings of that sort have; 0 where there are none.
+double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
+  std::vector<double> sigmas;
+  for (const auto& reading : readings)
+    if (isTouch(reading) == is_touch) sigmas.push_back(reading.sigma);
+  return sigmas.empty() ? 0 : calibration::median(std::move(sigmas));
+}
+
+/// The noise that a reading to come is taken to have.
+ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings,
+                     bool is_touch) {
+  if (request.sigma > 0) return {cell.units.toInternal(request.sigma, dimension::kLength), "--sigma"};
+  if (const double median = medianSigma(readings, is_touch); median > 0) return {median, "the readings"};
+  if (is_touch && cell.tool) return {touchSigmaOf(*cell.tool), "the calibration tool"};
+  return {kUsualSigma, "usual; --sigma says otherwise"};
+}
+
+/// Those asked for, else those of the readings, else none; each once, in order.
+std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings) {
+  std::set<double> loads;
+  for (const double load : request.loads) {
+    if (!std::isfinite(load) || load < 0)
+      throw InputError("--loads", fmt::format("{}", load),
+                       "finite weights in " + std::string(cell.units.force().name) + ", zero or more");
+    loads.insert(cell.units.toInternal(load, dimension::kForce));
+  }
+  if (loads.empty())
+    for (const auto& reading : readings) loads.insert(reading.load);
+  if (loads.empty()) loads.insert(0);
+  return {loads.begin(), loads.end()};
+}
+
+/// New readings are made where the arm stands now.
+std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
+
+void noteEstimate(const Estimate& estimate, const Units& units, std::vector<std::string>& notes) {
+  if (!estimate.note.empty())
+    notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's own values stand in");
+  if (estimate.model_error > 0)
+    notes.push_back(fmt::format(
+        "lack of fit: beyond the stated noise the model is off by {:.4g} {} in each coordinate, which counts "
+        "as noise of every reading",
+        estimate.model_error / units.factor(dimension::kLength), units.length().name));
+  if (estimate.start.base_poses.size() > 1)
+    notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
+}
+
+/// Takes what the readings tell into the task, and stands the cell accordingly.
+void learn(const TouchRequest& request, const std::vector<Measurement>& readings, const std::string& named_by,
+           TouchTask& task, TouchOutcome& outcome) {
+  if (wants(request, "parameters")) {
+    task.of_numbers =
+        estimateOf(outcome.cell, readings, {request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
+    noteEstimate(*task.of_numbers, outcome.cell.units, outcome.notes);
+    outcome.setup = lastSetup(*task.of_numbers);
+    outcome.cell = cellAsEstimated(outcome.cell, *task.of_numbers);
+  }
+  if (!wants(request, "base")) return;
+  Cell unplaced = outcome.cell;
+  unplaced.base_known = false;
+  task.of_base = estimateOf(unplaced, readings, {{}, true}, named_by);
+  if (wants(request, "parameters")) return;
+  outcome.setup = lastSetup(*task.of_base);
+  noteEstimate(*task.of_base, outcome.cell.units, outcome.notes);
+  outcome.cell = cellAsEstimated(outcome.cell, *task.of_base);
+}
+
+/// What is asked for where the request leaves it open.
+TouchRequest completed(TouchRequest request, const Cell& cell) {
+  if (!std::isfinite(request.sigma) || request.sigma < 0)
+    throw InputError("--sigma", fmt::format("{}", request.sigma),
+                     "a noise above zero, in " + std::string(cell.units.length().name));
+  const bool frees = !request.free.empty() || !cell.identify.empty();
+  if (request.free.empty()) request.free = cell.identify;
+  if (request.kind.empty()) request.kind = cell.sheet ? "touch" : "position";
+  if (request.goal.empty()) request.goal = !cell.sheet ? "parameters" : frees ? "both" : "base";
+  if (request.goal != "base" && !frees && cell.base_known)
+    throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
+                     "`tubeplan touches --help` says what may be freed");
+  if (request.goal != "parameters") (void)requireSheet(cell, "choose holes to touch for the base");
+  if (!request.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
+  return request;
+}
+
+void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
+  if (wants(request, "base") && request.count > 0 && request.count < 3)
+    throw InputError("--count", std::to_string(request.count), "three or more touches to place a base");
+  const bool needs_loads = wants(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
+  if (needs_loads && outcome.loads.size() < 2)
+    throw InputError("--loads", fmt::format("{} load", outcome.loads.size()),
+                     "two or more: a point that nobody measured tells something only when touched under several loads",
+                     "say --loads=0,20 or --kind position");
+}
+
+/// Where the arm works and which readings there may be.
+void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outcome) {
+  task.cell = outcome.cell;
+  task.by_touch = request.kind == "touch";
+  task.base_sigma = outcome.base_noise.sigma;
+  task.sigma = outcome.noise.sigma;
+  task.loads = outcome.loads;
+  task.count = request.count;
+  task.candidates = request.candidates;
+  task.optimality = request.optimality;
+  task.seed = request.seed;
+  if (!outcome.cell.sheet) {
+    if (outcome.cell.scene.bodies.empty())
+      outcome.notes.push_back("the cell says nothing of its links' shapes: postures are not checked for collisions");
+    return;
+  }
+  task.under_sheet = workcellOf(outcome.cell, "find holes to touch");
+  task.tubes = readTubes(request.tubes.empty() ? "spread:60" : request.tubes, task.under_sheet->sheet).tube_indices;
+}
+
+}  // namespace
+
+TouchOutcome proposeTouches(const TouchRequest& asked) {
+  Cell cell = readCell(asked.cell);
+  const TouchRequest request = completed(asked, cell);
+  const auto made =
+      readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength), request.assume);
+  TouchOutcome outcome = proposeTouches(asked, cell, made.readings);
+  outcome.checks = made.checks;
+  return outcome;
+}
+
+TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const std::vector<Measurement>& readings) {
+  TouchOutcome outcome;
+  outcome.cell = cell;
+  const TouchRequest request = completed(asked, cell);
+  outcome.noise = noiseOf(request, cell, readings, request.kind == "touch");
+  outcome.base_noise = noiseOf(request, cell, readings, true);
+  outcome.loads = loadsOf(request, cell, readings);
+  requireEnough(request, outcome);
+  TouchTask task;
+  task.is_first = readings.empty();
+  learn(request, readings, asked.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
+  settleTask(request, task, outcome);
+  static_cast<TouchProposals&>(outcome) = proposeTouches(task);
+  if (outcome.holes_unsure > 0)
+    outcome.notes.push_back(fmt::format(
+        "{} of {} holes are left out as touches for the base: where it stands otherwise they may be out of reach",
+        outcome.holes_unsure, outcome.holes));
+  return outcome;
+}
+
+}  // namespace tubeplan::app

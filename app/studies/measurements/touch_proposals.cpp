@@ -1,0 +1,185 @@
+#include "app/studies/measurements/touch_proposals.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "app/studies/measurements/reading_candidates.hpp"
+#include "calibration/design/touch_choice.hpp"
+#include "calibration/design/touch_reserve.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Estimate, calibration::ReadingCandidate;
+
+constexpr int kTouchHoles = 60, kReadingPostures = 600, kWorkPostures = 60;
+constexpr int kBaseTouches = 3, kReadings = 10;
+constexpr int kExhaustive = 150;    // holes of which all triples are compared; exchange finds the best of more
+constexpr int kNearestTried = 400;  // holes round the base, before the nearest three are given up
+
+/// The three holes nearest the base that can be touched and are not on a line.
+std::vector<ReachedHole> nearestHoles(const planner::Workcell& cell) {
+  std::vector<int> order(cell.sheet.tubes.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](int tube) { return planner::holeCentre(cell.sheet.tubes[static_cast<std::size_t>(tube)]); };
+  const auto distance = [&](int tube) { return (place(tube) - cell.X_WB.translation()).head<2>().norm(); };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return distance(a) < distance(b); });
+  std::vector<ReachedHole> nearest;
+  for (std::size_t k = 0; k < order.size() && k < kNearestTried && nearest.size() < 3; ++k) {
+    const auto reached = reachHoles(cell, {order[k]}, false);
+    if (reached.empty()) continue;
+    nearest.push_back(reached.front());
+    if (nearest.size() < 3) continue;
+    const Eigen::Vector3d a = place(nearest[1].tube) - place(nearest[0].tube),
+                          b = place(nearest[2].tube) - place(nearest[0].tube);
+    if (a.cross(b).norm() < 0.1 * a.squaredNorm()) nearest.pop_back();
+  }
+  return nearest;
+}
+
+/// One task under way.
+class TouchSearch {
+ public:
+  explicit TouchSearch(const TouchTask& task) : task_(task) {}
+
+  TouchProposals run() {
+    findWork();
+    if (work_.postures.empty()) return withoutWork();
+    if (task_.of_base) proposeForBase();
+    if (task_.of_numbers) proposeForNumbers();
+    return std::move(result_);
+  }
+
+ private:
+  /// Where the tip must be known: at the holes of the work list, or in random postures.
+  void findWork() {
+    if (task_.under_sheet) {
+      for (const auto& hole : reachHoles(*task_.under_sheet, task_.tubes, false)) work_.postures.push_back(hole.q);
+      result_.work_lost = static_cast<int>(task_.tubes.size() - work_.postures.size());
+    } else {
+      work_.postures = clearPostures(armAndScene(task_.cell), {0}, kWorkPostures, task_.seed + 1);
+    }
+    result_.work = static_cast<int>(work_.postures.size());
+  }
+
+  TouchProposals withoutWork() {
+    const std::string reason = task_.under_sheet ? "no tube of the work list can be reached" : "no posture is clear";
+    if (task_.of_base) result_.base.emplace().reason = reason;
+    if (task_.of_numbers) result_.parameters.emplace().reason = reason;
+    return std::move(result_);
+  }
+
+  [[nodiscard]] std::vector<int> spreadHoles() const {
+    const int count = task_.candidates > 0 ? task_.candidates : kTouchHoles;
+    const auto& sheet = task_.under_sheet->sheet;
+    return tubesheets::selectTubes(sheet, tubesheets::spreadRequest(sheet, static_cast<std::size_t>(count)))
+        .tube_indices;
+  }
+
+  /// Holes still in reach where a base of which nothing is known yet stands otherwise than named; all, where too few
+  /// are.
+  std::vector<ReachedHole> surelyReached(const std::vector<ReachedHole>& holes, int count) {
+    const auto& cell = *task_.under_sheet;
+    std::vector<calibration::TouchPlan> plans;
+    for (std::size_t k = 0; k < holes.size(); ++k)
+      plans.push_back({std::to_string(k), "",
+                       planner::holeCentre(cell.sheet.tubes[static_cast<std::size_t>(holes[k].tube)]), holes[k].q});
+    std::vector<ReachedHole> kept;
+    for (const auto& plan : calibration::keepTouchable(cell.arm, cell.X_WB, plans))
+      kept.push_back(holes[std::stoul(plan.id)]);
+    if (static_cast<int>(kept.size()) < count) return holes;
+    result_.holes = static_cast<int>(holes.size());
+    result_.holes_unsure = static_cast<int>(holes.size() - kept.size());
+    return kept;
+  }
+
+  /// The best three (and more) of all, where no reading tells anything yet.
+  [[nodiscard]] calibration::Design exhaustiveChoice(const std::vector<ReachedHole>& holes,
+                                                     const calibration::PosedDesign& posed, int count) const {
+    std::vector<calibration::TouchPlan> plans;
+    for (const int k : posed.candidates) plans.push_back({"", "", {}, holes[static_cast<std::size_t>(k)].q});
+    const auto placed = calibration::placedAsEstimated(*task_.of_base);
+    const auto choice = calibration::chooseTouches(placed.arm, placed.base_poses.back().X_WB, plans, work_.postures,
+                                                   {count, task_.base_sigma});
+    if (choice.status == calibration::TouchChoiceStatus::kDone)
+      return calibration::judgeReadings(posed.problem, choice.chosen);
+    calibration::Design none;
+    none.status = calibration::DesignStatus::kTooFewCandidates;
+    none.reason = choice.reason;
+    return none;
+  }
+
+  void compareWithNearest() {
+    const auto nearest = nearestHoles(*task_.under_sheet);
+    if (nearest.size() < 3) return;
+    const auto touches = holeTouches(*task_.under_sheet, nearest, task_.base_sigma);
+    const auto posed = calibration::poseDesign(*task_.of_base, touches, work_);
+    if (posed.candidates.size() < 3) return;
+    for (const auto& touch : touches) result_.nearest_holes.push_back(touch.readings.front().point);
+    const auto design = calibration::judgeReadings(posed.problem, {0, 1, 2});
+    result_.tip_nearest = calibration::tipSigma(posed.problem.work, design.covariance);
+  }
+
+  void proposeForBase() {
+    auto& proposal = result_.base.emplace();
+    const int count = task_.count > 0 ? task_.count : kBaseTouches;
+    auto holes = reachHoles(*task_.under_sheet, spreadHoles(), false);
+    if (task_.is_first) holes = surelyReached(holes, count);
+    proposal.candidates = holeTouches(*task_.under_sheet, holes, task_.base_sigma);
+    const auto posed = calibration::poseDesign(*task_.of_base, proposal.candidates, work_);
+    calibration::NextReadingsOptions options;
+    options.seed = task_.seed;
+    options.design.count = count;
+    options.design.optimality = calibration::Optimality::kMeanTip;
+    auto design = task_.is_first && holes.size() <= kExhaustive
+                      ? exhaustiveChoice(holes, posed, count)
+                      : calibration::chooseReadings(posed.problem, options.design);
+    proposal.next = calibration::forecastReadings(*task_.of_base, posed, std::move(design), options);
+    proposal.reason = proposal.next.reason;
+    if (task_.is_first) compareWithNearest();
+  }
+
+  [[nodiscard]] std::vector<ReadingCandidate> touchesUnderLoads() const {
+    std::vector<ReadingCandidate> candidates;
+    planner::Workcell loaded = *task_.under_sheet;
+    for (const double load : task_.loads) {
+      loaded.load = load;
+      for (auto& touch : holeTouches(loaded, reachHoles(loaded, spreadHoles(), true), task_.sigma))
+        candidates.push_back(std::move(touch));
+    }
+    return candidates;
+  }
+
+  /// What could be read: holes or postures, each under each load.
+  [[nodiscard]] std::vector<ReadingCandidate> findCandidates() const {
+    if (task_.by_touch && task_.under_sheet) return touchesUnderLoads();
+    const int count = task_.candidates > 0 ? task_.candidates : kReadingPostures;
+    const auto cell = armAndScene(task_.cell);
+    const auto postures = clearPostures(cell, task_.loads, count, task_.seed);
+    return task_.by_touch ? pointTouches(cell, postures, task_.loads, task_.sigma)
+                          : positionReadings(postures, task_.loads, task_.sigma);
+  }
+
+  void proposeForNumbers() {
+    auto& proposal = result_.parameters.emplace();
+    proposal.candidates = findCandidates();
+    calibration::NextReadingsOptions options;
+    options.seed = task_.seed;
+    options.design.count = task_.count > 0 ? task_.count : kReadings;
+    options.design.optimality = task_.optimality;
+    proposal.next = calibration::proposeReadings(*task_.of_numbers, proposal.candidates, work_, options);
+    proposal.reason = proposal.next.reason;
+  }
+
+  const TouchTask& task_;
+  calibration::Work work_;
+  TouchProposals result_;
+};
+
+}  // namespace
+
+TouchProposals proposeTouches(const TouchTask& task) { return TouchSearch(task).run(); }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,203 @@
+#include "app/studies/model/improvement.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/studies/model/cell_fit.hpp"
+#include "app/studies/model/explained_model.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
+using calibration::IdentificationStatus, calibration::Measurement;
+
+constexpr double kWorthIt = 0.95;  // of an error: what an unsure cause must at least bring it down to
+constexpr double kNoWorse = 1.05;  // of an error: what a sure cause may do to the farthest poses
+
+/// What a diagnosis leads to: a cause to add, or the end.
+struct Decision {
+  const Explanation* cause = nullptr;
+  ImprovementEnd end = ImprovementEnd::kNotRun;
+  ImprovementReason reason = ImprovementReason::kNoVerdict;
+  double first = std::numeric_limits<double>::quiet_NaN(), second = first;
+};
+
+/// Of those that were judged and are worth it, most probable first, the first that no other betters by 5 % on the
+/// farthest poses: less than that is their noise.
+template <class IsWorthIt>
+const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
+  const Explanation* best = nullptr;
+  for (const auto& one : explanations)
+    if (std::isfinite(one.farthest.rms) && isWorthIt(one) &&
+        (!best || one.farthest.rms < kWorthIt * best->farthest.rms))
+      best = &one;
+  return best;
+}
+
+/// Equals: to be added only where it hardly matters which of them is right.
+Decision amongEquals(const Diagnosis& diagnosis) {
+  double widest = 0;
+  for (const auto& alternative : diagnosis.alternatives)
+    if (std::isfinite(alternative.apart)) widest = std::max(widest, alternative.apart);
+  const Explanation* best = bestCarried(diagnosis.alternatives, [](const Explanation&) { return true; });
+  const double gain = best ? diagnosis.heldout_before.rms - best->heldout.rms : 0;
+  if (best && widest <= gain)
+    return {best, ImprovementEnd::kNotRun, ImprovementReason::kAlternativesClose, widest, gain};
+  if (diagnosis.agreed && diagnosis.agreed->heldout.rms < diagnosis.heldout_before.rms &&
+      diagnosis.agreed->farthest.rms <= kNoWorse * diagnosis.farthest_before.rms)
+    return {&*diagnosis.agreed, ImprovementEnd::kNotRun, ImprovementReason::kSureInAll};
+  return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
+}
+
+/// No cause is sure: one is added only for what it does to readings that it was not fitted to, near and far.
+Decision amongUnsure(const Diagnosis& diagnosis) {
+  const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
+    return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
+           one.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
+  });
+  if (!best) return {nullptr, ImprovementEnd::kNothingSure, ImprovementReason::kNoneLower};
+  return {best, ImprovementEnd::kNotRun, ImprovementReason::kUnsureButLower};
+}
+
+Decision onSure(const Diagnosis& diagnosis) {
+  const Explanation& first = diagnosis.alternatives.front();
+  if (first.farthest.rms > kNoWorse * diagnosis.farthest_before.rms)
+    return {nullptr, ImprovementEnd::kDoesNotCarryOver, ImprovementReason::kFarthestWorse, first.farthest.rms,
+            diagnosis.farthest_before.rms};
+  return {&first, ImprovementEnd::kNotRun, ImprovementReason::kSure};
+}
+
+Decision decisionOn(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case Verdict::kAdequate:
+      return {nullptr, ImprovementEnd::kAdequate, ImprovementReason::kNothingMissing};
+    case Verdict::kExplained:
+    case Verdict::kPartlyExplained:
+      return onSure(diagnosis);
+    case Verdict::kAmbiguous:
+      return amongEquals(diagnosis);
+    case Verdict::kUnexplained:
+      if (diagnosis.isScatterAlone())
+        return {nullptr, ImprovementEnd::kAdequate, ImprovementReason::kScatter, diagnosis.remainder.size};
+      return amongUnsure(diagnosis);
+    default:
+      return {nullptr, ImprovementEnd::kInconclusive, ImprovementReason::kNoVerdict};
+  }
+}
+
+ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
+  ImprovementStep step;
+  step.diagnosis = diagnosis;
+  step.reason = decision.reason;
+  step.first = decision.first;
+  step.second = decision.second;
+  step.heldout_before = diagnosis.heldout_before;
+  step.farthest_before = diagnosis.farthest_before;
+  if (!decision.cause) return step;
+  step.heldout_after = decision.cause->heldout;
+  step.farthest_after = decision.cause->farthest;
+  return step;
+}
+
+bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
+
+/// One run of the loop.
+class Improver {
+ public:
+  Improver(const std::vector<Measurement>& readings, const ImprovementRequest& request, const WorkHooks& hooks)
+      : readings_(readings), request_(request), hooks_(hooks) {}
+
+  Improvement run(const CellModel& cell) {
+    beginStep(hooks_, "fit");
+    ImprovedModel first = fitted("as given", cell, hooks_);
+    if (!isUsable(first.fit)) {
+      result_.end = ImprovementEnd::kNotFitted;
+      result_.models.push_back(std::move(first));
+      return std::move(result_);
+    }
+    keep(std::move(first));
+    for (int round = 1; round <= request_.steps; ++round)
+      if (!improveOnce(within(hooks_, fmt::format("diagnosis {}", round)))) return std::move(result_);
+    result_.end = ImprovementEnd::kMostSteps;
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] ImprovedModel fitted(const std::string& name, const CellModel& cell, const WorkHooks& hooks) const {
+    calibration::IdentificationOptions options;
+    options.free = freeNumbersOf(cell);
+    options.seed = request_.seed;
+    options.intervals_by_profile = false;
+    options.hooks = hooks;
+    ImprovedModel model{name, cell, calibration::identify(startOf(cell, readings_), readings_, options)};
+    requireGoingOn(hooks);
+    return model;
+  }
+
+  [[nodiscard]] Diagnosis diagnosisOf(const CellModel& cell, const WorkHooks& hooks) const {
+    calibration::DiagnosisOptions options;
+    options.baseline.free = freeNumbersOf(cell);
+    options.seed = request_.seed;
+    options.hooks = hooks;
+    Diagnosis diagnosis = calibration::diagnose(startOf(cell, readings_), readings_, options);
+    requireGoingOn(hooks);
+    return diagnosis;
+  }
+
+  void keep(ImprovedModel model) {
+    if (request_.on_model) request_.on_model(model);
+    result_.models.push_back(std::move(model));
+  }
+
+  /// One round; false where the loop ends.
+  bool improveOnce(const WorkHooks& hooks) {
+    const ImprovedModel& last = result_.models.back();
+    const Diagnosis diagnosis = diagnosisOf(last.cell, hooks);
+    const Decision decision = decisionOn(diagnosis);
+    result_.steps.push_back(stepOf(diagnosis, decision));
+    result_.end = decision.end;
+    return decision.cause && addCause(last, *decision.cause, hooks);
+  }
+
+  bool addCause(const ImprovedModel& last, const Explanation& cause, const WorkHooks& hooks) {
+    ImprovementStep& step = result_.steps.back();
+    CellModel cell = last.cell;
+    const AddedCauses added = addExplanation(cause, cell);
+    auto model = fitted(fmt::format("+ {}", fmt::join(added.names, " + ")), cell, hooks);
+    if (!isUsable(model.fit) || !(model.fit.heldout.rms < last.fit.heldout.rms)) {
+      result_.end = ImprovementEnd::kDoesNotCarryOver;
+      step.reason = ImprovementReason::kNotLowerTogether;
+      return false;
+    }
+    step.added = added.names;
+    for (const auto& effect : cause.effects)
+      for (const auto& [name, at] : effect.also) step.also.push_back(name + "@" + at);
+    keep(std::move(model));
+    return true;
+  }
+
+  const std::vector<Measurement>& readings_;
+  const ImprovementRequest& request_;
+  WorkHooks hooks_;
+  Improvement result_;
+};
+
+}  // namespace
+
+Improvement improveModel(const CellModel& cell, const std::vector<Measurement>& readings,
+                         const ImprovementRequest& request, const WorkHooks& hooks) {
+  return Improver(readings, request, hooks).run(cell);
+}
+
+std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result) {
+  std::vector<ModelComparisonRow> comparison;
+  for (const auto& model : result.models) comparison.push_back(comparisonRowOf(model.name, model.fit));
+  return comparison;
+}
+
+}  // namespace tubeplan::app
