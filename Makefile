@@ -21,7 +21,8 @@ demo: program
 
 test: $(BUILD)/build.ninja
 	cmake --build $(BUILD) -j $(JOBS)
-	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
+	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS); \
+	  code=$$?; python3 tests/skipped.py $(BUILD); exit $$code
 
 bench: $(BENCH)/build.ninja
 	@cmake --build $(BENCH) -j $(JOBS) --target bench

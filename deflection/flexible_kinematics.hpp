@@ -1,4 +1,18 @@
 // Flexible forward kinematics: the shape of the arm under its weight and a hung load (Calkins 1994, table 2.1).
+//
+// Example, compiled and run by tests/examples:
+//
+//     #include "deflection/flexible_kinematics.hpp"
+//     using namespace tubeplan::deflection;
+//     Arm arm;
+//     auto& row = arm.rows.emplace_back();
+//     row.name = "link";
+//     row.placement = Origin<double>{{0, 0, 1}, {1.5707963267948966, 0, 0}};
+//     row.joint = {.name = "shoulder", .type = JointType::kRevolute};
+//     row.joint_stiffness.z() = 1e5;  // N m/rad
+//     arm.p_LT = {2, 0, 0};           // m
+//     const auto shape = solveFlexibleKinematics(arm, {Eigen::VectorXd::Zero(1), 50});
+//     std::printf("%.6f\n", shape.X_BD.p.z() - 1);  // prints -0.002000
 #pragma once
 
 #include <optional>

@@ -1,4 +1,16 @@
 // A tube sheet: the holes of one leg (or of the full sheet) with their numbers, places and states.
+//
+// Example, compiled and run by tests/examples:
+//
+//     #include "tubesheets/sheet.hpp"
+//     #include "tubesheets/work_list.hpp"
+//     using namespace tubeplan::tubesheets;
+//     SheetDescription description;
+//     description.layout = {.type = "square", .pitch = 0.025, .first_row = 0.05, .radius = 0.5};  // m
+//     description.hole_diameter = 0.019;
+//     const Sheet sheet = makeSheet(description);
+//     const auto edge = selectTubes(sheet, "outer:1");
+//     std::printf("%zu of %zu\n", edge.tube_indices.size(), sheet.tubes.size());  // prints 90 of 566
 #pragma once
 
 #include <limits>

@@ -112,7 +112,8 @@ int run(const SensitivityOptions& options) {
     const auto made = readingsMade(options.readings, cell, 0, options.assume);
     checks = made.checks;
     const auto estimate = estimateOf(cell, made.readings, {cell.identify, !cell.base_known}, cell.path + " (identify)");
-    if (!estimate.note.empty()) throw InputError(options.readings, estimate.note, "readings that tell the parameters");
+    if (!estimate.note.empty())
+      throw InputError(options.readings, estimate.note, "readings that determine the parameters");
     cell = cellAsEstimated(cell, estimate);
     report.sigmas = posteriorSigmas(estimate, cell.arm);
   }
@@ -150,7 +151,7 @@ Run configureSensitivity(CLI::App& cli) {
   cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
   cli.add_option(
       "--readings", options->readings,
-      "readings (CSV) that tell the parameters listed under `identify`: errors are then of one sigma of each");
+      "readings (CSV) that determine the parameters listed under `identify`: errors are then of one sigma of each");
   addAssumeOption(cli, options->assume);
   cli.add_option("--postures", options->postures, "random postures to work in, where there is no tube sheet")
       ->check(CLI::Range(3, 10000))

@@ -10,8 +10,8 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/measurements_writer.hpp"
+#include "app/files/simulation_input.hpp"
 #include "app/files/truth_file.hpp"
-#include "app/jobs/simulation.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -54,7 +54,7 @@ Run configureTouches(CLI::App& cli) {
   const auto options = std::make_shared<TouchesOptions>();
   auto& request = options->request;
   cli.add_option("CELL", request.cell, "the cell file")->required();
-  cli.add_option("--readings", request.readings, "readings made already (CSV): proposals add to what these tell");
+  cli.add_option("--readings", request.readings, "readings made already (CSV): proposals complement them");
   addAssumeOption(cli, request.assume);
   cli.add_option("--free", request.free,
                  "parameters to sharpen instead of the cell's `identify`: dotted paths into the arm file, tool.tip, "

@@ -28,7 +28,8 @@ void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
                     std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
-          "touch a fourth hole, far from the others, and calibrate again: it tells a touch that is off from a model "
+          "touch a fourth hole, far from the others, and calibrate again: it distinguishes a touch that is off from a "
+          "model "
           "that "
           "is off");
     verdict.to_do.emplace_back(

@@ -97,16 +97,17 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
   const std::size_t count = result.readings.size();
   const std::string what = result.never.empty() ? "them" : "the others";
   if (result.times == 1)
-    advice = fmt::format("{} further readings would tell {} apart (chance {:.0f} %).", count, what,
+    advice = fmt::format("{} further readings would separate {} (probability {:.0f} %).", count, what,
                          100 * result.probability);
   else if (result.times > 1)
-    advice = fmt::format("It takes about {} further readings to tell {} apart, the best {} of them listed.",
+    advice = fmt::format("It takes about {} further readings to separate {}, the best {} of them listed.",
                          static_cast<std::size_t>(result.times) * count, what, count);
   if (!result.never.empty())
     advice = fmt::format("No posture can split {}; what would: {}.{}{}", neverText(result), firstMeans(result),
                          advice.empty() ? "" : " ", advice);
   else if (result.times == 0 && !result.alternative_measurements.empty())
-    advice = fmt::format("No further reading of this kind can be made; what would tell: {}.", firstMeans(result));
+    advice =
+        fmt::format("No further reading of this kind can be made; what would separate them: {}.", firstMeans(result));
   for (const auto& column : result.columns) advice += fmt::format("{}Also {}.", advice.empty() ? "" : " ", column);
   return advice;
 }

@@ -165,7 +165,7 @@ std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
       report.touches.empty() ? "known" : fmt::format("placed by touching {}", fmt::join(report.touches, ", ")));
   if (!std::isfinite(report.figures.mean_deflection))
     return text +
-           "no figures: the deflected arm does not settle at some of these postures; check loads and stiffnesses\n";
+           "no figures: the deflected shape does not converge at some of these postures; check loads and stiffnesses\n";
   text +=
       fmt::format("mean sag {:.4f} {}, mean {} without compensation {:.4f} {}\n", report.figures.mean_deflection / unit,
                   cell.units.length().name, report.has_sheet ? "centring error" : "error",

@@ -20,7 +20,7 @@ std::vector<std::string> leftOutOf(const StepChances& chances) {
   std::vector<std::string> left_out;
   if (chances.base_is_exact) left_out.emplace_back("the base's place, which the cell says is known");
   if (chances.error.source == calibration::ModelErrorSource::kLeftOut)
-    left_out.emplace_back("the model's own error, which nobody has measured (touch holes, or `identify`)");
+    left_out.emplace_back("the model's own error, which has not been measured (touch holes, or `identify`)");
   return left_out;
 }
 
@@ -50,7 +50,7 @@ std::string stepChancesText(const StepChances& chances, const Units& units) {
         fmt::format(" ({:.3g} {} a coordinate, 95 % {:.2g} to {:.2g}, {})", lengthOf(chances.error.model_error, units),
                     units.length().name, lengthOf(chances.error.lower, units), lengthOf(chances.error.upper, units),
                     chances.error.source == calibration::ModelErrorSource::kTouches
-                        ? fmt::format("as the {} touches tell it", chances.touches)
+                        ? fmt::format("as estimated from the {} touches", chances.touches)
                         : "as the cell states it");
   text += "\n";
   for (const auto& left_out : leftOutOf(chances)) text += "  left out: " + left_out + "\n";

@@ -125,7 +125,7 @@ std::string proposedText(const TouchOutcome& outcome, const Proposal& proposal, 
   for (const auto& joint : outcome.cell.arm.joints()) joints += fmt::format(" {:>9}", joint.name);
   const bool tells = letter == 'N';  // of the base, all of them tell all
   text += fmt::format("  {:<5} {:<8} {:<9} {:>8}{}{}\n", "", "", "point", std::string(units.force().name), joints,
-                      tells ? "   tells most of" : "");
+                      tells ? "   most informative of" : "");
   std::size_t told = proposal.next.design.steps.size();
   for (const auto& named : nameReadings(proposal, letter)) {
     text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, kindOf(*named.reading).name, named.point,
@@ -181,7 +181,9 @@ std::string baseText(const TouchOutcome& outcome) {
   return text;
 }
 
-std::string shareText(double sigma, bool is_told) { return is_told ? fmt::format("{:.3g}", sigma) : "not told"; }
+std::string shareText(double sigma, bool is_told) {
+  return is_told ? fmt::format("{:.3g}", sigma) : "not identifiable";
+}
 
 std::string parametersText(const TouchOutcome& outcome) {
   const Proposal& proposal = *outcome.parameters;

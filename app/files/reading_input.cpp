@@ -232,7 +232,7 @@ std::vector<std::string> fitWarnings(const Identification& result, const std::ve
 InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,
                      const CellReadings& input) {
   if (problem) return inputErrorOf(*problem, input.readings, input.file);
-  return {input.file, reason, "readings that tell the free parameters", ""};
+  return {input.file, reason, "readings that determine the free parameters", ""};
 }
 
 }  // namespace tubeplan::app

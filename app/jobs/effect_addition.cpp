@@ -89,7 +89,7 @@ std::string overlapAt(const CellReadings& input) {
   asked.intervals_by_profile = false;
   const auto result = calibration::identify(startOf(cell, readings), readings, asked);
   if (result.status != calibration::IdentificationStatus::kDone)
-    return "no overlap with the catalogue can be told: " + result.reason + "\n";
+    return "the overlap with the catalogue cannot be computed: " + result.reason + "\n";
   return overlapText(calibration::findFormulaOverlaps(result, readings));
 }
 

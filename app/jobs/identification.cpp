@@ -103,7 +103,7 @@ IdentificationOutcome identifyModel(const CellReadings& input, const Identificat
   outcome.fit = identifyAsAsked(request, cell, readings, hooks);
   requireGoingOn(hooks);
   requireAccepted(outcome.fit, request, input);
-  beginStep(hooks, "what the fit tells");
+  beginStep(hooks, "uncertainties");
   outcome.warnings = fitWarnings(outcome.fit, readings);
   outcome.figures = identificationJson(outcome.fit, readings, cell.units);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);

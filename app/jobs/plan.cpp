@@ -145,8 +145,8 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   planner::PlanCache& cache = checkpoint ? checkpoint->cache() : forgotten;
   if (checkpoint) {
     checkpoint->begin(
-        planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, travelOf(request),
-                   standoffOf(request, outcome), request.padding, request.seed, checkpoint->fromFingerprint()},
+        planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, standoffOf(request, outcome),
+                   request.padding, request.seed, checkpoint->fromFingerprint(), travelOf(request)},
                   tubes));
     hooks.keep = [checkpoint](const planner::PlanCache&) { checkpoint->saveNowAndThen(); };
   }

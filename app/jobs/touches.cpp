@@ -116,7 +116,7 @@ void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
   const bool needs_loads = wants(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
   if (needs_loads && outcome.loads.size() < 2)
     throw InputError("--loads", fmt::format("{} load", outcome.loads.size()),
-                     "two or more: a point that nobody measured tells something only when touched under several loads",
+                     "two or more: a point that nobody measured is informative only when touched under several loads",
                      "say --loads=0,20 or --kind position");
 }
 

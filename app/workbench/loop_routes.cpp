@@ -7,6 +7,7 @@
 #include "app/files/cell_writer.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
+#include "app/files/simulation_input.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
@@ -14,7 +15,6 @@
 #include "app/jobs/identification.hpp"
 #include "app/jobs/improvement.hpp"
 #include "app/jobs/ladder.hpp"
-#include "app/jobs/simulation.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -107,7 +107,8 @@ void finishFit(Workbench& workbench, const Session& began, const std::string& la
 
 void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
-    throw InputError(input.file, "a fit that did not end: " + outcome.fit.reason, "readings that settle the numbers");
+    throw InputError(input.file, "a fit that did not end: " + outcome.fit.reason,
+                     "readings that determine the numbers");
 }
 
 Answer identify(Workbench& workbench, const Request& request) {

@@ -102,7 +102,7 @@ json answerPosture(const Model& model, const AskedPosture& question) {
   const deflection::Posture posture{question.q, question.load, deflection::gravityInBase(cell.arm, cell.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
   if (shape.status != deflection::KinematicsStatus::kConverged)
-    throw InputError("joints", shape.reason, "a posture at which the deflected arm comes to rest");
+    throw InputError("joints", shape.reason, "a posture at which the deflected shape converges");
   planner::Workcell posed = model.posed;
   posed.load = question.load;
   double bow = 0;

@@ -209,7 +209,7 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
   const Tips touches = tipsAt(arm, X_WB, task.touches, 0, request);
   if (task.work.empty() || !work.ok || !touches.ok) {
     result.status = SensitivityStatus::kNotConverged;
-    result.reason = task.work.empty() ? "no posture to work at" : "the deflected shape does not settle";
+    result.reason = task.work.empty() ? "no posture to work at" : "the deflected shape does not converge";
     return result;
   }
   const auto response = baseResponse(arm, touches, task.touch_sigma, static_cast<Index>(result.numbers.size()));

@@ -184,7 +184,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   const auto steps = chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop);
   if (steps.empty()) {
     result.status = DiscriminationStatus::kNoCandidates;
-    result.reason = "no posture is clear and settles";
+    result.reason = "no posture is clear of collisions with a shape that converges";
   } else {
     for (const auto& step : steps) result.readings.push_back({step.candidate, step.a, step.b, step.separation});
     result.pairs = pairsOf(rivals, predictions, steps, separationNeeded(options.sure));

@@ -1,5 +1,35 @@
 // The numbers of the model found from readings, each with its uncertainty and a word on whether the readings can tell
 // it (Calkins 1994, chapter 3).
+//
+// Example, compiled and run by tests/examples:
+//
+//     #include "calibration/estimation/identification.hpp"
+//     #include "calibration/measurements/reading_prediction.hpp"
+//     using namespace tubeplan;
+//     deflection::Arm arm;
+//     auto& row = arm.rows.emplace_back();
+//     row.name = "link";
+//     row.placement = deflection::Origin<double>{{0, 0, 1}, {1.5707963267948966, 0, 0}};
+//     row.joint = {.name = "shoulder", .type = deflection::JointType::kRevolute};
+//     row.joint_stiffness.z() = 1e5;  // N m/rad, as drawn
+//     arm.p_LT = {2, 0, 0};
+//     deflection::Arm real = arm;
+//     real.rows.front().joint_stiffness.z() = 8e4;
+//     const Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+//     std::vector<calibration::Measurement> readings;
+//     for (int k = 0; k < 12; ++k) {
+//       auto& reading = readings.emplace_back();
+//       reading.id = std::to_string(k);
+//       reading.q = Eigen::VectorXd::Constant(1, 0.1 * k);
+//       reading.load = 50 * (k % 3);  // N
+//       reading.sigma = 1e-5;         // m
+//       reading.p_W = calibration::predictTip(real, X_WB, reading.q, reading.load).value;
+//     }
+//     calibration::IdentificationOptions options;
+//     options.free.names = {"link.joint_stiffness.z"};
+//     const auto start = calibration::placeForReadings(arm, X_WB, true, readings);
+//     const auto found = calibration::identify(start, readings, options);
+//     std::printf("%.0f\n", found.numbers.front().value);  // prints 80000
 #pragma once
 
 #include <cstdint>

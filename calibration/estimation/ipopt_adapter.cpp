@@ -168,7 +168,7 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
     case Ipopt::Solve_Succeeded:
       return {Status::kConverged, "the gradient is within tolerance"};
     case Ipopt::Solved_To_Acceptable_Level:
-      return {Status::kConverged, "the gradient rests within a thousand tolerances"};
+      return {Status::kConverged, "the gradient is within a thousand tolerances"};
     case Ipopt::User_Requested_Stop:
     case Ipopt::Search_Direction_Becomes_Too_Small:
       return {Status::kConverged, "chi2 falls no further than by rounding"};

@@ -50,7 +50,7 @@ std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
   static constexpr std::array kMethods{
       LeastSquaresMethodKind{Method::kHybrid,
                              "in-turn",
-                             "Levenberg-Marquardt; where that does not rest soon, the interior point too",
+                             "Levenberg-Marquardt; where that does not converge soon, the interior point too",
                              {1e-9, 400},
                              minimizeHybrid},
       LeastSquaresMethodKind{

@@ -181,7 +181,7 @@ LeastSquaresResult TrustRegionMinimizer::run(const LeastSquaresStop& stop) {
     free_ = movable(scaled_, x_, model_.gradient);
     if (!model_.gradient.allFinite() || !model_.normal.allFinite())
       return end(Status::kFailed, "the derivatives are too large to be squared");
-    if (free_.empty()) return end(Status::kConverged, "every variable rests on a bound");
+    if (free_.empty()) return end(Status::kConverged, "every variable is at a bound");
     if (model_.gradient(free_).isZero(0)) return end(Status::kConverged, "chi2 does not depend on the variables here");
     if (iterations_ == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
     const Step taken = step(stop.tolerance);

@@ -40,7 +40,8 @@ std::string findTouchProblem(const std::vector<Measurement>& touches, const Base
     return "a base needs at least three touched holes, and there " + std::string(holes.size() == 1 ? "is " : "are ") +
            std::to_string(holes.size());
   if (flatness(touches) < options.collinear_ratio)
-    return "the touched holes lie nearly on a line, so the turn about that line cannot be told: touch one hole well "
+    return "the touched holes lie nearly on a line, so the turn about that line is not identifiable: touch one hole "
+           "well "
            "off it";
   return {};
 }

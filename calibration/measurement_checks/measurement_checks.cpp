@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
-#include <random>
 #include <set>
 
 #include "calibration/measurement_checks/joint_zero.hpp"
@@ -13,6 +12,7 @@
 #include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -46,9 +46,7 @@ std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, 
       groups.push_back({k});
   for (auto& [point, members] : points) groups.push_back(std::move(members));
   std::vector<std::size_t> drawn;
-  std::mt19937_64 random(seed);
-  if (readings.size() > most)
-    for (std::size_t k = groups.size(); k > 1; --k) std::swap(groups[k - 1], groups[random() % k]);
+  if (readings.size() > most) RandomStream(seed).shuffle(groups);
   for (const auto& group : groups) {
     if (!drawn.empty() && drawn.size() + group.size() > most) continue;
     drawn.insert(drawn.end(), group.begin(), group.end());

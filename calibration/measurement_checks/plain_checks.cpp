@@ -193,8 +193,7 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
     missing.push_back({"<joint>_dir", "with the sense of each joint's last motion, hysteresis could be seen"});
   if (none([](const Measurement& m) { return m.load > 0; }))
     missing.push_back(
-        {"load",
-         "with several hung loads, what gives could be told from what is out of place, and a load's offset be seen"});
+        {"load", "with several hung loads, compliance could be told from geometry, and a load's offset be seen"});
   if (none([](const Measurement& m) { return std::isfinite(m.temperature); }))
     missing.push_back({"temperature", "with the temperature, thermal growth could be seen"});
   if (none([](const Measurement& m) { return std::isfinite(m.time); }))

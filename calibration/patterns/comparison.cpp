@@ -175,7 +175,7 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
   const Evaluation after = evaluateFitted(result, fitted);
   if (!after.ok) {
     result.status = ComparisonStatus::kRefused;
-    result.reason = "the deflected shape does not settle: the arm is too soft for its load";
+    result.reason = "the deflected shape does not converge: the arm is too soft for its load";
     return result;
   }
   if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;

@@ -90,7 +90,7 @@ std::string findKindProblem(const CampaignDesign& design) {
     return std::string("readings of kind ") + kind.name + " of rows of the arm";
   if (!is_touch && design.postures_per_point != 1) return "several postures for a point that is not touched";
   if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
-    return "unknown points, each touched only once, which tell nothing";
+    return "unknown points, each touched only once, which carry no information";
   return {};
 }
 

@@ -22,7 +22,7 @@ const char* describe(PostureRefusal refusal) {
     case PostureRefusal::kNone:
       return "usable";
     case PostureRefusal::kNotConverged:
-      return "without a deflected shape that settles";
+      return "without a deflected shape that converges";
     case PostureRefusal::kOutOfReach:
       return "out of reach";
     case PostureRefusal::kStretched:

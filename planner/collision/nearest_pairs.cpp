@@ -213,7 +213,7 @@ NearestPair NearestPairs::findPadded(const PlacedPostures& placed, int lane, con
 Clearance NearestPairs::named(const PlacedPostures& placed, int lane, const NearestPair& found) const {
   Clearance clearance;
   if (!placed.is_converged[static_cast<std::size_t>(lane)]) {
-    clearance.other = "the deflected shape does not settle";
+    clearance.other = "the deflected shape does not converge";
     return clearance;
   }
   clearance.distance = found.distance;

@@ -35,7 +35,7 @@ void fillIn(const calibration::CampaignTruth& truth, std::vector<Measurement>& r
     for (double& coordinate : tip) coordinate += reading.sigma * normal(random);
     reading.p_W = tip;
     for (Eigen::Index j = 0; j < reading.q.size(); ++j)
-      reading.q[j] += calibration::jointAt(truth.arm, static_cast<int>(j)).encoder_sigma * normal(random);
+      reading.q[j] += truth.arm.joint(j).encoder_sigma * normal(random);
   }
 }
 

@@ -23,11 +23,11 @@ struct PlanKeyInputs {
   const planner::Workcell& model;  ///< as planned with: base as calibrated, load
   const planner::VisitConditions& conditions;
   std::string compensation;
-  planner::TravelKind travel = planner::TravelKind::kJoints;
   double standoff = 0;  ///< m
   double padding = 0;   ///< standard deviations of the base's place
   std::uint64_t seed = 1;
   std::string from;  ///< fingerprint of the memory that the plan begins with; empty without
+  planner::TravelKind travel = planner::TravelKind::kJoints;
 };
 
 /// program, arm and scene, base, load, clearance, compensation, sheet: what proved motions and postures depend on; then

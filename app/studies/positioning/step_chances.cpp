@@ -37,7 +37,7 @@ StepChances stepChances(const StepQuestion& question) {
   StepChances chances;
   chances.touches = static_cast<int>(question.touches.size());
   if (question.touches.empty() && !cell.base_known && !cell.base_covariance) {
-    chances.reason = "nobody has placed the base: touch holes and calibrate (--touches)";
+    chances.reason = "the base has not been calibrated: touch holes and calibrate (--touches)";
     return chances;
   }
   chances.base_is_exact = question.touches.empty() && question.model.base_covariance.isZero(0);

@@ -213,7 +213,7 @@ TEST(ArmClearance, AShapeThatDoesNotSettleIsNotFree) {
   cell.arm.rows.back().joint_stiffness.z() = 1e-3;
   const Clearance clearance = ArmClearance(cell).at(Eigen::Vector4d(0, 1.2, -1.4, 0), ContactRule::kTravel);
   EXPECT_TRUE(std::isnan(clearance.margin));
-  EXPECT_EQ(clearance.other, "the deflected shape does not settle");
+  EXPECT_EQ(clearance.other, "the deflected shape does not converge");
 }
 
 class TravelOfSeed : public ::testing::TestWithParam<int> {};

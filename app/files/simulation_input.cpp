@@ -1,4 +1,4 @@
-#include "app/jobs/simulation.hpp"
+#include "app/files/simulation_input.hpp"
 
 #include <fmt/format.h>
 

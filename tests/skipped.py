@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""skipped.py BUILD: the tests that the last run of ctest skipped, each reason with how many it kept from running."""
+import collections
+import pathlib
+import re
+import sys
+
+
+def reasons(log):
+    """Of every test that was skipped, what it said of why."""
+    for part in re.split(r"(?m)^\d+/\d+ Test(?:ing)?: ", log)[1:]:
+        if "Test Skipped" not in part and "Skipped" not in part.split("Test time")[-1] and "[  SKIPPED ]" not in part:
+            continue
+        name = part.split("\n", 1)[0].strip()
+        said = re.search(r"Skipped\n(.+)", part) or re.search(r"(?m)^skipped: (.+)", part)
+        yield name, said[1].strip() if said else "no reason given"
+
+
+def main():
+    log = pathlib.Path(sys.argv[1], "Testing/Temporary/LastTest.log")
+    if not log.exists():
+        return
+    by_reason = collections.defaultdict(list)
+    for name, reason in reasons(log.read_text(errors="replace")):
+        by_reason[reason].append(name)
+    for reason, names in sorted(by_reason.items(), key=lambda entry: -len(entry[1])):
+        print(f"skipped {len(names)}: {reason} ({names[0]}{', ...' if len(names) > 1 else ''})")
+
+
+if __name__ == "__main__":
+    main()
