@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <numbers>
@@ -120,6 +121,17 @@ double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2
 }
 
 }  // namespace
+
+std::vector<std::string> stepWords(const SteppedTool& tool) {
+  constexpr std::array kNumbers{"no", "one", "two", "three", "four", "five", "six"};
+  std::vector<std::string> words;
+  for (std::size_t entered = 0; entered <= tool.steps.size(); ++entered) {
+    const std::string number = entered < kNumbers.size() ? kNumbers[entered] : std::to_string(entered);
+    const bool is_all = entered > 1 && entered == tool.steps.size();
+    words.push_back((is_all ? "all " : "") + number + (entered < 2 ? " step enters" : " steps enter"));
+  }
+  return words;
+}
 
 int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean) {
   if (tool.lengths.size() != tool.steps.size()) return stepsInserted(tool, offset.norm());

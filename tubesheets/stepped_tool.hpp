@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "tubesheets/problem.hpp"
@@ -24,6 +25,9 @@ struct SteppedTool {
 /// What is wrong with the tool for holes of that diameter [m]: no steps, diameters that do not grow, tolerances that do
 /// not shrink or that exceed the gap between step and hole, numbers that are not above zero.
 [[nodiscard]] std::vector<Problem> findToolProblems(const SteppedTool& tool, double hole_diameter);
+
+/// What it is that 0, 1, ..., all of its steps enter, for a reader: "no step enters", ..., "all three steps enter".
+[[nodiscard]] std::vector<std::string> stepWords(const SteppedTool& tool);
 
 /// How many steps enter at that centring error [m] of a tool that stands upright: those before the first whose
 /// tolerance is below it. None for NaN.

@@ -16,27 +16,37 @@ template <class Value>
 struct Named {
   Value value;
   std::string_view name;
+  std::string_view words;  ///< for a reader
 };
 template <class Value>
-Named(Value, std::string_view) -> Named<Value>;  // Clang 16 does not find it by itself
+Named(Value, std::string_view, std::string_view) -> Named<Value>;  // Clang 16 does not find it by itself
 
-constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot")}, Named{Leg::kCold, std::string_view("cold")},
-                           Named{Leg::kFull, std::string_view("full")}};
-constexpr std::array kShortLegs{Named{Leg::kHot, std::string_view("HL")}, Named{Leg::kCold, std::string_view("CL")}};
-constexpr std::array kSides{Named{ViewedFrom::kBelow, std::string_view("below")},
-                            Named{ViewedFrom::kAbove, std::string_view("above")}};
-constexpr std::array kStates{Named{TubeState::kOpen, std::string_view("open")},
-                             Named{TubeState::kPlugged, std::string_view("plugged")},
-                             Named{TubeState::kSleeved, std::string_view("sleeved")},
-                             Named{TubeState::kStabilised, std::string_view("stabilised")},
-                             Named{TubeState::kToPlug, std::string_view("to-plug")},
-                             Named{TubeState::kInaccessible, std::string_view("inaccessible")},
-                             Named{TubeState::kUnresolved, std::string_view("unresolved")}};
+constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot"), std::string_view("hot leg")},
+                           Named{Leg::kCold, std::string_view("cold"), std::string_view("cold leg")},
+                           Named{Leg::kFull, std::string_view("full"), std::string_view("full sheet")}};
+constexpr std::array kShortLegs{Named{Leg::kHot, std::string_view("HL"), std::string_view()},
+                                Named{Leg::kCold, std::string_view("CL"), std::string_view()}};
+constexpr std::array kSides{Named{ViewedFrom::kBelow, std::string_view("below"), std::string_view("seen from below")},
+                            Named{ViewedFrom::kAbove, std::string_view("above"), std::string_view("seen from above")}};
+constexpr std::array kStates{
+    Named{TubeState::kOpen, std::string_view("open"), std::string_view("open")},
+    Named{TubeState::kPlugged, std::string_view("plugged"), std::string_view("plugged")},
+    Named{TubeState::kSleeved, std::string_view("sleeved"), std::string_view("sleeved")},
+    Named{TubeState::kStabilised, std::string_view("stabilised"), std::string_view("plugged and stabilised")},
+    Named{TubeState::kToPlug, std::string_view("to-plug"), std::string_view("recommended to plug")},
+    Named{TubeState::kInaccessible, std::string_view("inaccessible"), std::string_view("reported inaccessible")},
+    Named{TubeState::kUnresolved, std::string_view("unresolved"), std::string_view("identity unresolved")}};
 
 template <class Table, class Value>
 std::string_view nameOf(const Table& table, Value value) {
   const auto row = std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.value == value; });
   return row == table.end() ? "" : row->name;
+}
+
+template <class Table, class Value>
+std::string_view wordsOf(const Table& table, Value value) {
+  const auto row = std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.value == value; });
+  return row == table.end() ? "" : row->words;
 }
 
 template <class Table>
@@ -69,6 +79,16 @@ std::optional<RowAndColumn> parseTubeName(std::string_view name) {
 std::string_view legName(Leg leg) { return nameOf(kLegs, leg); }
 std::string_view viewedFromName(ViewedFrom side) { return nameOf(kSides, side); }
 std::string_view tubeStateName(TubeState state) { return nameOf(kStates, state); }
+
+std::string_view legWords(Leg leg) { return wordsOf(kLegs, leg); }
+std::string_view viewedFromWords(ViewedFrom side) { return wordsOf(kSides, side); }
+std::string_view tubeStateWords(TubeState state) { return wordsOf(kStates, state); }
+
+std::vector<TubeState> tubeStates() {
+  std::vector<TubeState> states;
+  for (const auto& row : kStates) states.push_back(row.value);
+  return states;
+}
 
 std::optional<Leg> findLeg(std::string_view name) {
   const auto leg = valueOf(kLegs, name);

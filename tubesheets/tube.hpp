@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tubeplan::tubesheets {
 
@@ -45,6 +46,14 @@ struct RowAndColumn {
 [[nodiscard]] std::string_view legName(Leg leg);                 ///< hot, cold, full
 [[nodiscard]] std::string_view viewedFromName(ViewedFrom side);  ///< below, above
 [[nodiscard]] std::string_view tubeStateName(TubeState state);   ///< open, plugged, sleeved, ...
+
+/// The same for a reader: "hot leg", "seen from below", "recommended to plug".
+[[nodiscard]] std::string_view legWords(Leg leg);
+[[nodiscard]] std::string_view viewedFromWords(ViewedFrom side);
+[[nodiscard]] std::string_view tubeStateWords(TubeState state);
+
+/// All states, in the order of their table.
+[[nodiscard]] std::vector<TubeState> tubeStates();
 
 /// By those names (a leg also as HL, CL); empty when unknown.
 [[nodiscard]] std::optional<Leg> findLeg(std::string_view name);

@@ -34,7 +34,6 @@ struct ScoreOptions {
   std::uint64_t seed = 1;
 };
 
-constexpr const char* kModeKeys[] = {"none", "goal_point", "via_point"};
 /// Table 5.7: of ten holes, how many took 0, 1, 2, 3 steps without and with compensation.
 constexpr int kThesisCounts[2][4] = {{7, 2, 1, 0}, {0, 4, 4, 2}};
 

@@ -8,6 +8,7 @@
 
 #include "app/documents/figures.hpp"
 #include "app/files/units.hpp"
+#include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {
 
@@ -108,7 +109,9 @@ nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const BaseCalibration
   const FromNominalSigma sigma = sigmaOf(base);
   nlohmann::json pitches = nullptr;
   if (verdict.pitches.allFinite()) pitches = {rounded(verdict.pitches.x()), rounded(verdict.pitches.y())};
-  return {{"verdict", verdict.fit_is_off ? "falls-short" : "adequate"},
+  const auto adequacy = verdict.fit_is_off ? calibration::Adequacy::kInadequate : calibration::Adequacy::kAdequate;
+  return {{"verdict", nameOf(adequacy)},
+          {"verdict_words", wordsOf(adequacy)},
           {"warnings", verdict.warnings},
           {"to_do", verdict.to_do},
           {"nominal",

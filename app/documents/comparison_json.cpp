@@ -185,20 +185,6 @@ std::string equivalentsText(const Comparison& result, const Units& units) {
 
 }  // namespace
 
-const char* nameOf(Adequacy adequacy) {
-  switch (adequacy) {
-    case Adequacy::kNotRun:
-      return "not-run";
-    case Adequacy::kAdequate:
-      return "adequate";
-    case Adequacy::kInadequate:
-      return "falls-short";
-    case Adequacy::kInconclusive:
-      return "inconclusive";
-  }
-  return "";
-}
-
 std::string comparisonSentence(const Comparison& result, const Units& units) {
   const auto& after = result.after_refit;
   const std::string sizes =
@@ -218,6 +204,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                  {"reason", result.reason},
                  {"units", unitsJson(units)},
                  {"verdict", nameOf(result.verdict)},
+                 {"verdict_words", wordsOf(result.verdict)},
                  {"grounds", result.grounds},
                  {"sentence", comparisonSentence(result, units)},
                  {"noise", noiseSentence(result)},
@@ -231,6 +218,11 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                    {"noise_floor", lengthJson(after.noise_floor, units)},
                    {"heldout_before", lengthJson(refit.heldout_before.rms, units)},
                    {"heldout_after", lengthJson(refit.heldout.rms, units)}};
+  report["ladder"] = {
+      {{"name", "as the model stands"},
+       {"rms", report["rms"]["before"]},
+       {"heldout_rms", report["rms"]["heldout_before"]}},
+      {{"name", "refitted"}, {"rms", report["rms"]["after"]}, {"heldout_rms", report["rms"]["heldout_after"]}}};
   report["refit"] =
       refit.status == calibration::IdentificationStatus::kNotRun ? json() : identificationJson(refit, readings, units);
   report["worst"] = worstJson(result, readings, units);

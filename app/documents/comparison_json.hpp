@@ -18,7 +18,4 @@ namespace tubeplan::app {
 [[nodiscard]] std::string comparisonText(const calibration::Comparison& result,
                                          const std::vector<calibration::Measurement>& readings, const Units& units);
 
-/// "adequate", "falls-short"
-[[nodiscard]] const char* nameOf(calibration::Adequacy adequacy);
-
 }  // namespace tubeplan::app

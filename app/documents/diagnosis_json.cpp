@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/units_json.hpp"
@@ -44,22 +45,26 @@ nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm,
                          {"also", also},
                          {"add", additionText(effect, arm, units)}};
   if (!effect.frees.empty()) json["frees"] = effect.frees;
+  addEffectWords(effect.effect, json);
   return json;
 }
 
 nlohmann::json rankedJson(const RankedEffect& entry, const deflection::Arm& arm, const Units& units) {
   const bool is_one = entry.effects.size() == 1;
-  return {{"effect", entry.effect},
-          {"add", is_one ? effectText(arm, entry.effects.front(), units) : entry.effect + "@" + entry.at},
-          {"at", entry.at},
-          {"probability", finiteJson(entry.probability)},
-          {"p_value", finiteJson(entry.p_value)},
-          {"chi2_fall", finiteJson(entry.fall)},
-          {"size", numberJson(entry.size, units)},
-          {"kept_fraction", finiteJson(entry.kept_fraction)},
-          {"heldout_rms",
-           {{"before", lengthJson(entry.heldout_before.rms, units)},
-            {"after", lengthJson(entry.heldout_after.rms, units)}}}};
+  nlohmann::json json = {
+      {"effect", entry.effect},
+      {"add", is_one ? effectText(arm, entry.effects.front(), units) : entry.effect + "@" + entry.at},
+      {"at", entry.at},
+      {"probability", finiteJson(entry.probability)},
+      {"p_value", finiteJson(entry.p_value)},
+      {"chi2_fall", finiteJson(entry.fall)},
+      {"size", numberJson(entry.size, units)},
+      {"kept_fraction", finiteJson(entry.kept_fraction)},
+      {"heldout_rms",
+       {{"before", lengthJson(entry.heldout_before.rms, units)},
+        {"after", lengthJson(entry.heldout_after.rms, units)}}}};
+  addEffectWords(entry.effect, json);
+  return json;
 }
 
 std::string numberText(const FoundNumber& number, const Units& units) {
@@ -179,28 +184,6 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
 
 }  // namespace
 
-const char* nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNotRun:
-      return "not-run";
-    case Verdict::kAdequate:
-      return "adequate";
-    case Verdict::kExplained:
-      return "explained";
-    case Verdict::kPartlyExplained:
-      return "partly-explained";
-    case Verdict::kAmbiguous:
-      return "ambiguous";
-    case Verdict::kUnexplained:
-      return "unexplained";
-    case Verdict::kInconclusive:
-      return "inconclusive";
-    case Verdict::kStopped:
-      return "stopped";
-  }
-  return "";
-}
-
 std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
   const std::string first = result.alternatives.empty() ? "" : shortText(result.alternatives.front(), units);
   switch (result.verdict) {
@@ -242,8 +225,10 @@ nlohmann::json remainderJson(const calibration::Remainder& remainder, const Unit
 }  // namespace
 
 nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
-  nlohmann::json json = {
-      {"verdict", nameOf(result.verdict)}, {"sentence", diagnosisSentence(result, units)}, {"units", unitsJson(units)}};
+  nlohmann::json json = {{"verdict", nameOf(result.verdict)},
+                         {"verdict_words", wordsOf(result.verdict)},
+                         {"sentence", diagnosisSentence(result, units)},
+                         {"units", unitsJson(units)}};
   json["alternatives"] = nlohmann::json::array();
   for (const auto& alternative : result.alternatives)
     json["alternatives"].push_back(effectsJson(alternative, result, units));

@@ -22,9 +22,6 @@ namespace tubeplan::app {
 [[nodiscard]] std::string additionCommand(const calibration::Diagnosis& result, const std::string& cell,
                                           const Units& units);
 
-/// "adequate", "explained", ...
-[[nodiscard]] const char* nameOf(calibration::Verdict verdict);
-
 /// An effect that a diagnosis found, as AdditionRequest::causes takes it.
 [[nodiscard]] std::string additionText(const calibration::FoundEffect& found, const deflection::Arm& arm,
                                        const Units& units);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/units_json.hpp"
 #include "deflection/effects/effect.hpp"
@@ -60,6 +61,7 @@ json catalogueJson(const Cell& cell) {
                          {"validity", kind.validity},
                          {"source", kind.source},
                          {"parameters", parametersJson(cell, kind, made.effect)}});
+      addEffectWords(kind.name, effects.back());
     }
   return {{"units", unitsJson(cell.units)}, {"effects", effects}};
 }
@@ -69,7 +71,7 @@ std::string catalogueText(const Cell& cell, const std::string& only) {
   for (const auto& kind : deflection::effectKinds()) {
     if (!only.empty() && only != kind.name) continue;
     const auto places = deflection::placeTexts(cell.arm, kind);
-    text += fmt::format("{}\n  {}\n", kind.name, kind.law);
+    text += fmt::format("{}\n  {}\n  {}\n", kind.name, kind.words, kind.law);
     text += places.empty() ? "  nowhere on this arm\n"
                            : fmt::format("  numbers: {}\n  at: {}\n", numbersText(cell, kind, places.front()),
                                          fmt::join(places, ", "));

@@ -43,9 +43,21 @@ json scoreJson(const std::optional<planner::Centring>& score, const Units& units
 }
 
 json modesJson(const ModeScores& scores, const Units& units) {
-  return {{"none", scoreJson(scores[0], units)},
-          {"goal_point", scoreJson(scores[1], units)},
-          {"via_point", scoreJson(scores[2], units)}};
+  json modes;
+  for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) modes[kModeKeys[mode]] = scoreJson(scores[mode], units);
+  return modes;
+}
+
+/// The modes that are scored, in the order of the thesis's comparison: [{name, words, brief}].
+json modeWordsJson() {
+  json modes = json::array();
+  for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) {
+    const bool is_none = kCompensations[mode] == planner::Compensation::kNone;
+    modes.push_back({{"name", kModeKeys[mode]},
+                     {"words", planner::wordsOf(kCompensations[mode])},
+                     {"brief", is_none ? "without" : planner::nameOf(kCompensations[mode])}});
+  }
+  return modes;
 }
 
 json chancesJson(const PlanOutcome& outcome, std::size_t k) {
@@ -92,7 +104,9 @@ json unreachableJson(const PlanOutcome& outcome) {
 json countsJson(const PlanOutcome& outcome) {
   if (outcome.scores.empty()) return nullptr;
   const auto counts = countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()));
-  return {{"none", counts[0]}, {"goal_point", counts[1]}, {"via_point", counts[2]}};
+  json by_mode;
+  for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) by_mode[kModeKeys[mode]] = counts[mode];
+  return by_mode;
 }
 
 double minClearance(const PlanOutcome& outcome) { return outcome.plan.min_margin + outcome.model.scene.clearance; }
@@ -169,6 +183,8 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"warnings", outcome.cell.warnings},
                  {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
                  {"counts", countsJson(outcome)},
+                 {"modes", modeWordsJson()},
+                 {"step_words", tubesheets::stepWords(outcome.model.tool)},
                  {"steps_by", outcome.chances.by_posture.empty() ? "the model alone, taken as exact"
                                                                  : "the likeliest under the probabilities"},
                  {"probabilities", stepChancesJson(outcome.chances, outcome.cell.units)}};

@@ -52,11 +52,8 @@ json tubesData(const PlanOutcome& outcome) {
                   {"probability_by_steps",
                    outcome.chances.by_posture.empty() ? json(nullptr) : json(outcome.chances.by_posture[k])}};
     if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
-    const char* names[] = {"none", "goal_point", "via_point"};
-    for (int mode = 0; mode < 3; ++mode)
-      entry[names[mode]] = outcome.scores.empty()
-                               ? json(nullptr)
-                               : centringData(outcome.scores[k][static_cast<std::size_t>(mode)], units);
+    for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode)
+      entry[kModeKeys[mode]] = outcome.scores.empty() ? json(nullptr) : centringData(outcome.scores[k][mode], units);
     tubes.push_back(entry);
   }
   return tubes;
@@ -273,6 +270,8 @@ json reportJson(const PlanRequest& request, const PlanOutcome& outcome) {
           {"calibration", calibration},
           {"side_views", sideViews(outcome)},
           {"counts", plan["counts"]},
+          {"modes", plan["modes"]},
+          {"step_words", plan["step_words"]},
           {"times",
            {{"travel_time_s", plan["travel_time_s"]},
             {"lower_bound_s", plan["lower_bound_s"]},

@@ -1,6 +1,16 @@
-// ---- added_variable.js: what an effect would do beside what is left to explain, coordinate by coordinate.
+// What an effect would do beside what is left to explain, coordinate by coordinate.
+import {effectTitle, isEnough, keptText, sizeText} from "../drawing/explanations.js";
+import {nearestPlace} from "../drawing/frames.js";
+import {fixed, isNumber, short} from "../drawing/numbers.js";
+import {roundTicks} from "../drawing/scales.js";
+import {circlePath} from "../drawing/shapes.js";
+import {chartFrame, evenAxis} from "./axes.js";
+import {append, el, figure, svg} from "./elements.js";
+import {readingName, reportExplanations} from "./error_series.js";
+import {hoverPicture} from "./tooltip.js";
+import {list} from "./values.js";
 
-function addedVariableSection(report) {
+export function addedVariableSection(report) {
   const plots = plotsOf(report);
   if (plots.length === 0) return [el("p", {class: "missing"}, emptyAddedText(report))];
   return [
@@ -15,7 +25,7 @@ function addedVariableSection(report) {
 
 /// Those of every explanation that is enough; of those that are not, only the closest's.
 function plotsOf(report) {
-  const isShown = (plot) => !(plot.explanation > 0) || explanationsOf(report)[plot.explanation]?.enough !== false;
+  const isShown = (plot) => !(plot.explanation > 0) || isEnough(reportExplanations(report)[plot.explanation] ?? {});
   return list(report.added_variable)
       .filter((plot) => Array.isArray(plot.points) && plot.points.length > 0 && isShown(plot));
 }
@@ -27,7 +37,7 @@ function emptyAddedText(report) {
 
 /// The effect that a plot is about, with its numbers.
 function effectOfPlot(report, plot) {
-  const explanation = explanationsOf(report)[plot.explanation];
+  const explanation = reportExplanations(report)[plot.explanation];
   const found = explanation?.effects.find((effect) => effect.effect === plot.effect && effect.at === plot.at);
   return {explanation, effect: found ?? plot};
 }
@@ -47,16 +57,10 @@ function addedVariableCard(report, plot) {
          isNumber(plot.kept_fraction) ? `; ${keptText(plot.kept_fraction)}.` : ""));
 }
 
-/// The largest size with a little room, the same to both sides of zero.
-function evenRange(values) {
-  const most = 1.06 * (values.reduce((top, value) => Math.max(top, Math.abs(value)), 0) || 1);
-  return {from: -most, to: most};
-}
-
 function drawAddedVariable(report, plot, effect, width) {
   const points = plot.points.filter((point) => isNumber(point[1]) && isNumber(point[2]));
   const height = Math.max(260, Math.min(380, 0.7 * width));
-  const x = evenRange(points.map((point) => point[1])), y = evenRange(points.map((point) => point[2]));
+  const x = evenAxis(points.map((point) => point[1])), y = evenAxis(points.map((point) => point[2]));
   const {drawing, at} = chartFrame(
       width, height,
       {...x, ticks: roundTicks(x.from, x.to, width / 80), title: "what the effect would do, noise sigmas"},
@@ -71,7 +75,7 @@ function drawAddedVariable(report, plot, effect, width) {
   return drawing;
 }
 
-function zeroLine(at, x, y) {
+export function zeroLine(at, x, y) {
   const [left, middle] = at(x.from, 0), [right] = at(x.to, 0), [centre, bottom] = at(0, y.from), [, top] = at(0, y.to);
   return svg("path", {d: `M${left} ${middle}H${right}M${centre} ${bottom}V${top}`, class: "zero", fill: "none"});
 }
@@ -85,23 +89,10 @@ function slopeLine(at, slope, x, y) {
 }
 
 function addedTip(report, points, at, px, py) {
-  const near = nearestOf(points, (point) => at(point[1], point[2]), px, py, 10);
+  const near = points[nearestPlace(points.map((point) => at(point[1], point[2])), px, py, 10)];
   if (!near) return null;
   return [
     readingName(list(report.readings)[near[0]]), `the effect would do ${fixed(near[1], 1)} sigmas`,
     `left to explain ${fixed(near[2], 1)} sigmas`
   ];
 }
-
-/// The entry whose place in pixels is nearest and within reach, or null.
-function nearestOf(entries, place, px, py, reach) {
-  let best = null, least = reach;
-  for (const entry of entries) {
-    const [x, y] = place(entry);
-    const away = Math.hypot(x - px, y - py);
-    if (away < least) [best, least] = [entry, away];
-  }
-  return best;
-}
-
-function readingName(reading) { return `reading ${textOf(reading?.id)}`; }

@@ -1,12 +1,18 @@
-// ---- alternatives_view.js: explanations side by side, and the readings at which they differ most.
+// Explanations side by side, and the readings at which they differ most.
+import {explanationTitle, isEnough, sizeText} from "../drawing/explanations.js";
+import {pValue, short} from "../drawing/numbers.js";
+import {el, notRecorded, table} from "./elements.js";
+import {noiseFloorOf} from "./error_ladder.js";
+import {conditionsText, reportExplanations, rootMeanSquare} from "./error_series.js";
+import {lengthUnit, list, numbers, textOf} from "./values.js";
 
 const MOST_DIFFERING = 6;
 const SAME_SHARE = 0.01;  // of the noise: explanations nearer than that are the same at these readings
 
-function alternativesSection(report) {
-  const explanations = explanationsOf(report);
+export function alternativesSection(report) {
+  const explanations = reportExplanations(report);
   if (explanations.length < 2) return null;
-  const enough = explanations[0].enough !== false;
+  const enough = isEnough(explanations[0]);
   return [
     el("p", {class: "lead"},
        enough ? "Each of these is enough alone, and these readings cannot tell which it is." :
@@ -23,7 +29,7 @@ function alternativesTable(report, explanations) {
       (entry, i) =>
           [`${String.fromCharCode(65 + i)}: ${explanationTitle(entry)}`,
            el("span", {}, entry.effects.map((effect) => el("div", {}, sizeText(effect)))), short(entry.rms),
-           short(entry.heldout_rms), short(entry.chi2), pText(entry.p_value)]);
+           short(entry.heldout_rms), short(entry.chi2), pValue(entry.p_value)]);
   return table(
       ["explanation", "sizes", `error, ${unit}`, `held-out, ${unit}`, "chi-square", "p of what is left"], rows,
       {text: [0, 1]});

@@ -1,17 +1,11 @@
-// ---- axes.js: axes of the line charts.
-
-/// Round tick values from 0 or `from` to `to`, about `count` of them.
-function roundTicks(from, to, count) {
-  const step = roundDown125(Math.max(1e-12, (to - from) / count) * 1.9);
-  const ticks = [];
-  for (let i = Math.ceil(from / step - 1e-9); i * step <= to * (1 + 1e-9); ++i)
-    ticks.push(Number((i * step).toPrecision(12)));
-  return ticks;
-}
+// Axes of the line charts.
+import {exact} from "../drawing/numbers.js";
+import {symmetric} from "../drawing/scales.js";
+import {append, label, svg} from "./elements.js";
 
 /// A chart's frame with ticks and grid. `x` and `y` are {from, to, ticks, title, scale?}, `y` also {room?} of pixels
 /// for its numbers; returns {drawing, at}.
-function chartFrame(width, height, x, y) {
+export function chartFrame(width, height, x, y) {
   const margin = {left: y.room ?? 52, right: 14, top: 12, bottom: 40};
   const bend = y.scale ?? ((value) => value);
   const at = (vx, vy) =>
@@ -45,4 +39,10 @@ function chartFrame(width, height, x, y) {
     label(-height / 2 + 10, 13, y.title, {"text-anchor": "middle", transform: "rotate(-90)"})
   ]);
   return {drawing, at};
+}
+
+/// An axis that reaches as far to both sides of zero.
+export function evenAxis(values) {
+  const [from, to] = symmetric(...rangeOf(values.length > 0 ? values : [0]));
+  return {from, to};
 }

@@ -1,4 +1,11 @@
-// ---- campaign_report.js: the page itself, by the kind of the campaign.
+// The page itself, by the kind of the campaign.
+import {chance, plural, probability, whole} from "../drawing/numbers.js";
+import {chanceMapSection, curvesSection, settingName, settingsSection, worstHolesSection} from "./centring_views.js";
+import {effectsSection, ratesSection, sizesSection} from "./diagnosis_rates.js";
+import {append, el, followColourScheme} from "./elements.js";
+import {readReport, showSections} from "./sections.js";
+import {readSheet} from "./sheet_frame.js";
+import {list, object, textOf} from "./values.js";
 
 const CENTRING_SECTIONS = [
   {id: "curves", title: "Centring error", make: curvesSection},

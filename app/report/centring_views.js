@@ -1,8 +1,22 @@
-// ---- centring_views.js: how well tools centre over random truths: curves, chances, the sheet.
+// How well tools centre over random truths: curves, chances, the sheet.
+import {isNumber, plural, probability, short, whole} from "../drawing/numbers.js";
+import {roundTicks} from "../drawing/scales.js";
+import {sheetWords} from "../drawing/sheet_model.js";
+import {chartFrame} from "./axes.js";
+import {append, choice, el, figure, label, notRecorded, svg, table} from "./elements.js";
+import {estimateRows, SERIES, settingLook} from "./estimate_rows.js";
+import {drawMarks, markIcon, svgMark} from "./mark_drawing.js";
+import {drawSheet} from "./sheet_drawing.js";
+import {markRadius} from "./sheet_frame.js";
+import {hoverHoles} from "./tooltip.js";
+import {lengthUnit, list, object, points, textOf, tubeName} from "./values.js";
 
-const WAYS = [["compensated", "with compensation"], ["none", "without"]];
+/// [name, words] of the ways, compensated first.
+function waysOf(report) {
+  return list(report.ways).map((way) => [textOf(way.name), textOf(way.words, textOf(way.name))]).reverse();
+}
 
-function settingName(report, setting) {
+export function settingName(report, setting) {
   const parts = [`${plural(setting.touches, "touch", "touches")}`, `${textOf(setting.choice)}`];
   const sigmas = new Set(list(report.settings).map((other) => other.touch_sigma));
   if (sigmas.size > 1) parts.push(`noise ${short(setting.touch_sigma)} ${lengthUnit(report)}`);
@@ -24,13 +38,13 @@ function settingSelect(report, state, refresh) {
       settings.map((setting, i) => el("option", {value: i}, settingName(report, setting))));
 }
 
-function curvesSection(report) {
+export function curvesSection(report) {
   const settings = list(report.settings);
   const state = {way: "compensated"};
   const picture = figure("Share of visits with a larger centring error", (width) => drawCurves(report, state, width));
   const legend =
       settings.slice(0, SERIES.length)
-          .map((setting, i) => el("li", {}, markIcon({...seriesOf(i), name: ""}), settingName(report, setting)));
+          .map((setting, i) => el("li", {}, markIcon({...settingLook(i), name: ""}), settingName(report, setting)));
   return [
     el("p", {class: "lead"},
        "How many of the visits are further off than an error, from one in one down to one in a thousand. The dashed " +
@@ -38,7 +52,7 @@ function curvesSection(report) {
     settings.length > SERIES.length ? el("p", {class: "note"}, `The first ${SERIES.length} settings are drawn.`) : null,
     el("div", {class: "card"},
        choice(
-           "Compensation", WAYS, state.way,
+           "Compensation", waysOf(report), state.way,
            (way) => {
              state.way = way;
              picture.redraw();
@@ -69,22 +83,22 @@ function drawCurves(report, state, width) {
     ]);
   });
   curves.forEach((curve, i) => {
-    const series = seriesOf(i);
+    const series = settingLook(i);
     const beyond = [[0, 1], ...curve.map(([error, share]) => [error, 1 - share])].filter(([, share]) => share >= floor);
     const path = beyond.map(([error, share], k) => `${k ? "L" : "M"}${at(error, share).join(" ")}`).join("");
     append(drawing, [
       svg("path", {d: path, class: "curve", style: `stroke: var(--${series.colour})`, "stroke-dasharray": series.dash})
     ]);
     for (let k = 1 + i; k < beyond.length; k += Math.max(1, Math.floor(beyond.length / 8)))
-      append(drawing, [estimateMark(...at(...beyond[k]), series)]);
+      append(drawing, [svgMark(series, ...at(...beyond[k]), 5)]);
   });
   return drawing;
 }
 
 /// Settings one below the other: mean error, and the chance of each step.
-function settingsSection(report) {
+export function settingsSection(report) {
   const settings = list(report.settings), unit = lengthUnit(report);
-  const rows = WAYS.flatMap(([way, words]) => settings.map((setting, i) => {
+  const rows = waysOf(report).flatMap(([way, words]) => settings.map((setting, i) => {
     const mean = object(object(setting[way])?.mean) ?? {};
     const half = isNumber(mean.sigma) ? 1.96 * mean.sigma : null;
     return {
@@ -92,14 +106,14 @@ function settingsSection(report) {
       value: mean.value,
       low: half === null ? null : Math.max(0, mean.value - half),
       high: half === null ? null : mean.value + half,
-      mark: seriesOf(i)
+      mark: settingLook(i)
     };
   }));
   const most = Math.max(1e-9, ...rows.map((row) => row.high ?? row.value ?? 0));
   const count = (report.step_tolerances ?? []).length;
   const chances = (k) => settings.map((setting, i) => {
     const step = list(object(setting.compensated)?.steps).find((entry) => entry.at_least === k);
-    return {name: settingName(report, setting), ...(object(step?.probability) ?? {}), mark: seriesOf(i)};
+    return {name: settingName(report, setting), ...(object(step?.probability) ?? {}), mark: settingLook(i)};
   });
   return [
     el("p", {class: "lead"}, "The same true arms under every setting. Bars are 95 % bands."),
@@ -120,7 +134,7 @@ function settingsSection(report) {
 
 function settingsTable(report) {
   const unit = lengthUnit(report);
-  const rows = list(report.settings).flatMap((setting) => WAYS.map(([way, words]) => {
+  const rows = list(report.settings).flatMap((setting) => waysOf(report).map(([way, words]) => {
     const figures = object(setting[way]) ?? {}, quantiles = object(figures.quantiles) ?? {};
     const steps = list(figures.steps);
     return [
@@ -152,17 +166,17 @@ function refusedList(report) {
   return entries.length ? el("ul", {class: "reasons"}, entries) : el("p", {class: "good"}, "Every run was scored.");
 }
 
-/// Chances as cases, told apart by colour and by shape.
+/// Bands of chances with the marks of the steps, told apart by colour and by shape.
 const CHANCES = [
-  {...CASES[0], name: "below 50 %", least: 0},
-  {...CASES[1], name: "50 to 95 %", least: 0.5},
-  {...CASES[2], name: "95 to 99 %", least: 0.95},
-  {...CASES[3], name: "99 % or more", least: 0.99},
+  {...STEP_MARKS[0], name: "below 50 %", least: 0},
+  {...STEP_MARKS[1], name: "50 to 95 %", least: 0.5},
+  {...STEP_MARKS[2], name: "95 to 99 %", least: 0.95},
+  {...STEP_MARKS[3], name: "99 % or more", least: 0.99},
 ];
 
 function chanceCase(value) { return CHANCES.findLastIndex((chance) => value >= chance.least); }
 
-function chanceMapSection(report, sheet) {
+export function chanceMapSection(report, sheet) {
   const maps = list(report.maps);
   if (!sheet || maps.length === 0) return [notRecorded("The holes one by one")];
   const count = (report.step_tolerances ?? []).length;
@@ -183,7 +197,7 @@ function chanceMapSection(report, sheet) {
   refresh();
   return [
     el("p", {class: "lead"},
-       `${viewName(sheet)}. The chance that so many steps of the tool enter a hole. Point at a ` +
+       `${sheetWords(sheet.model)}. The chance that so many steps of the tool enter a hole. Point at a ` +
            "hole for its figures."),
     el("div", {class: "card"},
        el("div", {class: "card-head"},
@@ -194,7 +208,7 @@ function chanceMapSection(report, sheet) {
                 refresh();
               }),
           choice(
-              "Compensation", WAYS, state.way,
+              "Compensation", waysOf(report), state.way,
               (way) => {
                 state.way = way;
                 refresh();
@@ -222,7 +236,7 @@ function drawChanceMap(report, sheet, state, width) {
           context, mark,
           holes.filter((hole) => chanceCase(hole.chance) === i).map((hole) => frame.place([hole.x, hole.y])), radius));
   const known = new Map(holes.map((hole) => [`${hole.row} ${hole.column}`, hole]));
-  hoverHoles(canvas, sheet, frame, (place) => {
+  hoverHoles(canvas, frame, (place) => {
     const hole = known.get(`${place.row} ${place.column}`);
     if (!hole) return [tubeName(place), "Not visited"];
     return [
@@ -233,7 +247,7 @@ function drawChanceMap(report, sheet, state, width) {
   return canvas;
 }
 
-function worstHolesSection(report) {
+export function worstHolesSection(report) {
   const unit = lengthUnit(report), count = (report.step_tolerances ?? []).length;
   const cards = list(report.settings).map((setting) => {
     const rows =

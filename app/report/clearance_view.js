@@ -1,6 +1,13 @@
-// ---- clearance_view.js: the clearance over the motion's time, with the required line.
+// The clearance over the motion's time, with the required line.
+import {exact, isNumber, short} from "../drawing/numbers.js";
+import {rootTicks, roundTicks} from "../drawing/scales.js";
+import {outlineOf} from "../drawing/shapes.js";
+import {requiredText} from "../drawing/visits.js";
+import {chartFrame} from "./axes.js";
+import {append, el, figure, label, notRecorded, svg} from "./elements.js";
+import {lengthUnit, points, textOf} from "./values.js";
 
-function clearanceSection(report) {
+export function clearanceSection(report) {
   const curve = points(report.clearance_along);
   const sentence = clearanceSentence(report);
   if (curve.length < 2) return [sentence, notRecorded("The clearance along the tour")];
@@ -44,7 +51,6 @@ function drawClearance(report, curve, width) {
   const required = isNumber(report.clearance_required) ? report.clearance_required : null;
   const most = thinned.reduce((top, point) => Math.max(top, point[1]), required ?? 0) || 1;
   const least = thinned.reduce((low, point) => (point[1] < low[1] ? point : low));
-  const wanted = [0, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].filter((value) => value <= most * 1.05);
   const {drawing, at} = chartFrame(
       width, 260, {
         from: curve[0][0],
@@ -55,7 +61,7 @@ function drawClearance(report, curve, width) {
       {
         from: 0,
         to: most * 1.05,
-        ticks: wanted.length > 2 ? apart(wanted, most) : roundTicks(0, most, 4),
+        ticks: rootTicks(most * 1.05),
         title: `clearance, ${lengthUnit(report)}`,
         scale: (value) => Math.sqrt(Math.max(0, value))
       });
@@ -66,27 +72,18 @@ function drawClearance(report, curve, width) {
   return drawing;
 }
 
-/// Tick values that lie far enough apart on the square-root scale.
-function apart(values, most) {
-  const kept = [];
-  for (const value of values) {
-    if (kept.length === 0 || Math.sqrt(value / most) - Math.sqrt(kept.at(-1) / most) > 0.08) kept.push(value);
-  }
-  return kept;
-}
-
 function requiredLine(at, curve, required, unit) {
   const [x1, y] = at(curve[0][0], required), [x2] = at(curve.at(-1)[0], required);
   return [
     svg("line", {x1, x2, y1: y, y2: y, class: "required"}),
-    label(x2 - 4, y + 14, `required ${exact(required)} ${unit}`, {"text-anchor": "end", class: "required-text"})
+    label(x2 - 4, y + 14, requiredText(required, unit), {"text-anchor": "end", class: "required-text"})
   ];
 }
 
 function leastMark([x, y], value, width, unit) {
   const nearEnd = x > width - 130;
   return [
-    svg("path", {d: SHAPES.triangle.path(x, y + 8, 5), class: "least"}),
+    svg("path", {d: outlineOf("triangle", x, y + 8, 5).fill, class: "least"}),
     label(
         nearEnd ? x - 9 : x + 9, y + 17, `${short(value)} ${unit}`,
         {"text-anchor": nearEnd ? "end" : "start", class: "strong"})

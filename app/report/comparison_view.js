@@ -1,7 +1,14 @@
-// ---- comparison_view.js: what the errors follow, the worst readings, and a ladder's models as a table.
+// What the errors follow, the worst readings, and a ladder's models as a table.
+import {errorOf} from "../drawing/ladder.js";
+import {fixed, isNumber, pValue, short, whole} from "../drawing/numbers.js";
+import {barred} from "../drawing/ranking.js";
+import {barCell} from "./effect_ranking.js";
+import {el, notRecorded, table} from "./elements.js";
+import {conditionsText, sizeOf} from "./error_series.js";
+import {lengthUnit, list, object, textOf} from "./values.js";
 
 /// Patterns as texts or as {name | of | with, sentence | text, p_value, share | correlation}.
-function patternsSection(report) {
+export function patternsSection(report) {
   const given = Array.isArray(report.patterns) ? report.patterns : null;
   if (!given) return [notRecorded("What the errors follow")];
   if (given.length === 0) return [el("p", {}, "The errors follow nothing that the readings say of themselves.")];
@@ -11,15 +18,15 @@ function patternsSection(report) {
     const strength = [entry.share_of_misfit, entry.share, entry.explains, entry.correlation].find(isNumber);
     return [
       textOf(entry.sentence, textOf(entry.text, textOf(entry.name, textOf(entry.of, textOf(entry.with))))),
-      isNumber(strength) ? barCell(Math.abs(strength), fixed(strength, 2)) : null,
-      isNumber(entry.p_value) ? pText(entry.p_value) : null
+      isNumber(strength) ? barCell(barred(Math.abs(strength), 1, fixed(strength, 2))) : null,
+      isNumber(entry.p_value) ? pValue(entry.p_value) : null
     ];
   });
   return [el("div", {class: "card"}, table(["the errors follow", "how far", "by chance (p)"], rows))];
 }
 
 /// Worst readings as ids, or as {id, error | size, sigmas}.
-function worstSection(report) {
+export function worstSection(report) {
   const given = Array.isArray(report.worst) ? report.worst : null;
   if (!given) return [notRecorded("The worst readings")];
   const byId = new Map(list(report.readings).map((reading) => [String(reading.id), reading]));
@@ -37,7 +44,7 @@ function worstSection(report) {
       table(["reading", "point", "at", `error, ${lengthUnit(report)}`, "in sigmas"], rows, {text: [0, 1, 2]}))];
 }
 
-function modelsSection(report) {
+export function modelsSection(report) {
   const unit = lengthUnit(report);
   const models = list(report.models).length > 0 ? list(report.models) : list(report.ladder);
   if (models.length === 0) return [notRecorded("The models")];
@@ -46,7 +53,7 @@ function modelsSection(report) {
           [textOf(model.name, textOf(model.model, textOf(model.cell))), short(errorOf(model.rms)),
            short(errorOf(model.heldout_rms ?? model.heldout)),
            isNumber(model.chi2_per_dof) ? short(model.chi2_per_dof) : null,
-           isNumber(model.p_value) ? pText(model.p_value) : null,
+           isNumber(model.p_value) ? pValue(model.p_value) : null,
            isNumber(model.numbers) ? whole(model.numbers) : null]);
   return [el(
       "div", {class: "card"},

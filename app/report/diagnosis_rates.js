@@ -1,12 +1,14 @@
-// ---- diagnosis_rates.js: how often a diagnosis is right.
+// How often a diagnosis is right.
+import {MISSING, probability, short, whole} from "../drawing/numbers.js";
+import {el, table} from "./elements.js";
+import {estimateRows, settingLook} from "./estimate_rows.js";
+import {list, object, textOf} from "./values.js";
 
-const RATES = [
-  ["truth_among_answers", "truth among the answers"], ["named", "named alone"], ["wrong", "another named"],
-  ["refused", "refused as unexplained"], ["missed", "not seen"]
-];
-
-function rateRows(entry) {
-  return RATES.map(([key, name], i) => ({name, ...(object(entry?.[key]) ?? {}), mark: seriesOf(i)}));
+/// The shares of the runs that hide an effect, in the words of the report.
+function rateRows(report) {
+  const hidden = object(report.hidden) ?? {};
+  return list(report.rates)
+      .map(({name, words}, i) => ({...(object(hidden[name]) ?? {}), name: textOf(words, name), mark: settingLook(i)}));
 }
 
 const RATE_AXIS = {
@@ -16,7 +18,7 @@ const RATE_AXIS = {
   write: probability
 };
 
-function ratesSection(report) {
+export function ratesSection(report) {
   const nothing = object(report.nothing_hidden) ?? {};
   return [
     el("p", {class: "lead"}, "What the diagnosis said, seen from the truth. Bars are 95 % bands."),
@@ -25,20 +27,20 @@ function ratesSection(report) {
           estimateRows(
               "Nothing hidden",
               [
-                {name: "false alarms", ...(object(nothing.false_alarms) ?? {}), mark: seriesOf(1)},
-                {name: "inconclusive", ...(object(nothing.inconclusive) ?? {}), mark: seriesOf(4)}
+                {name: "false alarms", ...(object(nothing.false_alarms) ?? {}), mark: settingLook(1)},
+                {name: "inconclusive", ...(object(nothing.inconclusive) ?? {}), mark: settingLook(4)}
               ],
               RATE_AXIS)),
        el("div", {class: "card"}, el("h3", {}, "An effect was hidden"),
-          estimateRows("An effect hidden", rateRows(object(report.hidden)), RATE_AXIS)))
+          estimateRows("An effect hidden", rateRows(report), RATE_AXIS)))
   ];
 }
 
-function sizesSection(report) {
+export function sizesSection(report) {
   const rows = list(report.by_size).map((entry, i) => ({
                                           name: `${short(entry.size?.[0])} to ${short(entry.size?.[1])} of the largest`,
                                           ...(object(entry.truth_among_answers) ?? {}),
-                                          mark: seriesOf(i)
+                                          mark: settingLook(i)
                                         }));
   return [
     el("p", {class: "lead"},
@@ -47,14 +49,20 @@ function sizesSection(report) {
   ];
 }
 
-function effectsSection(report) {
-  const keys = ["named", "among", "other", "unexplained", "inconclusive", "adequate", "not-made"];
+export function effectsSection(report) {
+  const outcomes = list(report.outcomes), keys = outcomes.map((outcome) => outcome.name);
   const rows = list(report.by_effect)
                    .map(
                        (entry) =>
-                           [textOf(entry.effect), ...keys.map((key) => whole(object(entry.outcomes)?.[key])),
+                           [effectCell(entry), ...keys.map((key) => whole(object(entry.outcomes)?.[key])),
                             probability(object(entry.truth_among_answers)?.value)]);
   const nothing = object(object(report.nothing_hidden)?.outcomes) ?? {};
   rows.unshift(["(nothing)", ...keys.map((key) => whole(nothing[key])), MISSING]);
-  return [el("div", {class: "card"}, table(["hidden", ...keys, "truth among the answers"], rows))];
+  const heads = ["hidden", ...outcomes.map((outcome) => textOf(outcome.words)), "truth among the answers"];
+  return [el("div", {class: "card"}, table(heads, rows))];
+}
+
+/// The name of an effect over what it is.
+function effectCell({effect, words}) {
+  return el("span", {class: "effect-name"}, textOf(effect), textOf(words, "") ? el("small", {}, words) : null);
 }

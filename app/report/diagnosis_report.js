@@ -1,4 +1,25 @@
-// ---- diagnosis_report.js: the pages about a model's errors: a diagnosis, a comparison, a ladder.
+// The pages about a model's errors: a diagnosis, a comparison, a ladder.
+import {isEnough} from "../drawing/explanations.js";
+import {verdictMark} from "../drawing/kinds.js";
+import {errorOf} from "../drawing/ladder.js";
+import {isNumber, pValue, short, whole} from "../drawing/numbers.js";
+import {comparisonItems, sentencesOf, verdictItems} from "../drawing/verdict_items.js";
+import {addedVariableSection} from "./added_variable.js";
+import {alternativesSection} from "./alternatives_view.js";
+import {modelsSection, patternsSection, worstSection} from "./comparison_view.js";
+import {rankingSection} from "./effect_ranking.js";
+import {append, el, followColourScheme} from "./elements.js";
+import {ladderSection, noiseFloorOf} from "./error_ladder.js";
+import {reportExplanations} from "./error_series.js";
+import {hiddenEffectsSection} from "./hidden_effects.js";
+import {hasStepCounts, ladderStepsSection} from "./ladder_steps.js";
+import {markIcon} from "./mark_drawing.js";
+import {isSplit, nextReadingsSection, warningsSection} from "./next_readings.js";
+import {commandsSection, historySection, inputsSection, parametersSection} from "./project_view.js";
+import {residualMapsSection} from "./residual_arrows.js";
+import {residualChartsSection} from "./residual_charts.js";
+import {readReport, showSections} from "./sections.js";
+import {lengthText, list, object, textList, textOf} from "./values.js";
 
 const LADDER = {
   id: "ladder",
@@ -38,7 +59,7 @@ const PAGES = {
         id: "alternatives",
         title: "Explanations side by side",
         make: alternativesSection,
-        of: (report) => explanationsOf(report).length > 1
+        of: (report) => reportExplanations(report).length > 1
       },
     ]
   },
@@ -77,11 +98,12 @@ const PAGES = {
 function factsOf(report) {
   const rms = object(report.rms) ?? {};
   const chi2 = isNumber(report.chi2_per_dof) ?
-      `${short(report.chi2_per_dof)}${isNumber(report.p_value) ? ` (p\u00a0${pText(report.p_value)})` : ""}` :
+      `${short(report.chi2_per_dof)}${isNumber(report.p_value) ? ` (p\u00a0${pValue(report.p_value)})` : ""}` :
                                                                  null;
-  const isBetter = explanationsOf(report).some((entry) => entry.enough !== false) || report.page !== "diagnosis";
+  const isBetter = reportExplanations(report).some(isEnough) || report.page !== "diagnosis";
   const error = (value) => (errorOf(value) === null ? null : lengthText(errorOf(value), report));
-  const own = Array.isArray(report.facts) ? report.facts.filter((fact) => Array.isArray(fact) && fact.length === 2) : [];
+  const facts = Array.isArray(report.facts) ? report.facts : [];
+  const own = facts.filter((fact) => Array.isArray(fact) && fact.length === 2);
   return [
     ...own, ["Readings", list(report.readings).length > 0 ? whole(list(report.readings).length) : null],
     ["Held-out error before", error(rms.heldout_before)],
@@ -91,12 +113,25 @@ function factsOf(report) {
   ].filter(([, value]) => value !== null && value !== "");
 }
 
+/// What the report comes to, sentence by sentence.
+function answerOf(report) {
+  if (!object(report.rms)) return sentencesOf(textOf(report.sentence, ""));
+  if (report.page === "diagnosis") return verdictItems({...report, explanations: reportExplanations(report)});
+  return report.page === "comparison" ? comparisonItems(report) : sentencesOf(textOf(report.sentence, ""));
+}
+
+function verdictLine(report, verdict) {
+  const words = textOf(report.verdict_words, verdict);
+  return el("p", {class: "verdict"}, markIcon(verdictMark(verdict), 34), el("b", {}, words));
+}
+
 function showHead(report, page) {
-  const title = textOf(report.title, page.title), verdict = verdictOf(report), facts = factsOf(report);
+  const answer = answerOf(report);
+  const title = textOf(report.title, page.title), verdict = textOf(report.verdict, ""), facts = factsOf(report);
   document.title = title;
   append(document.getElementById("head"), [
-    el("h1", {}, title), verdict ? el("p", {class: "verdict"}, markIcon(verdict, 34), el("b", {}, verdict.word)) : null,
-    textOf(report.sentence, "") === "" ? null : el("p", {class: "answer"}, report.sentence),
+    el("h1", {}, title), verdict ? verdictLine(report, verdict) : null,
+    answer.length === 0 ? null : el("div", {class: "answer"}, answer.map((item) => el("p", {}, item))),
     facts.length === 0 ? null :
                          el("dl", {class: "summary"},
                             facts.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value))))

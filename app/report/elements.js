@@ -1,8 +1,8 @@
-// ---- elements.js: making parts of the page. Text goes in as text nodes only, never as markup.
+// Making parts of the page. Text goes in as text nodes only, never as markup.
 
 const SVG_NAMESPACE = "http://www.w3.org/2000/svg";
 
-function append(parent, children) {
+export function append(parent, children) {
   for (const child of children.flat()) {
     if (child === null || child === undefined) continue;
     parent.append(child instanceof Node ? child : document.createTextNode(String(child)));
@@ -11,7 +11,7 @@ function append(parent, children) {
 }
 
 /// An HTML element: el("p", {class: "note"}, "text", otherElement).
-function el(name, attributes = {}, ...children) {
+export function el(name, attributes = {}, ...children) {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (typeof value === "function")
@@ -23,20 +23,20 @@ function el(name, attributes = {}, ...children) {
 }
 
 /// An SVG element.
-function svg(name, attributes = {}, ...children) {
+export function svg(name, attributes = {}, ...children) {
   const element = document.createElementNS(SVG_NAMESPACE, name);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
   return append(element, children);
 }
 
 /// An SVG text element.
-function label(x, y, text, attributes = {}) { return svg("text", {x, y, ...attributes}, text); }
+export function label(x, y, text, attributes = {}) { return svg("text", {x, y, ...attributes}, text); }
 
-function notRecorded(what) { return el("p", {class: "missing"}, `${what}: not recorded.`); }
+export function notRecorded(what) { return el("p", {class: "missing"}, `${what}: not recorded.`); }
 
 /// A table from its heads and its rows of cells; a cell is text, an element, or null. Columns in `text` are not
 /// numbers.
-function table(heads, rows, {text = [0], caption = null} = {}) {
+export function table(heads, rows, {text = [0], caption = null} = {}) {
   const kind = (index) => ({class: text.includes(index) ? null : "number"});
   const body =
       rows.map((row) => el("tr", {}, row.map((cell, i) => el("td", kind(i), cell === null ? "\u2013" : cell))));
@@ -50,7 +50,7 @@ function table(heads, rows, {text = [0], caption = null} = {}) {
 }
 
 /// A button that prints the section it stands in, and nothing else of the page; `prepare` is called before.
-function printButton(text, prepare = () => {}) {
+export function printButton(text, prepare = () => {}) {
   return el("button", {
     type: "button",
     class: "print",
@@ -67,7 +67,7 @@ function printButton(text, prepare = () => {}) {
 }
 
 /// A group of buttons of which one is pressed; `choose` is called with its value.
-function choice(name, options, chosen, choose) {
+export function choice(name, options, chosen, choose) {
   const buttons = options.map(
       ([value, text]) =>
           el("button", {
@@ -86,7 +86,7 @@ function choice(name, options, chosen, choose) {
 const figures = [];
 
 /// A figure whose `draw(width)` returns the element to show at that width in CSS pixels. Returns {element, redraw}.
-function figure(description, draw) {
+export function figure(description, draw) {
   const stage = el("div", {class: "stage", role: "img", "aria-label": description});
   let drawnWidth = 0;
   const redraw = () => {
@@ -102,10 +102,10 @@ function figure(description, draw) {
 }
 
 /// A colour of the style sheet by its variable's name.
-function colour(name) { return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim(); }
+export function colour(name) { return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim(); }
 
 /// Redraws on a change of the colour scheme, and in the light colours for the printer.
-function followColourScheme() {
+export function followColourScheme() {
   const redrawAll = () => figures.forEach((redraw) => redraw());
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redrawAll);
   addEventListener("beforeprint", () => {

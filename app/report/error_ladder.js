@@ -1,42 +1,29 @@
-// ---- error_ladder.js: the error of each model in turn, fitted and held-out side by side, over the noise floor.
+// The error of each model in turn, fitted and held-out side by side, over the noise floor.
+import {axisEnd, barOf, errorOf, floorText, LADDER_WORDS, rungsOf, timesFloor} from "../drawing/ladder.js";
+import {append, el, figure, label, notRecorded, svg} from "./elements.js";
+import {lengthText, lengthUnit, list, object} from "./values.js";
 
-/// [{name, rms, heldout}] from a diagnosis's or ladder's list, else from the bare errors of a comparison.
-function rungsOf(report) {
+/// The rungs of a diagnosis, a comparison or a ladder.
+function reportRungs(report) {
   const given = list(report.ladder).length > 0 ? list(report.ladder) : list(report.models);
-  const rungs = given.map((rung) => ({
-                            name: textOf(rung.name, textOf(rung.model, textOf(rung.cell))),
-                            rms: errorOf(rung.rms),
-                            heldout: errorOf(rung.heldout_rms ?? rung.heldout)
-                          }));
-  if (rungs.length > 0) return rungs.filter((rung) => rung.rms !== null || rung.heldout !== null);
-  const rms = object(report.rms) ?? {};
-  return [
-    {name: "as the model stands", rms: errorOf(rms.before), heldout: errorOf(rms.heldout_before)},
-    {name: "refitted", rms: errorOf(rms.after), heldout: errorOf(rms.heldout_after)}
-  ].filter((rung) => rung.rms !== null);
+  return rungsOf(given);
 }
 
-/// A root mean square, given bare or inside {rms}.
-function errorOf(value) {
-  const bare = object(value) ? value.rms : value;
-  return isNumber(bare) ? bare : null;
-}
+export function noiseFloorOf(report) { return errorOf(report.noise_floor ?? object(report.rms)?.noise_floor); }
 
-function noiseFloorOf(report) { return errorOf(report.noise_floor ?? object(report.rms)?.noise_floor); }
-
-function ladderSection(report) {
-  const rungs = rungsOf(report);
+export function ladderSection(report) {
+  const rungs = reportRungs(report);
   if (rungs.length === 0) return [notRecorded("The errors of the models")];
   const floor = noiseFloorOf(report);
   const picture = figure("Error of each model", (width) => drawLadder(report, rungs, floor, width));
   return [
     el("p", {class: "lead"},
-       "Root mean square of the readings' errors. Held-out: each reading judged by a fit that has not seen it. " +
+       "Root mean square of the readings' errors. " +
            "A model that only bends itself to the readings does well on the first and badly on the second."),
     el("div", {class: "card"}, hatching(), picture.element,
-       el("ul", {class: "legend"}, el("li", {}, ladderIcon("error-fitted"), "on the readings it was fitted to"),
-          el("li", {}, ladderIcon("error-heldout"), "held out"),
-          floor === null ? null : el("li", {}, floorIcon(), "noise floor: what the stated noise alone leaves")))
+       el("ul", {class: "legend"}, el("li", {}, ladderIcon("error-fitted"), LADDER_WORDS.fitted),
+          el("li", {}, ladderIcon("error-heldout"), LADDER_WORDS.heldout),
+          floor === null ? null : el("li", {}, floorIcon(), LADDER_WORDS.floor)))
   ];
 }
 
@@ -61,18 +48,10 @@ function hatching() {
   return svg("svg", {width: 0, height: 0, class: "patterns", "aria-hidden": "true"}, pattern);
 }
 
-/// Where the axis ends: at the largest error, unless that one would press all others against the left.
-function ladderEnd(rungs, floor) {
-  const errors = rungs.flatMap((rung) => [rung.rms, rung.heldout]).filter(isNumber).sort((a, b) => b - a);
-  const others = rungs.slice(1).flatMap((rung) => [rung.rms, rung.heldout]).filter(isNumber);
-  const fair = Math.max(floor ?? 0, ...others);
-  return others.length > 0 && fair > 0 && errors[0] > 4 * fair ? 1.6 * fair : errors[0] || 1;
-}
-
 function drawLadder(report, rungs, floor, width) {
   const tall = 17, head = 22, gap = 16, top = 20, left = 2, room = 190;
-  const end = ladderEnd(rungs, floor), scale = (width - room) / end;
-  const bars = (rung) => [["error-fitted", rung.rms], ["error-heldout", rung.heldout]].filter(([, v]) => v !== null);
+  const end = axisEnd(rungs, floor), scale = (width - room) / end;
+  const bars = (rung) => [["error-fitted", rung.fitted], ["error-heldout", rung.heldout]].filter(([, v]) => v !== null);
   const height = top + rungs.reduce((sum, rung) => sum + head + bars(rung).length * (tall + 3) + gap, 0);
   const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
   const texts = [];
@@ -93,7 +72,7 @@ function drawLadder(report, rungs, floor, width) {
 
 /// A bar too long for the axis is cut before its end.
 function ladderBar(kind, value, {left, y, tall, end, scale}) {
-  const isCut = value > end * 1.001, long = Math.max(1.5, Math.min(value, end) * scale);
+  const {share, isCut} = barOf(value, end), long = Math.max(1.5, share * end * scale);
   const x = left + long;
   return [
     svg("rect", {x: left, y, width: long, height: tall, rx: 1.5, class: kind}),
@@ -102,10 +81,11 @@ function ladderBar(kind, value, {left, y, tall, end, scale}) {
 }
 
 function ladderText(report, value, floor, {left, y, tall, end, scale}) {
-  const times = floor !== null && floor > 0 ? ` (${fixed(value / floor, 2)} \u00d7 floor)` : "";
+  const times = timesFloor(value, floor);
   const stop = left + Math.min(value, end) * scale, line = left + (floor ?? 0) * scale;
   return label(
-      (stop < line && line < stop + 170 ? line : stop) + 8, y + tall - 4, `${lengthText(value, report)}${times}`,
+      (stop < line && line < stop + 170 ? line : stop) + 8, y + tall - 4,
+      times ? `${lengthText(value, report)} (${times})` : lengthText(value, report),
       {class: "strong"});
 }
 
@@ -113,7 +93,7 @@ function floorLine(report, floor, x, height, width) {
   return [
     svg("line", {x1: x, x2: x, y1: 15, y2: height - 8, class: "required"}),
     label(
-        x + 5, 12, `noise floor ${lengthText(floor, report)}`,
+        x + 5, 12, floorText(floor, lengthUnit(report)),
         {class: "required-text", "text-anchor": x > width - 180 ? "end" : "start"})
   ];
 }

@@ -1,19 +1,23 @@
-// ---- estimate_rows.js: estimates with their 95 % bands, one below the other.
+// Estimates with their 95 % bands, one below the other.
+import {exact, isNumber} from "../drawing/numbers.js";
+import {roundTicks} from "../drawing/scales.js";
+import {append, figure, label, notRecorded, svg} from "./elements.js";
+import {svgMark} from "./mark_drawing.js";
 
 /// How several settings are told apart: colour, dash and mark of each.
-const SERIES = [
+export const SERIES = [
   {colour: "accent", dash: "", shape: "disc"},
   {colour: "case0", dash: "7 4", shape: "square"},
   {colour: "case3", dash: "2 3", shape: "triangle"},
-  {colour: "unreachable", dash: "9 3 2 3", shape: "diamond"},
+  {colour: "rose", dash: "9 3 2 3", shape: "diamond"},
   {colour: "case1", dash: "4 2", shape: "cross"},
-  {colour: "state", dash: "1 4", shape: "ring"},
+  {colour: "violet", dash: "1 4", shape: "ring"},
 ];
 
-function seriesOf(index) { return SERIES[index % SERIES.length]; }
+export function settingLook(index) { return SERIES[index % SERIES.length]; }
 
 /// rows: [{name, value, low, high, mark}]; the axis runs from `from` to `to`.
-function estimateRows(description, rows, {from, to, title, write}) {
+export function estimateRows(description, rows, {from, to, title, write}) {
   const shown = rows.filter((row) => isNumber(row.value));
   if (shown.length === 0) return notRecorded(description);
   return figure(description, (width) => drawEstimates(shown, width, {from, to, title, write})).element;
@@ -38,18 +42,8 @@ function drawEstimates(rows, width, {from, to, title, write}) {
           left, y - 12,
           `${row.name}: ${write(row.value)}${isNumber(row.low) ? ` (${write(row.low)} to ${write(row.high)})` : ""}`),
       isNumber(row.low) ? svg("line", {x1: x(row.low), x2: x(row.high), y1: y, y2: y, class: "axis"}) : null,
-      estimateMark(x(row.value), y, row.mark)
+      svgMark(row.mark, x(row.value), y, 5)
     ]);
   });
   return drawing;
-}
-
-function estimateMark(x, y, mark) {
-  const shape = SHAPES[mark.shape];
-  return svg("path", {
-    d: shape.path(x, y, 5),
-    fill: shape.stroked ? "none" : `var(--${mark.colour})`,
-    stroke: shape.stroked ? `var(--${mark.colour})` : "var(--ink)",
-    "stroke-width": shape.stroked ? 2 : 0.8
-  });
 }

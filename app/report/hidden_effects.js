@@ -1,6 +1,10 @@
-// ---- hidden_effects.js: what could still be there unseen, what was not tried, and which readings were left out.
+// What could still be there unseen, what was not tried, and which readings were left out.
+import {plainName} from "../drawing/explanations.js";
+import {plural, short} from "../drawing/numbers.js";
+import {el, notRecorded, table} from "./elements.js";
+import {list, textList, textOf} from "./values.js";
 
-function hiddenEffectsSection(report) {
+export function hiddenEffectsSection(report) {
   const detectable = list(report.detectable);
   return [
     el("p", {class: "lead"},
@@ -32,10 +36,6 @@ function detectablePlace(entry) {
   return el(
       "span", {class: hidden ? "places cannot" : "places"}, `${textOf(entry.at)} `,
       el("b", {}, hidden ? "\u25b2" : short(entry.size)));
-}
-
-function textList(value) {
-  return Array.isArray(value) ? value.map((text) => textOf(text, "")).filter((text) => text) : [];
 }
 
 function notTriedCard(report) {

@@ -1,15 +1,20 @@
-// ---- ladder_steps.js: beside a ladder"s errors, how many steps of the tool go in were each model to steer the arm.
+// Beside a ladder's errors, how many steps of the tool go in were each model to steer the arm.
+import {STEP_MARKS} from "../drawing/kinds.js";
+import {isNumber, percent, plural, whole} from "../drawing/numbers.js";
+import {el, figure, table} from "./elements.js";
+import {drawStepBars} from "./step_table.js";
+import {lengthText, list, numbers, object, textOf} from "./values.js";
 
 /// [{name, counts}] of the models that were scored.
 function modelStepRows(report) {
   return list(report.models)
-      .map((model) => ({name: textOf(model.name), counts: numbers(model.steps, CASES.length)}))
+      .map((model) => ({name: textOf(model.name), counts: numbers(model.steps, STEP_MARKS.length)}))
       .filter((row) => row.counts);
 }
 
-function hasStepCounts(report) { return modelStepRows(report).length > 0; }
+export function hasStepCounts(report) { return modelStepRows(report).length > 0; }
 
-function ladderStepsSection(report) {
+export function ladderStepsSection(report) {
   const rows = modelStepRows(report), about = object(report.step_table) ?? {};
   const bars = figure("Holes by steps that go in, for each model", (width) => drawStepBars(rows, width));
   const cells = rows.map(({name, counts}) => {
@@ -24,6 +29,6 @@ function ladderStepsSection(report) {
        "Each model steers the tool under the same random holes; the tip then stands where the real arm puts it. " +
            `For the real arm stands ${textOf(about.real_arm, "a model")}.${beyond}`),
     el("div", {class: "card"}, bars.element),
-    el("div", {class: "card"}, table(["model", ...CASES.map((mark) => mark.name)], cells))
+    el("div", {class: "card"}, table(["model", ...STEP_MARKS.map((_, i) => plural(i, "step"))], cells))
   ];
 }

@@ -1,17 +1,24 @@
-// ---- landing_targets.js: where the tips land about the centre of one hole, with the rings of the tool's steps.
+// Where the tips land about the centre of one hole, with the rings of the tool's steps.
+import {STEP_MARKS} from "../drawing/kinds.js";
+import {exact, isNumber, plural, short} from "../drawing/numbers.js";
+import {modeName, scoredCase} from "./cases.js";
+import {errorsOf, largestError} from "./centring_errors.js";
+import {append, el, figure, label, svg} from "./elements.js";
+import {svgMark} from "./mark_drawing.js";
+import {lengthUnit, list, object, points, tubeName} from "./values.js";
 
 /// One target: the landing points of a mode, in the same view as the sheet; points past the rim sit on it.
-function landingTarget(report, key) {
+export function landingTarget(report, key) {
   const errors = errorsOf(report, key);
   const tolerances = list(report.steps).map((step) => step.tolerance).filter((value) => isNumber(value) && value > 0);
   const mirror = object(report.sheet)?.viewed_from === "above" ? 1 : -1;
   const reach = targetReach(tolerances, largestError(errors));
   const outside = errors.filter((entry) => Math.hypot(entry.dx, entry.dy) > reach).length;
   const picture = figure(
-      `Landing points about a hole's centre, ${modeName(key)}`,
+      `Landing points about a hole's centre, ${modeName(report, key)}`,
       (width) => drawTarget({errors, tolerances, reach, mirror, report, key}, width));
   return el(
-      "div", {class: "card"}, el("h3", {}, `Within one hole: ${modeName(key)}`), picture.element,
+      "div", {class: "card"}, el("h3", {}, `Within one hole: ${modeName(report, key)}`), picture.element,
       el("p", {class: "note"},
          `A ring is the centring error up to which a step of the tool enters${ringText(report)}. `,
          outside ? `${plural(outside, "tube")} beyond the rim ${outside === 1 ? "is" : "are"} drawn on it.` : null));
@@ -54,15 +61,8 @@ function drawTarget({errors, tolerances, reach, mirror, report, key}, width) {
 function landingMark(tube, offset, {reach, scale, middle, report, key}) {
   const error = Math.hypot(...offset), within = Math.min(1, reach / (error || 1));
   const index = scoredCase(tube, key, report.steps);
-  const mark = index === null ? {shape: "diamond", colour: "muted"} : CASES[index];
-  const shape = SHAPES[mark.shape];
-  const path = shape.path(middle[0] + scale * within * offset[0], middle[1] + scale * within * offset[1], 4.2);
-  return svg(
-      "path", {
-        d: path,
-        fill: shape.stroked ? "none" : `var(--${mark.colour})`,
-        stroke: shape.stroked ? `var(--${mark.colour})` : "var(--ink)",
-        "stroke-width": shape.stroked ? 1.8 : 0.7
-      },
-      svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));
+  const mark = index === null ? UNSCORED : STEP_MARKS[index];
+  const place = middle.map((value, k) => value + scale * within * offset[k]);
+  return svgMark(
+      mark, ...place, 4.2, {}, svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));
 }

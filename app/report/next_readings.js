@@ -1,8 +1,13 @@
-// ---- next_readings.js: what to measure next so that open explanations are told apart, and warnings about effects.
+// What to measure next so that open explanations are told apart, and warnings about effects.
+import {PAIR_HEADS, pairCells, senseArrow, separations} from "../drawing/conditions.js";
+import {short} from "../drawing/numbers.js";
+import {barCell} from "./effect_ranking.js";
+import {el, printButton, table} from "./elements.js";
+import {list, object, textList, textOf} from "./values.js";
 
-function isSplit(report) { return object(report.splitting) !== null || list(report.next_readings).length > 0; }
+export function isSplit(report) { return object(report.splitting) !== null || list(report.next_readings).length > 0; }
 
-function nextReadingsSection(report) {
+export function nextReadingsSection(report) {
   const splitting = object(report.splitting) ?? {}, next = list(report.next_readings), pairs = list(splitting.pairs);
   return [
     el("p", {class: "lead"}, textOf(splitting.advice, "These readings would tell the explanations apart.")),
@@ -13,25 +18,18 @@ function nextReadingsSection(report) {
   ];
 }
 
-function senseText(senses, joint) {
-  const sense = object(senses)?.[joint];
-  if (!isNumber(sense) || sense === 0) return "";
-  return sense > 0 ? " \u2191" : " \u2193";
-}
-
 /// What is to be written down of each kind of reading; a touch is its joints alone.
 const TO_WRITE = {position: ["x", "y", "z"], distance: ["distance"], deflection: ["dx", "dy", "dz"]};
 
 /// Joints with an arrow for the sense in which each must arrive, and the separation as a bar of the largest.
 function nextReadingsTable(report, next) {
   const joints = Object.keys(object(next[0].posture) ?? {});
-  const most = Math.max(1e-12, ...next.map((entry) => entry.separation_sigmas).filter(isNumber));
   const blank = TO_WRITE[textOf(next[0].kind)] ?? joints.map((joint) => `${joint} read`);
-  const rows = next.map((entry, i) => [
+  const rows = separations(next).map(({reading: entry, ...separation}, i) => [
     `${i + 1}. ${textOf(entry.point, textOf(entry.kind))}`, short(entry.load),
-    ...joints.map((joint) => `${short(entry.posture?.[joint])}${senseText(entry.senses, joint)}`),
+    ...joints.map((joint) => `${short(entry.posture?.[joint])}${senseArrow(object(entry.senses)?.[joint])}`),
     textList(entry.splits).join(" from "),
-    barCell(entry.separation_sigmas / most, short(entry.separation_sigmas)),
+    barCell(separation),
     ...blank.map(() => el("span", {class: "to-fill"}))
   ]);
   const text = [0, 2 + joints.length];
@@ -39,11 +37,7 @@ function nextReadingsTable(report, next) {
 }
 
 function pairsTable(pairs) {
-  const rows = pairs.map((pair) => [
-    textOf(pair.if_true), textOf(pair.against), short(pair.criterion_gap_now), short(pair.criterion_gap_expected),
-    probability(pair.probability_told)
-  ]);
-  return table(["if it is", "rather than", "BIC apart now", "expected then", "chance to be named"], rows, {text: [0, 1]});
+  return table(PAIR_HEADS, pairs.map(pairCells), {text: [0, 1]});
 }
 
 function otherMeansCard(splitting) {
@@ -55,7 +49,7 @@ function otherMeansCard(splitting) {
          columns.map((text) => el("li", {}, text))));
 }
 
-function warningsSection(report) {
+export function warningsSection(report) {
   return [el("div", {class: "card"},
              el("ul", {class: "reasons"},
                 list(report.warnings).map((entry) => el("li", {}, textOf(object(entry)?.sentence, textOf(entry))))))];

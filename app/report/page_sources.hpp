@@ -8,7 +8,7 @@ namespace tubeplan::app {
 struct PageSources {
   std::string html;    ///< with the markers /*STYLE*/, /*REPORT*/ and /*SCRIPT*/, in this order
   std::string style;   ///< the .css files, joined in the order of the CMake list
-  std::string script;  ///< the .js files, likewise
+  std::string script;  ///< the modules of the page and of app/drawing, joined by their imports
 };
 
 [[nodiscard]] PageSources planPageSources();

@@ -1,4 +1,20 @@
-// ---- plan_report.js: the page itself, section by section.
+// The page itself, section by section.
+import {duration, isNumber, plural, short, whole} from "../drawing/numbers.js";
+import {countsOf} from "./cases.js";
+import {clearanceSection} from "./clearance_view.js";
+import {append, el, followColourScheme, notRecorded} from "./elements.js";
+import {errorArrowsSection} from "./error_arrows.js";
+import {readReport, showSections} from "./sections.js";
+import {readSheet} from "./sheet_frame.js";
+import {sheetMapsSection} from "./sheet_maps.js";
+import {sideViewSection} from "./side_view.js";
+import {stepSection} from "./step_table.js";
+import {timingSection} from "./timing_view.js";
+import {touchesSection} from "./touches_view.js";
+import {tourSection} from "./tour_view.js";
+import {tubeTableSection} from "./tube_table.js";
+import {lengthUnit, list, object, textOf} from "./values.js";
+import {workListSection} from "./work_list.js";
 
 const SECTIONS = [
   {id: "sheet", title: "The sheet, before and after", make: sheetMapsSection},

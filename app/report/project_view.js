@@ -1,12 +1,16 @@
-// ---- project_view.js: a saved project: how its models came about, what it is of, and how to have it again.
+// A saved project: how its models came about, what it is of, and how to have it again.
+import {errorOf} from "../drawing/ladder.js";
+import {isNumber, pValue, short, whole} from "../drawing/numbers.js";
+import {el, notRecorded, table} from "./elements.js";
+import {lengthUnit, list, numbers, textOf} from "./values.js";
 
-function historySection(report) {
+export function historySection(report) {
   const unit = lengthUnit(report);
   const rows = list(report.history)
                    .map((entry) => [textOf(entry.name), textOf(entry.origin, ""), textOf(entry.state, ""),
                                     short(errorOf(entry.rms)), short(errorOf(entry.heldout_rms)),
                                     isNumber(entry.chi2_per_dof) ? short(entry.chi2_per_dof) : null,
-                                    isNumber(entry.p_value) ? pText(entry.p_value) : null, textOf(entry.file)]);
+                                    isNumber(entry.p_value) ? pValue(entry.p_value) : null, textOf(entry.file)]);
   if (rows.length === 0) return [notRecorded("The models")];
   return [
     el("p", {class: "lead"},
@@ -17,7 +21,7 @@ function historySection(report) {
   ];
 }
 
-function parametersSection(report) {
+export function parametersSection(report) {
   const rows = list(report.parameters).map((number) => {
     const band = numbers(number.interval, 2);
     return [
@@ -30,7 +34,7 @@ function parametersSection(report) {
              table(["number", "value", "sigma", "95 %", "start", "unit", "identifiable"], rows, {text: [0, 5, 6]}))];
 }
 
-function inputsSection(report) {
+export function inputsSection(report) {
   const rows = list(report.inputs).map(
       (input) => [textOf(input.what), textOf(input.name), whole(input.bytes), el("code", {}, textOf(input.sha256))]);
   const aside = Array.isArray(report.set_aside) ? report.set_aside.filter((id) => typeof id === "string") : [];
@@ -40,7 +44,7 @@ function inputsSection(report) {
   ];
 }
 
-function commandsSection(report) {
+export function commandsSection(report) {
   const lines = Array.isArray(report.commands) ? report.commands.filter((line) => typeof line === "string") : [];
   return [
     el("p", {class: "lead"},

@@ -1,4 +1,12 @@
-// ---- residual_charts.js: the errors against everything that a reading says of itself.
+// The errors against everything that a reading says of itself.
+import {isNumber} from "../drawing/numbers.js";
+import {rangeOf, roundTicks, widened} from "../drawing/scales.js";
+import {hollowPath} from "../drawing/shapes.js";
+import {zeroLine} from "./added_variable.js";
+import {chartFrame, evenAxis} from "./axes.js";
+import {append, choice, el, figure, notRecorded, svg} from "./elements.js";
+import {jointNames, seriesLegend, seriesOf} from "./error_series.js";
+import {lengthUnit, list, numbers, object, textOf} from "./values.js";
 
 const ERROR_PARTS = [
   {key: "size", name: "size", of: (error) => Math.hypot(...error)},
@@ -21,7 +29,7 @@ function regressorsOf(report, readings) {
   return all.filter(({of}) => new Set(readings.map(of).filter(isNumber)).size > 1);
 }
 
-function residualChartsSection(report) {
+export function residualChartsSection(report) {
   const readings = list(report.readings).filter((reading) => numbers(reading.before, 3));
   const regressors = regressorsOf(report, readings);
   if (regressors.length === 0) return [notRecorded("What the errors could be drawn against")];
@@ -51,13 +59,12 @@ function drawErrors(report, readings, regressor, part, width) {
       }));
   const all = entries.flatMap((entry) => entry.points);
   const values = all.map((point) => point[0]);
-  const low = values.reduce((a, b) => Math.min(a, b), Infinity),
-        high = values.reduce((a, b) => Math.max(a, b), -Infinity);
-  const room = 0.05 * (high - low);
-  const even = evenRange(all.map((point) => point[1]));
+  const [low, high] = rangeOf(values);
+  const [from, to] = widened(low, high);
+  const even = evenAxis(all.map((point) => point[1]));
   const x = regressor.isSense ?
       {from: -1.6, to: 1.6, ticks: [-1, 0, 1]} :
-      {from: low - room, to: high + room, ticks: roundTicks(low, high, Math.max(2, width / 75))};
+      {from, to, ticks: roundTicks(low, high, Math.max(2, width / 75))};
   const y = part.key === "size" ? {from: 0, to: even.to} : even;
   const {drawing, at} = chartFrame(width, 200, {...x, title: regressor.title}, {
     ...y,
@@ -74,10 +81,10 @@ function drawErrors(report, readings, regressor, part, width) {
 function errorMarks(series, points, regressor, at) {
   const side = series.key === "before" ? -1 : 1;
   const spread = (index) => (regressor.isSense ? side * (8 + 11 * ((index * 0.618034) % 1)) : 0);
-  const path = SHAPES[series.shape].path;
+  const isHollow = series.key === "before";
   const d = points.map(([vx, vy], index) => {
     const [px, py] = at(vx, vy);
-    return path(px + spread(index), py, series.key === "before" ? 2.4 : 1.9);
+    return hollowPath(series.mark.shape, px + spread(index), py, isHollow ? 2.4 : 1.9);
   });
   return svg("path", {d: d.join(""), class: `points-${series.key}`});
 }

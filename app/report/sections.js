@@ -1,6 +1,8 @@
-// ---- sections.js: from the page's data to its sections.
+// From the page's data to its sections.
+import {el} from "./elements.js";
+import {object} from "./values.js";
 
-function readReport() { return object(JSON.parse(document.getElementById("report").textContent)) ?? {}; }
+export function readReport() { return object(JSON.parse(document.getElementById("report").textContent)) ?? {}; }
 
 /// A section that cannot be drawn says so and leaves the others alone.
 function makeSection({id, title, make}, number, report, sheet) {
@@ -14,7 +16,7 @@ function makeSection({id, title, make}, number, report, sheet) {
 }
 
 /// Numbers the sections, lists them under the head and shows them. `shared` is what all of them draw on.
-function showSections(sections, report, shared) {
+export function showSections(sections, report, shared) {
   sections.forEach((section, i) => {
     document.getElementById("contents").append(el("a", {href: `#${section.id}`}, section.title));
     document.getElementById("sections").append(makeSection(section, i + 1, report, shared));

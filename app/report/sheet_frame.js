@@ -1,115 +1,80 @@
-// ---- sheet_frame.js: from the sheet's coordinates to the picture's pixels, and the sheet's rows and columns.
+// The sheet of a report: its model, and the frame from its coordinates to a picture's pixels.
+import {distance, fit, heightFor, toPixel} from "../drawing/frames.js";
+import {isNumber} from "../drawing/numbers.js";
+import {makeSheetModel} from "../drawing/sheet_model.js";
+import {numbers, object, textOf} from "./values.js";
 
-/// What every picture of one sheet shares: its holes as objects, its extent, its numbering. Null without holes.
-function readSheet(report) {
-  const sheet = object(report.sheet);
-  const holes = (Array.isArray(sheet?.holes) ? sheet.holes : [])
+/// What every picture of one sheet shares: the model, its holes as objects, the side that it is seen from. Null without
+/// holes.
+export function readSheet(report) {
+  const given = object(report.sheet);
+  const holes = (Array.isArray(given?.holes) ? given.holes : [])
                     .filter((hole) => Array.isArray(hole) && isNumber(hole[2]) && isNumber(hole[3]))
                     .map(([row, column, x, y, state]) => ({row, column, x, y, state}));
   if (holes.length === 0) return null;
-  const extent = extentOf(holes.map((hole) => [hole.x, hole.y]));
-  const pitch =
-      isNumber(sheet.pitch) && sheet.pitch > 0 ? sheet.pitch : (extent.right - extent.left) / Math.sqrt(holes.length);
-  const diameter = isNumber(sheet.hole_diameter) && sheet.hole_diameter > 0 ? sheet.hole_diameter : 0.7 * pitch;
-  const oneLeg = extent.bottom >= 0 || extent.top <= 0;
-  if (oneLeg) {
-    // The divider plate lies at y = 0: keep it in the picture.
-    extent.bottom = Math.min(extent.bottom, 0);
-    extent.top = Math.max(extent.top, 0);
-  }
+  const sign = given.viewed_from === "above" ? 1 : -1, words = object(given.state_words) ?? {};
+  const manway = numbers(given.manway, 2);
+  const states = [...new Set(holes.map((hole) => textOf(hole.state, "open")))];
+  const model = makeSheetModel({
+    name: textOf(given.name, ""),
+    pitch: given.pitch,
+    hole_diameter: given.hole_diameter,
+    leg: textOf(given.leg, ""),
+    leg_words: textOf(given.leg_words, textOf(given.leg, "leg not recorded")),
+    viewing_side: textOf(given.viewed_from, "below"),
+    view_words: `${textOf(given.view_words, "")} (+x to the ${sign < 0 ? "left" : "right"})`.trim(),
+    manway: manway ? {u: sign * manway[0], v: manway[1]} : null,
+    holes: {
+      row: holes.map((hole) => hole.row),
+      column: holes.map((hole) => hole.column),
+      x: holes.map((hole) => hole.x),
+      y: holes.map((hole) => hole.y),
+      z: holes.map(() => 0),
+      u: holes.map((hole) => sign * hole.x),
+      v: holes.map((hole) => hole.y),
+      state: holes.map((hole) => states.indexOf(textOf(hole.state, "open"))),
+      states,
+      state_words: states.map((state) => textOf(words[state], state))
+    }
+  });
+  return {model, holes, sign, width: model.extent.right - model.extent.left};
+}
+
+const SHEET_MARGIN = {left: 40, right: 26, top: 24, bottom: 40};
+
+/// Room for the numbers of the columns: above a sheet whose holes lie below the divider plate.
+function marginOf({model}) {
+  const {top, bottom} = SHEET_MARGIN;
+  return model.isOneLeg && model.isLower ? {...SHEET_MARGIN, top: bottom, bottom: top} : SHEET_MARGIN;
+}
+
+/// The sheet in a picture `width` pixels wide.
+export function sheetFrame(sheet, width) {
+  const margin = marginOf(sheet), {plate} = sheet.model;
+  const size = {width, height: heightFor(plate, width, margin)};
+  const camera = fit(plate, size, margin);
   return {
-    holes,
-    extent,
-    pitch,
-    diameter,
-    oneLeg,
-    fromBelow: sheet.viewed_from !== "above",
-    leg: sheet.leg,
-    manway: Array.isArray(sheet.manway) && sheet.manway.every(isNumber) ? sheet.manway : null,
-    rows: ticksOf(holes, "row", "y", pitch),
-    columns: ticksOf(holes, "column", "x", pitch),
-    find: holeFinder(holes)
-  };
-}
-
-function extentOf(places) {
-  const extent = {left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity};
-  for (const [x, y] of places) {
-    extent.left = Math.min(extent.left, x);
-    extent.right = Math.max(extent.right, x);
-    extent.bottom = Math.min(extent.bottom, y);
-    extent.top = Math.max(extent.top, y);
-  }
-  return extent;
-}
-
-/// Every tenth row or column with its place; none where one number is not one place (tubes numbered within each row).
-function ticksOf(holes, number, coordinate, pitch) {
-  const places = new Map();
-  for (const hole of holes) {
-    const known = places.get(hole[number]);
-    if (known === undefined)
-      places.set(hole[number], hole[coordinate]);
-    else if (Math.abs(known - hole[coordinate]) > 0.1 * pitch)
-      return [];
-  }
-  const every = places.size > 200 ? 50 : places.size > 130 ? 20 : 10;
-  return [...places].filter(([value]) => value % every === 0).map(([value, place]) => ({value, place}));
-}
-
-function holeFinder(holes) {
-  const byName = new Map(holes.map((hole) => [`${hole.row} ${hole.column}`, hole]));
-  return (row, column) => byName.get(`${row} ${column}`) ?? null;
-}
-
-function legName(sheet) {
-  const names = {hot: "hot leg", cold: "cold leg", full: "full sheet"};
-  return names[sheet.leg] ?? textOf(sheet.leg, "leg not recorded");
-}
-
-/// "hot leg, seen from below (+x to the left)".
-function viewName(sheet) {
-  return sheet.fromBelow ? `${legName(sheet)}, seen from below (+x to the left)` :
-                           `${legName(sheet)}, seen from above (+x to the right)`;
-}
-
-const MARGIN = {
-  left: 40,
-  right: 26,
-  top: 24,
-  bottom: 34
-};
-
-/// The scale and place of the sheet in a picture `width` pixels wide. Seen from below with +y up, +x points left.
-function sheetFrame(sheet, width) {
-  const {left, right, bottom, top} = sheet.extent;
-  const rim = 0.8 * sheet.pitch;
-  const scale = (width - MARGIN.left - MARGIN.right) / (right - left + 2 * rim);
-  const margin = {...MARGIN};
-  if (top <= 0) [margin.top, margin.bottom] = [MARGIN.bottom, MARGIN.top];
-  const sign = sheet.fromBelow ? -1 : 1;
-  const middle = MARGIN.left + (width - MARGIN.left - MARGIN.right) / 2;
-  return {
-    width,
-    scale,
-    sign,
+    ...size,
+    size,
+    camera,
     margin,
-    height: margin.top + margin.bottom + scale * (top - bottom + 2 * rim),
-    x: (x) => middle + sign * scale * (x - (left + right) / 2),
-    y: (y) => margin.top + scale * (top + rim - y),
-    place(point) {
-      return [this.x(point[0]), this.y(point[1])];
+    scale: camera.scale,
+    isAbove: margin.top > margin.bottom,
+    /// The pixels of a place in the sheet's own coordinates, +x as the sheet has it.
+    place: ([x, y]) => toPixel(camera, size, sheet.sign * x, y),
+    /// The hole under a pixel, or null.
+    holeAt: (px, py) => {
+      const index = sheet.model.nearest(...fromPixel(camera, size, px, py), 0.75 * sheet.model.pitch);
+      return index < 0 ? null : sheet.holes[index];
     },
-    /// The sheet's point under a pixel.
-    point: (px, py) => [(left + right) / 2 + sign * (px - middle) / scale, top + rim - (py - margin.top) / scale],
   };
 }
 
 /// A radius in pixels for marks at these places: as large as their nearest neighbours allow, within reason.
-function markRadius(places, largest = 5.5) {
+export function markRadius(places, largest = 5.5) {
   if (places.length < 2) return largest;
   const sorted = [...places].sort((a, b) => a[0] - b[0]);
-  const nearest = sorted.map((place, i) => nearestDistance(sorted, i, 2.4 * largest)).sort((a, b) => a - b);
+  const nearest = sorted.map((_, i) => nearestDistance(sorted, i, 2.4 * largest)).sort((a, b) => a - b);
   return Math.max(1.6, Math.min(largest, 0.46 * nearest[Math.floor(0.1 * nearest.length)]));
 }
 

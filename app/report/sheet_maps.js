@@ -1,10 +1,22 @@
-// ---- sheet_maps.js: the sheet before and after compensation, every visited tube by its case.
+// The sheet before and after compensation, every visited tube by its case.
+import {stateMark, UNREACHABLE, UNSCORED} from "../drawing/kinds.js";
+import {fixed, isNumber, plural, probability, short, whole} from "../drawing/numbers.js";
+import {sheetWords} from "../drawing/sheet_model.js";
+import {visitText} from "../drawing/visits.js";
+import {modesOf, predictedCase, scoredCase, stepKinds} from "./cases.js";
+import {choice, el, figure, notRecorded} from "./elements.js";
+import {drawMarks, markIcon} from "./mark_drawing.js";
+import {drawSheet, stateGroups, stateText} from "./sheet_drawing.js";
+import {markRadius} from "./sheet_frame.js";
+import {hoverHoles} from "./tooltip.js";
+import {angleUnit, lengthUnit, list, numbers, object, textOf, tubeName} from "./values.js";
 
 /// What a map can show: each mode that was scored against the true arm, and what the plan itself expects.
 function mapModes(report) {
   const tubes = list(report.tubes);
-  const scored = MODES.filter((mode) => tubes.some((tube) => scoredCase(tube, mode.key, report.steps) !== null))
-                     .map((mode) => ({...mode, caseOf: (tube) => scoredCase(tube, mode.key, report.steps)}));
+  const scored = modesOf(report)
+                     .map((mode) => ({...mode, caseOf: (tube) => scoredCase(tube, mode.key, report.steps)}))
+                     .filter((mode) => tubes.some((tube) => mode.caseOf(tube) !== null));
   const predicted =
       {key: "predicted", name: "as predicted", brief: "predicted", caseOf: (tube) => predictedCase(tube, report.steps)};
   return {
@@ -13,14 +25,14 @@ function mapModes(report) {
   };
 }
 
-function sheetMapsSection(report, sheet) {
+export function sheetMapsSection(report, sheet) {
   if (!sheet) return [notRecorded("The sheet's holes")];
   const {before, after} = mapModes(report);
   return [
     el("p", {class: "lead"},
-       `${plural(sheet.holes.length, "hole")}, ${viewName(sheet)}. Every mark is a visited tube: how ` +
-           "far the stepped calibration tool goes in. Point at a hole for its figures; the boxes below a map hide and " +
-           "show its marks."),
+       `${plural(sheet.holes.length, "hole")}, ${sheetWords(sheet.model)}. Every mark is a visited tube: how ` +
+           "far the stepped calibration tool goes in. Point at a hole for its figures; the boxes below a map hide " +
+           "and show its marks."),
     el("div", {class: "pair"},
        before ?
            sheetMap(report, sheet, "Before", [before]) :
@@ -33,11 +45,12 @@ function sheetMapsSection(report, sheet) {
 
 /// One map with its heading, a choice of mode when there are several, and its legend with live counts.
 function sheetMap(report, sheet, heading, modes) {
-  const state = {mode: modes[0], hidden: new Set()};
+  const state = {mode: modes[0], kinds: stepKinds(report), hidden: new Set()};
   const legend = el("ul", {class: "legend"});
   const title = el("h3");
   const picture = figure(
-      `Tube sheet, ${viewName(sheet)}: ${heading.toLowerCase()}`, (width) => drawMap(report, sheet, state, width));
+      `Tube sheet, ${sheetWords(sheet.model)}: ${heading.toLowerCase()}`,
+      (width) => drawMap(report, sheet, state, width));
   const refresh = () => {
     title.textContent = `${heading}: ${state.mode.name}`;
     legend.replaceChildren(...legendEntries(report, sheet, state, refresh));
@@ -53,14 +66,16 @@ function sheetMap(report, sheet, heading, modes) {
   return el("div", {class: "card"}, el("div", {class: "card-head"}, title, modeChoice), picture.element, legend);
 }
 
-/// The groups of marks that a map shows, each {mark, holes}, in drawing order.
+/// The groups of marks that a map shows, each {mark, name, holes}, in drawing order.
 function markGroups(report, state) {
   const tubes = list(report.tubes).filter((tube) => isNumber(tube.x) && isNumber(tube.y));
   const unreachable = list(report.unreachable).filter((tube) => isNumber(tube.x) && isNumber(tube.y));
   return [
-    ...CASES.map((mark, index) => ({mark, holes: tubes.filter((tube) => state.mode.caseOf(tube) === index)})).reverse(),
-    {mark: UNREACHABLE, holes: unreachable},
-    {mark: UNSCORED, holes: tubes.filter((tube) => state.mode.caseOf(tube) === null)}
+    ...state.kinds
+        .map((mark, k) => ({mark, name: mark.name, holes: tubes.filter((tube) => state.mode.caseOf(tube) === k)}))
+        .reverse(),
+    {mark: UNREACHABLE, name: "cannot be visited", holes: unreachable},
+    {mark: UNSCORED, name: "not scored", holes: tubes.filter((tube) => state.mode.caseOf(tube) === null)}
   ];
 }
 
@@ -72,7 +87,7 @@ function drawMap(report, sheet, state, width) {
   for (const {mark, holes} of groups) {
     if (!state.hidden.has(mark)) drawMarks(context, mark, holes.map((hole) => frame.place([hole.x, hole.y])), radius);
   }
-  hoverHoles(canvas, sheet, frame, holeDescriber(report, state.mode));
+  hoverHoles(canvas, frame, holeDescriber(report, sheet, state.mode));
   return canvas;
 }
 
@@ -85,21 +100,22 @@ function legendEntries(report, sheet, state, refresh) {
     refresh();
   };
   const groups = markGroups(report, state);
-  const [unreachable, unscored] = groups.slice(CASES.length);
-  const shown = [...groups.slice(0, CASES.length).reverse(), unreachable, ...(unscored.holes.length > 0 ? [unscored] : [])];
+  const [unreachable, unscored] = groups.slice(state.kinds.length);
+  const cases = groups.slice(0, state.kinds.length).reverse();
+  const shown = [...cases, unreachable, ...(unscored.holes.length > 0 ? [unscored] : [])];
   const marks = shown.map(
-      ({mark, holes}) =>
+      ({mark, name, holes}) =>
           el("li", {},
              el("label", {}, el("input", {type: "checkbox", checked: !state.hidden.has(mark), change: toggle(mark)}),
-                markIcon(mark), mark.name, el("b", {}, whole(holes.length)))));
-  const plain = (mark, count) => el("li", {}, markIcon(mark), mark.name, el("b", {}, whole(count)));
-  const states = [...holesByState(sheet)].map(([name, holes]) => plain(stateMark(name), holes.length));
+                markIcon(mark), name, el("b", {}, whole(holes.length)))));
+  const plain = (mark, name, count) => el("li", {}, markIcon(mark), name, el("b", {}, whole(count)));
+  const states = stateGroups(sheet).map(({mark, name, holes}) => plain(mark, name, holes.length));
   const listed = list(report.tubes).length + list(report.unreachable).length;
-  return [...marks, plain(NOT_VISITED, Math.max(0, sheet.holes.length - listed)), ...states];
+  return [...marks, plain(stateMark("open"), "not on the list", Math.max(0, sheet.holes.length - listed)), ...states];
 }
 
 /// Text for a hole: name and state, and for a visited tube its order, errors and probabilities.
-function holeDescriber(report, mode) {
+export function holeDescriber(report, sheet, mode) {
   const tubes = new Map(list(report.tubes).map((tube) => [`${tube.row} ${tube.column}`, tube]));
   const unreachable = new Map(list(report.unreachable).map((tube) => [`${tube.row} ${tube.column}`, tube]));
   const unit = lengthUnit(report);
@@ -107,7 +123,7 @@ function holeDescriber(report, mode) {
     const key = `${hole.row} ${hole.column}`;
     const name = `Row ${textOf(hole.row)}, column ${textOf(hole.column)}`;
     const place = `x ${fixed(hole.x, 3)}, y ${fixed(hole.y, 3)} ${unit}`;
-    const states = stateMark(hole.state) ? `State: ${stateMark(hole.state).name}` : null;
+    const states = stateText(sheet, hole);
     if (unreachable.has(key)) return [name, place, states, `Cannot be visited: ${textOf(unreachable.get(key).reason)}`];
     if (!tubes.has(key)) return [name, place, states, "Not on the list"];
     return [name, place, states, ...tubeLines(tubes.get(key), mode, report, unit)];
@@ -119,9 +135,9 @@ function tubeLines(tube, mode, report, unit) {
   const index = mode.caseOf(tube);
   const chances = numbers(tube.probability_by_steps, 4);
   return [
-    `Visit ${visitNumber(report, tube)}`,
+    `V${visitOf(report, tube).slice(1)}`,
     score ? `Error, ${mode.name}: ${short(score.error)} ${unit} (dx ${short(score.dx)}, dy ${short(score.dy)})` : null,
-    index === null ? null : `${score ? "Tool" : "Expected"}: ${CASES[index].long}`,
+    index === null ? null : `${score ? "Tool" : "Expected"}: ${stepKinds(report)[index].name}`,
     score && isNumber(score.approach_deviation) ?
         `Off the hole's axis on the way in: ${short(score.approach_deviation)} ${unit}` :
         null,
@@ -151,8 +167,8 @@ function unreachableList(report) {
       el("ul", {class: "reasons"}, entries));
 }
 
-/// "7 of 60": the tubes are listed in visiting order.
-function visitNumber(report, tube) {
+/// "visit 7 of 60": the tubes are listed in visiting order.
+export function visitOf(report, tube) {
   const tubes = list(report.tubes);
-  return `${tubes.indexOf(tube) + 1} of ${tubes.length}`;
+  return visitText(tubes.indexOf(tube), tubes.length);
 }

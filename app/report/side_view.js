@@ -1,6 +1,12 @@
-// ---- side_view.js: the arm in its vertical plane, rigid and deflected.
+// The arm in its vertical plane, rigid and deflected.
+import {extentOf} from "../drawing/frames.js";
+import {exact, isNumber, short} from "../drawing/numbers.js";
+import {roundDown125} from "../drawing/scales.js";
+import {outlineOf} from "../drawing/shapes.js";
+import {append, choice, el, figure, label, notRecorded, svg} from "./elements.js";
+import {isPoint, lengthUnit, list, points, textOf} from "./values.js";
 
-function sideViewSection(report) {
+export function sideViewSection(report) {
   const views =
       list(report.side_views).filter((view) => points(view.rigid).length > 1 || points(view.flexible).length > 1);
   if (views.length === 0) return [notRecorded("Side views of the arm")];
@@ -140,7 +146,7 @@ function chainLine(chain, at, kind) {
   const dots = pixels.slice(0, -1).map(([cx, cy]) => svg("circle", {cx, cy, r: 3, class: `${kind}-joint`}));
   return [
     svg("polyline", {points: pixels.map((p) => p.join(",")).join(" "), class: kind}), ...dots,
-    svg("path", {d: SHAPES.diamond.path(...pixels.at(-1), 4), class: `${kind}-joint`})
+    svg("path", {d: outlineOf("diamond", ...pixels.at(-1), 4).fill, class: `${kind}-joint`})
   ];
 }
 

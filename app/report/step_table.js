@@ -1,4 +1,11 @@
-// ---- step_table.js: how many steps of the tool enter, beside the published experiment.
+// How many steps of the tool enter, beside the published experiment.
+import {STEP_MARKS} from "../drawing/kinds.js";
+import {exact, isNumber, percent, plural, whole} from "../drawing/numbers.js";
+import {outlineOf} from "../drawing/shapes.js";
+import {countsOf, modesOf} from "./cases.js";
+import {append, el, figure, label, notRecorded, svg, table} from "./elements.js";
+import {markIcon} from "./mark_drawing.js";
+import {lengthUnit, list, object} from "./values.js";
 
 /// Calkins 1994, table 5.7: ten test holes; tubes by number of steps inserted, 0 to 3.
 const THESIS_ROWS = [
@@ -7,11 +14,11 @@ const THESIS_ROWS = [
 ];
 
 function stepRows(report) {
-  const here = MODES.map((mode) => ({name: `Here: ${mode.brief}`, counts: countsOf(report, mode.key)}));
-  return [THESIS_ROWS[0], here[0], THESIS_ROWS[1], here[1], here[2]];
+  const here = modesOf(report).map((mode) => ({name: `Here: ${mode.brief}`, counts: countsOf(report, mode.key)}));
+  return [THESIS_ROWS[0], here[0], THESIS_ROWS[1], ...here.slice(1)].filter((row) => row);
 }
 
-function stepSection(report) {
+export function stepSection(report) {
   const rows = stepRows(report);
   const nothing = rows.every((row) => !row.counts || row.name.startsWith("Thesis"));
   const bars =
@@ -32,9 +39,9 @@ function stepTable(report, rows) {
   const tolerances = list(report.steps).map((step) => step.tolerance).filter(isNumber);
   const heads = [
     "",
-    ...CASES.map(
+    ...STEP_MARKS.map(
         (mark, i) =>
-            el("span", {}, markIcon(mark), ` ${mark.name.replace(" ", "\u00a0")}`,
+            el("span", {}, markIcon(mark), ` ${plural(i, "step").replace(" ", "\u00a0")}`,
                el("small", {}, errorRange(tolerances, i)))),
     "of"
   ];
@@ -64,7 +71,7 @@ function toolNote(report) {
 }
 
 /// Stacked bars of shares; every part carries its case's symbol and its count.
-function drawStepBars(rows, width) {
+export function drawStepBars(rows, width) {
   const tall = 24, gap = 34, left = 2, wide = width - 4;
   const height = rows.length * (tall + gap) + 4;
   const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
@@ -74,21 +81,22 @@ function drawStepBars(rows, width) {
     let x = left;
     counts.forEach((count, index) => {
       const part = wide * count / total;
-      if (count > 0) append(drawing, [barPart(x, y, part, tall, CASES[index], whole(count))]);
+      if (count > 0) append(drawing, [barPart(x, y, part, tall, index, whole(count))]);
       x += part;
     });
   });
   return drawing;
 }
 
-function barPart(x, y, width, height, mark, text) {
-  const icon = SHAPES[mark.shape];
+function barPart(x, y, width, height, steps, text) {
+  const mark = STEP_MARKS[steps];
   const middle = y + height / 2, start = x + Math.min(14, width / 2);
+  const {fill, line} = outlineOf(mark.shape, start, middle, 5);
   return svg(
       "g", {},
       svg("rect",
           {x: x + 0.5, y, width: Math.max(1, width - 1), height, rx: 2, class: "bar", fill: `var(--${mark.colour})`}),
-      width > 14 ? svg("path", {d: icon.path(start, middle, 5), class: icon.stroked ? "bar-cross" : "bar-mark"}) : null,
+      width > 14 ? svg("path", {d: fill || line, class: fill ? "bar-mark" : "bar-cross"}) : null,
       width > 34 ? label(start + 11, middle + 4, text, {class: "bar-text"}) : null,
-      svg("title", {}, `${mark.name}: ${text}`));
+      svg("title", {}, `${plural(steps, "step")}: ${text}`));
 }

@@ -1,6 +1,9 @@
-// ---- timing_view.js: the travel time beside its lower bound and the plain order by rows.
+// The travel time beside its lower bound and the plain order by rows.
+import {duration, isNumber, percent} from "../drawing/numbers.js";
+import {append, el, figure, label, notRecorded, svg} from "./elements.js";
+import {object} from "./values.js";
 
-function timingSection(report) {
+export function timingSection(report) {
   const times = object(report.times);
   const rows = [
     {name: "Lower bound (no order can be faster)", value: times?.lower_bound_s, kind: "bound"},

@@ -1,4 +1,5 @@
-// ---- tooltip.js: what is under the pointer, said beside it.
+// What is under the pointer, said beside it.
+import {el} from "./elements.js";
 
 /// Shows lines of text (the first is the name) beside the pointer; nothing for null.
 function showTooltip(event, lines) {
@@ -12,7 +13,7 @@ function showTooltip(event, lines) {
 }
 
 /// Shows `describe(px, py)`, lines or null, for the pixel under the pointer of a picture drawn `width` pixels wide.
-function hoverPicture(picture, width, describe) {
+export function hoverPicture(picture, width, describe) {
   picture.addEventListener("pointermove", (event) => {
     const shown = picture.getBoundingClientRect();
     const zoom = width / shown.width;
@@ -22,20 +23,11 @@ function hoverPicture(picture, width, describe) {
 }
 
 /// Shows `describe(hole)` for the hole under the pointer of a sheet's canvas.
-function hoverHoles(canvas, sheet, frame, describe) {
+export function hoverHoles(canvas, frame, describe) {
   hoverPicture(canvas, frame.width, (px, py) => {
-    const hole = nearestHole(sheet, frame.point(px, py));
+    const hole = frame.holeAt(px, py);
     return hole ? describe(hole) : null;
   });
-}
-
-function nearestHole(sheet, place) {
-  let best = null, least = 0.75 * sheet.pitch;
-  for (const hole of sheet.holes) {
-    const away = Math.hypot(hole.x - place[0], hole.y - place[1]);
-    if (away < least) [best, least] = [hole, away];
-  }
-  return best;
 }
 
 function placeBeside(box, x, y) {

@@ -1,13 +1,24 @@
-// ---- touches_view.js: the touched holes, their residuals and the distances between them.
+// The touched holes, their residuals and the distances between them.
+import {chance, fixed, isNumber, MISSING, plural, short, whole} from "../drawing/numbers.js";
+import {roundDown125} from "../drawing/scales.js";
+import {MARKED, sigmasText, TOUCH_SIGMAS} from "../drawing/sigma_text.js";
+import {colour, el, figure, notRecorded, table} from "./elements.js";
+import {drawScale, mapModeOf} from "./error_arrows.js";
+import {drawMarks} from "./mark_drawing.js";
+import {drawArrowTo, drawSheet} from "./sheet_drawing.js";
+import {holeDescriber} from "./sheet_maps.js";
+import {hoverHoles} from "./tooltip.js";
+import {drawTag} from "./tour_view.js";
+import {angleUnit, lengthUnit, list, numbers, object, textOf, tubeName} from "./values.js";
 
-function touchesSection(report, sheet) {
+export function touchesSection(report, sheet) {
   const touches = list(report.touches), distances = list(report.distances), calibration = object(report.calibration);
   if (touches.length === 0 && distances.length === 0 && !calibration) return [notRecorded("The calibration touches")];
   const placed = touches.filter((touch) => isNumber(touch.x) && isNumber(touch.y));
   return [
     el("p", {class: "lead"},
        "Where the arm touched holes to find its base, and how far each touch is from the fitted model. " +
-           "A residual beyond three sigma is marked: mistrust that touch first."),
+           `A residual beyond ${TOUCH_SIGMAS} sigmas is marked: mistrust that touch first.`),
     el("div", {class: "pair"},
        sheet && placed.length > 0 ? touchMap(report, sheet, placed) :
                                     el("div", {class: "card"}, notRecorded("The touches' places")),
@@ -25,7 +36,7 @@ function touchMap(report, sheet, touches) {
   const residuals =
       touches.map((touch) => ({touch, residual: numbers(touch.residual, 3)})).filter((entry) => entry.residual);
   const largest = residuals.reduce((most, {residual}) => Math.max(most, Math.hypot(residual[0], residual[1])), 0);
-  const factor = largest > 0 ? roundDown125(0.12 * (sheet.extent.right - sheet.extent.left) / largest) : 1;
+  const factor = largest > 0 ? roundDown125(0.12 * sheet.width / largest) : 1;
   const picture = figure("The touched holes with their residuals", (width) => {
     const {canvas, context, frame} = drawSheet(sheet, width, {faint: true});
     const places = touches.map((touch) => frame.place([touch.x, touch.y]));
@@ -33,12 +44,12 @@ function touchMap(report, sheet, touches) {
     drawMarks(context, {shape: "ring", colour: "accent"}, places, 7);
     touches.forEach((touch, i) => drawTag(context, frame, touchName(touch), places[i][0], places[i][1], true));
     for (const {touch, residual} of residuals) {
-      drawArrow(
+      drawArrowTo(
           context, frame.place([touch.x, touch.y]),
           frame.place([touch.x + factor * residual[0], touch.y + factor * residual[1]]), colour("case0"), 2);
     }
     if (residuals.length > 0) drawScale(context, sheet, frame, factor, lengthUnit(report));
-    hoverHoles(canvas, sheet, frame, holeDescriber(report, mapModeOf(report, "via_point")));
+    hoverHoles(canvas, frame, holeDescriber(report, sheet, mapModeOf(report, "via_point")));
     return canvas;
   });
   return el(
@@ -61,11 +72,11 @@ function drawTriangle(context, places) {
   context.setLineDash([]);
 }
 
-/// A residual over its sigma as text, marked beyond three.
+/// A residual over its sigma as text, marked where it is many.
 function inSigmas(value, sigma) {
   if (!isNumber(value) || !isNumber(sigma) || sigma <= 0) return MISSING;
-  const ratio = Math.abs(value) / sigma;
-  return ratio > 3 ? el("b", {class: "bad"}, `\u25b2 ${fixed(ratio, 1)}`) : fixed(ratio, 1);
+  const {text, isMany} = sigmasText(Math.abs(value) / sigma, TOUCH_SIGMAS);
+  return isMany ? el("b", {class: "bad"}, text) : text;
 }
 
 function residualTable(report, touches) {
@@ -123,14 +134,15 @@ function calibrationTable(report, calibration) {
     table(["", "value", "one sigma"], rows),
     el("p", {class: "note"},
        `Residuals: rms ${short(calibration.rms)} ${unit}; ` +
-           `chi-squared ${short(calibration.chi2)} on ${plural(calibration.degrees_of_freedom, "degree")} of freedom` +
-           `${isNumber(calibration.p_value) ? `, p = ${short(calibration.p_value)}` : ""}.`,
-       verdictOfFit(calibration.p_value))
+           `chi-square ${short(calibration.chi2)} on ${plural(calibration.degrees_of_freedom, "degree")} of freedom` +
+           `${isNumber(calibration.p_value) ? `, ${chance(calibration.p_value)}` : ""}.`,
+       verdictOfFit(calibration))
   ];
 }
 
-function verdictOfFit(p) {
-  if (!isNumber(p)) return null;
-  return p < 0.01 ? el("b", {class: "bad"}, " \u25b2 More than the stated noise explains.") :
-                    " The stated noise explains them.";
+/// What the program says of how the touches fit.
+function verdictOfFit(calibration) {
+  const words = textOf(calibration.verdict_words, "");
+  if (words === "") return null;
+  return calibration.verdict === "adequate" ? ` ${words}.` : el("b", {class: "bad"}, ` ${MARKED}${words}.`);
 }

@@ -1,4 +1,14 @@
-// ---- tour_view.js: the tip's trace in the order of visiting, and a walk along it.
+// The tip's trace in the order of visiting, and a walk along it.
+import {distance} from "../drawing/frames.js";
+import {isNumber, plural} from "../drawing/numbers.js";
+import {colour, el, figure, notRecorded} from "./elements.js";
+import {mapModeOf} from "./error_arrows.js";
+import {drawMarks} from "./mark_drawing.js";
+import {drawArrowTo, drawSheet, FONT} from "./sheet_drawing.js";
+import {markRadius} from "./sheet_frame.js";
+import {holeDescriber, visitOf} from "./sheet_maps.js";
+import {hoverHoles} from "./tooltip.js";
+import {list, points, tubeName} from "./values.js";
 
 /// The tour with the length run at each point and the point at which each tube is reached.
 function readTour(report, pitch) {
@@ -24,9 +34,9 @@ function firstPointAt(trace, start, place, reach) {
   return -1;
 }
 
-function tourSection(report, sheet) {
+export function tourSection(report, sheet) {
   if (!sheet || points(report.tour).length < 2) return [notRecorded("The tour")];
-  const tour = readTour(report, sheet.pitch);
+  const tour = readTour(report, sheet.model.pitch);
   const marker = el("div", {class: "walker", hidden: true});
   const says = el("output", {class: "note"}, "Press Play or move the slider to walk along the tour.");
   let frame = null;
@@ -34,7 +44,7 @@ function tourSection(report, sheet) {
     const drawn = drawSheet(sheet, width, {faint: true});
     frame = drawn.frame;
     drawTour(drawn.context, frame, tour, report);
-    hoverHoles(drawn.canvas, sheet, frame, holeDescriber(report, mapModeOf(report, "via_point")));
+    hoverHoles(drawn.canvas, frame, holeDescriber(report, sheet, mapModeOf(report, "via_point")));
     return drawn.canvas;
   });
   const show = (part) => {
@@ -44,7 +54,7 @@ function tourSection(report, sheet) {
     marker.style.left = `${100 * x / frame.width}%`;
     marker.style.top = `${100 * y / frame.height}%`;
     says.textContent = reached ?
-        `Last reached: ${tubeName(reached.tube)} (visit ${visitNumber(report, reached.tube)})` :
+        `Last reached: ${tubeName(reached.tube)} (${visitOf(report, reached.tube)})` :
         "Before the first tube";
   };
   return [
@@ -134,7 +144,7 @@ function drawDirections(context, frame, tour, places) {
     const length = distance(from, to);
     if (length > 0.5) {
       const back = [tip[0] - 7 * (to[0] - from[0]) / length, tip[1] - 7 * (to[1] - from[1]) / length];
-      drawArrow(context, back, tip, tourColour(tour.lengths[i] / (tour.total || 1)), 1.8);
+      drawArrowTo(context, back, tip, tourColour(tour.lengths[i] / (tour.total || 1)), 1.8);
     }
     due = tour.lengths[i] + every;
   }
@@ -157,7 +167,7 @@ function drawStops(context, frame, tour, report) {
   });
 }
 
-function drawTag(context, frame, text, x, y, strong) {
+export function drawTag(context, frame, text, x, y, strong) {
   context.font = strong ? `bold ${FONT}` : FONT;
   const wide = context.measureText(text).width;
   const left = x + 7 + wide > frame.width - 2 ? x - 7 - wide : x + 7;

@@ -1,6 +1,12 @@
-// ---- tube_table.js: every visited tube's figures, made only when asked for.
+// Every visited tube's figures, made only when asked for.
+import {STEP_MARKS} from "../drawing/kinds.js";
+import {fixed, plural, probability, short, whole} from "../drawing/numbers.js";
+import {scoredCase} from "./cases.js";
+import {el, notRecorded, table} from "./elements.js";
+import {markIcon} from "./mark_drawing.js";
+import {angleUnit, lengthUnit, list, numbers, object, tubeName} from "./values.js";
 
-function tubeTableSection(report) {
+export function tubeTableSection(report) {
   const tubes = list(report.tubes);
   if (tubes.length === 0) return [notRecorded("Visited tubes")];
   const place = el("div");
@@ -18,11 +24,11 @@ function tubeTable(report, tubes) {
       (tube, i) =>
           [whole(i + 1), tubeName(tube), fixed(tube.x, 3), fixed(tube.y, 3), short(tube.tilt),
            short(tube.predicted_error), probability(numbers(tube.probability_by_steps, 4)?.[3]),
-           ...MODES.map((mode) => scoreCell(tube, mode.key, report))]);
+           ...modesOf(report).map((mode) => scoreCell(tube, mode.key, report))]);
   return table(
       [
         "visit", "tube", `x, ${unit}`, `y, ${unit}`, `tilt, ${angleUnit(report)}`, `predicted error, ${unit}`,
-        "chance of 3 steps", ...MODES.map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
+        "chance of 3 steps", ...modesOf(report).map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
       ],
       rows, {text: [1]});
 }
@@ -32,5 +38,6 @@ function scoreCell(tube, mode, report) {
   const index = scoredCase(tube, mode, report.steps);
   if (index === null) return null;
   return el(
-      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(CASES[index]), ` ${index}`);
+      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(STEP_MARKS[index]),
+      ` ${index}`);
 }

@@ -1,7 +1,10 @@
-// ---- work_list.js: the tubes in visiting order as a sheet of paper to tick off at the arm; every line names leg, row and
+// The tubes in visiting order as a sheet of paper to tick off at the arm; every line names leg, row and
 // column, and those that cannot be visited stand at its end with their reason.
+import {isNumber, plural, short, whole} from "../drawing/numbers.js";
+import {el, notRecorded, printButton, table} from "./elements.js";
+import {list, object, textOf, tubeName} from "./values.js";
 
-function workListSection(report) {
+export function workListSection(report) {
   const tubes = list(report.tubes);
   if (tubes.length === 0) return [notRecorded("The work list")];
   const place = el("div");
@@ -21,7 +24,10 @@ function workListSection(report) {
 function workList(report, tubes) {
   const sheet = object(report.sheet) ?? {}, leg = String(sheet.leg ?? "");
   const head = el(
-      "p", {}, `${sheet.name ?? ""} \u00b7 ${leg} leg, seen from ${sheet.viewed_from} \u00b7 sheet ${sheet.fingerprint} \u00b7 `,
+      "p", {},
+      [sheet.name, sheet.leg_words, sheet.view_words, `sheet ${textOf(sheet.fingerprint)}`, ""]
+          .map((text) => textOf(text, ""))
+          .join(" \u00b7 "),
       `${plural(tubes.length, "tube")} \u00b7 signed ____________________  date ____________`);
   const rows = tubes.map((tube, i) => ["\u2610", whole(i + 1), `${leg} ${tubeName(tube)}`, stayText(tube), ""]);
   const parts = [head, table(["done", "visit", "tube", "stay, s", "remark"], rows, {text: [0, 2, 4]})];

@@ -14,6 +14,6 @@ export default defineConfig({
     chunkSizeWarningLimit: 800,
   },
   // By number: a machine need not know the name localhost.
-  server: {host: "127.0.0.1", proxy: {"/api": {target: SERVER, changeOrigin: true}}},
+  server: {host: "127.0.0.1", fs: {allow: ["..", "../drawing"]}, proxy: {"/api": {target: SERVER, changeOrigin: true}}},
   test: {include: ["tests/**/*.test.ts"]},
 });

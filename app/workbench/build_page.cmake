@@ -1,4 +1,4 @@
-# cmake -DNPM=npm -DFROM=app/web -DTO=build/web -DFALLBACK=no_page.cpp -DOUTPUT=embedded_page.cpp -P build_page.cmake
+# cmake -DNPM=npm -DFROM=app/web -DDRAWING=app/drawing -DTO=build/web -DFALLBACK=no_page.cpp -DOUTPUT=embedded_page.cpp -P build_page.cmake
 # Fetches the page's packages, builds it in TO and embeds it. Where the packages cannot be fetched (no network) the
 # program is built without its page, and says so; a page that does not build is an error.
 cmake_minimum_required(VERSION 3.25)
@@ -17,8 +17,10 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(TOUCH "${stamp}")
 endif()
 
-# Sources are copied, so that nothing is built among them.
-file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/dist")
+# Sources are copied, so that nothing is built among them; what reports draw with too stands beside the page, as it does there.
+cmake_path(GET TO PARENT_PATH beside)
+file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/dist" "${beside}/drawing")
+file(COPY "${DRAWING}" DESTINATION "${beside}")
 file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN tests EXCLUDE)
 execute_process(COMMAND ${NPM} run --silent build WORKING_DIRECTORY "${TO}" COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} "-DFOLDER=${TO}/dist" "-DOUTPUT=${OUTPUT}" -P "${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake"

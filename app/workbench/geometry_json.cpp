@@ -19,11 +19,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMostDrawnTriangles = 20000;
 
-constexpr tubesheets::TubeState kStates[] = {tubesheets::TubeState::kOpen,      tubesheets::TubeState::kPlugged,
-                                             tubesheets::TubeState::kSleeved,   tubesheets::TubeState::kStabilised,
-                                             tubesheets::TubeState::kToPlug,    tubesheets::TubeState::kInaccessible,
-                                             tubesheets::TubeState::kUnresolved};
-
 /// Of x on the map: seen from below, +x points left.
 double signAsDrawn(const tubesheets::Sheet& sheet) {
   return sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
@@ -31,7 +26,8 @@ double signAsDrawn(const tubesheets::Sheet& sheet) {
 
 json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
   json row = json::array(), column = json::array(), x = json::array(), y = json::array(), z = json::array(),
-       u = json::array(), state = json::array(), states = json::array();
+       u = json::array(), state = json::array(), states = json::array(), state_words = json::array();
+  const auto known = tubesheets::tubeStates();
   const double sign = signAsDrawn(sheet);
   for (const auto& tube : sheet.tubes) {
     row.push_back(tube.row);
@@ -40,11 +36,14 @@ json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
     y.push_back(lengthOf(tube.y, units));
     z.push_back(0);
     u.push_back(sign * lengthOf(tube.x, units));
-    state.push_back(static_cast<int>(std::find(std::begin(kStates), std::end(kStates), tube.state) - kStates));
+    state.push_back(static_cast<int>(std::find(known.begin(), known.end(), tube.state) - known.begin()));
   }
-  for (const auto known : kStates) states.push_back(tubesheets::tubeStateName(known));
-  return {{"row", row}, {"column", column}, {"x", x},         {"y", y},          {"z", z},
-          {"u", u},     {"v", y},           {"state", state}, {"states", states}};
+  for (const auto tube_state : known) {
+    states.push_back(tubesheets::tubeStateName(tube_state));
+    state_words.push_back(tubesheets::tubeStateWords(tube_state));
+  }
+  return {{"row", row}, {"column", column}, {"x", x},         {"y", y},           {"z", z},
+          {"u", u},     {"v", y},           {"state", state}, {"states", states}, {"state_words", state_words}};
 }
 
 /// With u and v as of the holes: where it lies on the map, seen from the sheet's middle.
@@ -129,7 +128,10 @@ json toolJson(const std::optional<tubesheets::SteppedTool>& tool, const Units& u
     tolerances.push_back(lengthOf(step.tolerance, units));
   }
   for (const double length : tool->lengths) lengths.push_back(lengthOf(length, units));
-  return {{"diameters", diameters}, {"tolerances", tolerances}, {"lengths", lengths}};
+  return {{"diameters", diameters},
+          {"tolerances", tolerances},
+          {"lengths", lengths},
+          {"step_words", tubesheets::stepWords(*tool)}};
 }
 
 }  // namespace
@@ -143,7 +145,9 @@ json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet) {
           {"rows", sheet.rows},
           {"columns", sheet.columns},
           {"leg", tubesheets::legName(sheet.leg)},
+          {"leg_words", tubesheets::legWords(sheet.leg)},
           {"viewing_side", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"view_words", tubesheets::viewedFromWords(sheet.viewed_from)},
           {"X_WS", poseJson(Eigen::Isometry3d::Identity(), units)},
           {"fingerprint", sheet.fingerprint()},
           {"tool", toolJson(cell.tool, units)},

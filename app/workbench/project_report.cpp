@@ -117,6 +117,7 @@ void addVerdict(const Session& session, json& report) {
     const auto found = findResult(session, name, currentModel(session).id);
     if (!found) continue;
     report["verdict"] = found->document["verdict"];
+    report["verdict_words"] = found->document.value("verdict_words", "");
     report["sentence"] = found->document["sentence"];
     report["rms"] = found->document["rms"];
     report["chi2_per_dof"] = found->document["chi2_per_dof"];

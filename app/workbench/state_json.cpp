@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/joint_units.hpp"
@@ -77,6 +78,7 @@ json effectJson(const deflection::Arm& arm, const deflection::Effect& effect, co
   json entry = {{"effect", deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).name},
                 {"at", deflection::placeText(arm, effect)},
                 {"parameters", parameters}};
+  addEffectWords(entry["effect"], entry);
   return entry;
 }
 

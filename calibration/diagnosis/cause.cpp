@@ -169,6 +169,20 @@ void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, C
 
 }  // namespace
 
+const char* causeWords(const std::string& effect) {
+  if (effect == kFreedNumbers) return "a number of the arm's file is off";
+  const auto kind = deflection::findEffectKind(effect);
+  return kind ? deflection::effectKinds().at(static_cast<std::size_t>(*kind)).words : "";
+}
+
+std::vector<std::string> causeVariables(const std::string& effect) {
+  std::vector<std::string> names;
+  if (const auto kind = deflection::findEffectKind(effect))
+    for (const auto variable : deflection::effectKinds().at(static_cast<std::size_t>(*kind)).varies_with)
+      names.emplace_back(deflection::nameOf(variable));
+  return names;
+}
+
 std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect) {
   std::vector<deflection::Effect> effects;
   for (const EffectKind& kind : deflection::effectKinds()) {

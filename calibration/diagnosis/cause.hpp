@@ -20,6 +20,12 @@ inline constexpr const char* kAllJoints = "all joints";
 /// The catalogue's effect at every joint, neutral; empty where it acts at no joint, or at none that it has not got.
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
+/// What a cause of that name is, for a reader who does not know it: an effect of the catalogue, or freed numbers.
+[[nodiscard]] const char* causeWords(const std::string& effect);
+
+/// What its law may hang on, by name, the plainest first; empty: on anything.
+[[nodiscard]] std::vector<std::string> causeVariables(const std::string& effect);
+
 struct Cause {
   std::string effect, at;                   ///< "backlash", "tool.z"; "free", "latch-link.beam.Iz"
   std::vector<deflection::Effect> effects;  ///< at neutral values; several of one kind at all joints alike

@@ -13,6 +13,7 @@
 
 #include "calibration/diagnosis/cause.hpp"
 #include "calibration/diagnosis/diagnosis_views.hpp"
+#include "calibration/diagnosis/verdict.hpp"
 #include "calibration/estimation/identification.hpp"
 
 namespace tubeplan::calibration {
@@ -28,17 +29,6 @@ struct DiagnosisOptions {
   int folds = 5;
   std::uint64_t seed = 1;  ///< of the folds, and of the postures at which causes are held to be the same
   WorkHooks hooks;         ///< of the baseline too
-};
-
-enum class Verdict {
-  kNotRun,
-  kAdequate,         ///< nothing is missing
-  kExplained,        ///< one cause, or one set of them
-  kPartlyExplained,  ///< sure causes, and a remainder that no cause explains
-  kAmbiguous,        ///< one of several, or one or something unknown: these readings cannot tell them apart
-  kUnexplained,      ///< something is missing, and no cause is sure
-  kInconclusive,     ///< too few readings, or too weak a hint
-  kStopped,
 };
 
 struct FoundNumber {

@@ -193,6 +193,34 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
 
 }  // namespace
 
+const char* nameOf(Adequacy adequacy) {
+  switch (adequacy) {
+    case Adequacy::kNotRun:
+      return "not-run";
+    case Adequacy::kAdequate:
+      return "adequate";
+    case Adequacy::kInadequate:
+      return "falls-short";
+    case Adequacy::kInconclusive:
+      return "inconclusive";
+  }
+  return "";
+}
+
+const char* wordsOf(Adequacy adequacy) {
+  switch (adequacy) {
+    case Adequacy::kNotRun:
+      return "Not compared";
+    case Adequacy::kAdequate:
+      return "Adequate: nothing is missing";
+    case Adequacy::kInadequate:
+      return "The model falls short";
+    case Adequacy::kInconclusive:
+      return "Inconclusive: more readings are needed";
+  }
+  return "";
+}
+
 bool disagreesWithStatedNoise(const Repeats& repeats, double level) {
   return repeats.groups > 0 && repeats.noise_p_value < level;
 }

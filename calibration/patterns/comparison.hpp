@@ -23,6 +23,12 @@ enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped 
 /// Inconclusive: the readings are too few, or their noise is stated too large, for a verdict.
 enum class Adequacy { kNotRun, kAdequate, kInadequate, kInconclusive };
 
+/// "adequate", "falls-short", ...
+[[nodiscard]] const char* nameOf(Adequacy adequacy);
+
+/// "The model falls short", ...
+[[nodiscard]] const char* wordsOf(Adequacy adequacy);
+
 /// A model against the readings that a fit may use.
 struct ModelLackOfFit {
   ErrorSize errors;

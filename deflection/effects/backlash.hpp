@@ -28,6 +28,7 @@ inline bool hasPlace(const Arm& arm, int row, int axis) {
 
 inline EffectKind kind() {
   return {.name = "backlash",
+          .words = "a clearance is crossed with the moment's sense",
           .law = "rotation = half the gap in the sense of the moment, free where the moment is zero",
           .validity = "at rest, without friction",
           .source = "complementarity; Harmonic Drive catalogues, backlash",
@@ -35,6 +36,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kRowAxis,
           .odds = 1.5,
           .odds_reason = "couplings, latches and pins have clearance",
+          .varies_with = {EffectVariable::kMoment},
           .needs = {},
           .parameters = {{"gap", Quantity::kAngle, 0, 0, 1.6, 0.02}},
           .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },

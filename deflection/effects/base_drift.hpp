@@ -20,6 +20,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "base-drift",
+          .words = "the base creeps in time",
           .law = "the base stands shifted by (x, y, z) * time",
           .validity = "creep in proportion to time",
           .source = "rigid body",
@@ -28,6 +29,7 @@ inline EffectKind kind() {
           .word = "base",
           .odds = 0.5,
           .odds_reason = "creep of a mount is slow",
+          .varies_with = {EffectVariable::kTime},
           .needs = {.time = true},
           .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
                          {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},

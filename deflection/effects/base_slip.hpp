@@ -19,6 +19,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "base-slip",
+          .words = "the base has slipped once",
           .law = "from a time on the base stands shifted by (x, y, z) and turned by yaw about its z axis",
           .validity = "one step",
           .source = "rigid body",
@@ -27,6 +28,7 @@ inline EffectKind kind() {
           .word = "base",
           .odds = 1,
           .odds_reason = "clamps yield once",
+          .varies_with = {EffectVariable::kTime},
           .needs = {.time = true},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},

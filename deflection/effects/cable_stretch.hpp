@@ -28,6 +28,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "cable-stretch",
+          .words = "a joint's cable stretches with torque and direction",
           .law = "rotation = stretch * moment + friction * |moment| * sense of the last motion",
           .validity = "linear stretch; the last motion was longer than the lost motion",
           .source = "Townsend and Salisbury 1987, capstan friction in cable drives",
@@ -35,6 +36,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 0.5,
           .odds_reason = "cable-driven arms only",
+          .varies_with = {EffectVariable::kMoment, EffectVariable::kDirection},
           .needs = {.approach_directions = true, .moments = true},
           .parameters = {{"stretch", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
                          {"friction", Quantity::kAnglePerTorque, 0, -kUnbounded, kUnbounded, 5e-4}},

@@ -17,6 +17,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "contact-force",
+          .words = "something presses on the tip",
           .law = "a constant force at the tip, against gravity",
           .validity = "the same in every reading",
           .source = "statics",
@@ -25,6 +26,7 @@ inline EffectKind kind() {
           .word = "tip",
           .odds = 1,
           .odds_reason = "a tool that touches pushes",
+          .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
           .needs = {},
           .parameters = {{"force", Quantity::kForce, 0, -kUnbounded, kUnbounded, 200}},
           .places = places::theOnly,

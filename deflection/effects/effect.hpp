@@ -25,6 +25,12 @@ struct EffectParameter {
   double (*least)(const Arm&, const Place&) = nullptr;  ///< in the place of `lower`, where the arm decides it
 };
 
+/// What a law may hang on.
+enum class EffectVariable { kJoint, kDirection, kLoad, kMoment, kTemperature, kTime, kPosition, kSetup };
+
+/// joint, sense, load, moment, temperature, time, position, set-up
+[[nodiscard]] const char* nameOf(EffectVariable variable);
+
 /// What an effect acts on.
 enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasurement };
 
@@ -42,14 +48,16 @@ struct EffectNeeds {
 /// One row of the effect table.
 struct EffectKind {
   const char* name;
-  const char* law;  ///< one line
+  const char* words;  ///< what it is, for a reader who does not know its name
+  const char* law;    ///< one line
   const char* validity;
   const char* source;
   EffectStage stage;
   PlaceRule at;
   const char* word = "";  ///< the only place's name, for PlaceRule::kWord
   double odds = 1;        ///< prior odds of the kind against others, shared by its places; 0: never tried unasked ...
-  const char* odds_reason = "";  ///< ... and why
+  const char* odds_reason = "";             ///< ... and why
+  std::vector<EffectVariable> varies_with;  ///< the plainest first; empty: with anything
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< every place of an arm where the effect can be

@@ -50,6 +50,28 @@ const std::vector<EffectKind>& effectKinds() {
   return kKinds;
 }
 
+const char* nameOf(EffectVariable variable) {
+  switch (variable) {
+    case EffectVariable::kJoint:
+      return "joint";
+    case EffectVariable::kDirection:
+      return "sense";
+    case EffectVariable::kLoad:
+      return "load";
+    case EffectVariable::kMoment:
+      return "moment";
+    case EffectVariable::kTemperature:
+      return "temperature";
+    case EffectVariable::kTime:
+      return "time";
+    case EffectVariable::kPosition:
+      return "position";
+    case EffectVariable::kSetup:
+      return "set-up";
+  }
+  return "";
+}
+
 std::optional<int> findEffectKind(std::string_view name) {
   const auto& kinds = effectKinds();
   const auto found =

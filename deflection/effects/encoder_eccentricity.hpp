@@ -23,6 +23,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {
       .name = "encoder-eccentricity",
+      .words = "a joint's encoder runs off centre: an error once per turn",
       .law = "true joint angle = reading + sine * sin(reading) + cosine * cos(reading)",
       .validity = "amplitudes far below a radian; turning joints",
       .source = "Wallace, TPOINT: centring errors",
@@ -30,6 +31,7 @@ inline EffectKind kind() {
       .at = PlaceRule::kJoint,
       .odds = 1,
       .odds_reason = "every code disc is off centre by some micrometres",
+      .varies_with = {EffectVariable::kJoint},
       .needs = {},
       .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}, {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
       .places = places::ofRevoluteJoints,

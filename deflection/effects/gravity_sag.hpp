@@ -28,6 +28,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {
       .name = "gravity-sag",
+      .words = "a joint gives under weights that the arm file does not state",
       .law = "turn of a joint = its moment by unknown weights: own part level along x, along y, and what is at the tip",
       .validity = "linear; the arm's weights need not be stated",
       .source = "Gautier and Khalil 1990, base parameters of gravity",
@@ -35,6 +36,7 @@ inline EffectKind kind() {
       .at = PlaceRule::kJoint,
       .odds = 2,
       .odds_reason = "every drive gives under its arm, and few makers state weights",
+      .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
       .needs = {.no_weights = true},
       .parameters = {{"own_x", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
                      {"own_y", Quantity::kAngle, 0, -0.5, 0.5, 0.005},

@@ -18,6 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "hose-pull",
+          .words = "a hose or cable pulls at a link",
           .law = "a constant force (x, y, z) at the link's end, in base axes",
           .validity = "a long hose: the posture does not change its pull",
           .source = "statics",
@@ -25,6 +26,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kLink,
           .odds = 1,
           .odds_reason = "hoses and cables drag",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"x", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100},
                          {"y", Quantity::kForce, 0, -kUnbounded, kUnbounded, 100},

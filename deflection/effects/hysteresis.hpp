@@ -23,6 +23,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "hysteresis",
+          .words = "a joint rests elsewhere by the sense of its last motion",
           .law = "true joint value = reading + half_width * sense of the last motion",
           .validity = "the last motion was longer than the lost motion",
           .source = "Coulomb friction; Harmonic Drive catalogues, lost motion",
@@ -30,6 +31,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 1.5,
           .odds_reason = "every gear and seal has friction before a spring",
+          .varies_with = {EffectVariable::kDirection},
           .needs = {.approach_directions = true},
           .parameters = {{"half_width", Quantity::kAngle, 0, -0.5, 0.5, 0.01}},
           .places = places::ofJoints,

@@ -23,6 +23,7 @@ inline bool hasPlace(const Arm& arm, int row, int axis) { return !std::isfinite(
 
 inline EffectKind kind() {
   return {.name = "joint-compliance",
+          .words = "a joint axis taken as rigid gives",
           .law = "rotation = compliance * moment about an axis taken as rigid",
           .validity = "linear",
           .source = "Calkins 1994, eq. 2.17",
@@ -30,6 +31,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kRowAxis,
           .odds = 2,
           .odds_reason = "bearings, gears and mounts give: the first non-geometric error of loaded arms",
+          .varies_with = {EffectVariable::kMoment},
           .needs = {.moments = true},
           .parameters = {{"compliance", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
           .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },

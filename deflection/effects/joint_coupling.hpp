@@ -19,6 +19,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "joint-coupling",
+          .words = "one joint's motion moves another",
           .law = "true joint value = reading + share * reading of another joint",
           .validity = "two joints of one type",
           .source = "Craig, Introduction to Robotics: actuator and joint space",
@@ -26,6 +27,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJointPair,
           .odds = 0.5,
           .odds_reason = "only where drives run through other joints",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"share", Quantity::kNone, 0, -1, 1, 0.05}},
           .places = places::ofJointPairs,

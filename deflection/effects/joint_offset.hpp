@@ -18,6 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {
       .name = "joint-offset",
+      .words = "a joint's zero is off",
       .law = "true joint value = reading + offset",
       .validity = "the same for every reading",
       .source = "Klimchik et al., arXiv 1211.5739",
@@ -26,6 +27,7 @@ inline EffectKind kind() {
       .odds = 2,
       .odds_reason =
           "homing and drawing errors of joints are the commonest geometric error (Klimchik et al., arXiv 1211.5739)",
+      .varies_with = {EffectVariable::kJoint},
       .needs = {},
       .parameters = {{"offset", Quantity::kAngle, 0, -3.2, 3.2, 0.035}},
       .places = places::ofJoints,

@@ -18,6 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "joint-scale",
+          .words = "a joint's gear ratio is off",
           .law = "true joint value = reading * (1 + scale)",
           .validity = "readings counted from the encoder's zero",
           .source = "Mooring, Roth and Driels 1991",
@@ -25,6 +26,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 0.5,
           .odds_reason = "gear ratios are counted teeth: only a wrong number or a belt is off",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.01}},
           .places = places::ofJoints,

@@ -30,6 +30,7 @@ inline bool hasPlace(const Arm& arm, int row, int axis) {
 
 inline EffectKind kind() {
   return {.name = "link-bending",
+          .words = "a beam taken as rigid bends",
           .law = "curvature = compliance * moment about an axis in which the member was taken as rigid",
           .validity = "slender and linear; two axes of each member",
           .source = "Calkins 1994, eq. 2.8 to 2.16",
@@ -37,6 +38,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kRowAxis,
           .odds = 1,
           .odds_reason = "slender members bend",
+          .varies_with = {EffectVariable::kMoment},
           .needs = {.moments = true},
           .parameters = {{"compliance", Quantity::kPerBendingStiffness, 0, 0, kUnbounded, 5e-3}},
           .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },

@@ -34,6 +34,7 @@ inline bool hasPlace(const Arm& arm, int row) {
 
 inline EffectKind kind() {
   return {.name = "link-length",
+          .words = "a link is longer or shorter than drawn",
           .law = "distance a to the next frame = as drawn + length",
           .validity = "geometry only; every link but the last",
           .source = "Denavit and Hartenberg 1955; Klimchik et al., arXiv 1211.5739",
@@ -41,6 +42,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kLink,
           .odds = 1,
           .odds_reason = "a drawing is right to tenths of a millimetre",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"length", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.005}},
           .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },

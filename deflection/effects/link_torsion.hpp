@@ -25,6 +25,7 @@ inline bool hasPlace(const Arm& arm, int row) {
 
 inline EffectKind kind() {
   return {.name = "link-torsion",
+          .words = "a beam taken as rigid twists",
           .law = "twist per length = compliance * moment about a member taken as rigid in torsion",
           .validity = "uniform torsion",
           .source = "Calkins 1994, eq. 2.16",
@@ -32,6 +33,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kLink,
           .odds = 1,
           .odds_reason = "members with loads aside twist",
+          .varies_with = {EffectVariable::kMoment},
           .needs = {.moments = true},
           .parameters = {{"compliance", Quantity::kPerBendingStiffness, 0, 0, kUnbounded, 5e-3}},
           .places = [](const Arm& arm) { return places::ofRows(arm, hasPlace); },

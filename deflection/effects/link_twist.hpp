@@ -21,6 +21,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "link-twist",
+          .words = "a link is twisted",
           .law = "twist alpha to the next frame = as drawn + twist",
           .validity = "geometry only; every link but the last",
           .source = "Denavit and Hartenberg 1955; Klimchik et al., arXiv 1211.5739",
@@ -28,6 +29,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kLink,
           .odds = 1,
           .odds_reason = "machined faces are square to tenths of a milliradian",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"twist", Quantity::kAngle, 0, -3.2, 3.2, 0.02}},
           .places =

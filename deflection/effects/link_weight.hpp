@@ -23,6 +23,7 @@ inline double least(const Arm& arm, const Place& place) {
 
 inline EffectKind kind() {
   return {.name = "link-weight",
+          .words = "a link weighs more or less",
           .law = "weight at the link's end = as stated + weight",
           .validity = "at rest",
           .source = "Calkins 1994, section 2.3",
@@ -30,6 +31,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kLink,
           .odds = 1,
           .odds_reason = "cables and fittings are seldom in the weights of a drawing",
+          .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
           .needs = {},
           .parameters = {{.name = "weight",
                           .quantity = Quantity::kForce,

@@ -18,6 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "payload-offset",
+          .words = "the load hangs beside the tip",
           .law = "the hung load acts at tip + (x, y, z) in the tool's frame",
           .validity = "a load rigidly held; the tool's own weight stays",
           .source = "statics",
@@ -26,6 +27,7 @@ inline EffectKind kind() {
           .word = "payload",
           .odds = 1,
           .odds_reason = "loads hang where a hook is, not at the tip",
+          .varies_with = {EffectVariable::kLoad},
           .needs = {.load = true},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},

@@ -17,6 +17,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "scale-error",
+          .words = "the measuring scale is off",
           .law = "measured coordinate = true one * (1 + scale)",
           .validity = "one instrument in the world frame; nothing of the arm",
           .source = "calibration of length measuring instruments",
@@ -25,6 +26,7 @@ inline EffectKind kind() {
           .word = "measurement",
           .odds = 0.5,
           .odds_reason = "instruments are calibrated far better than arms",
+          .varies_with = {EffectVariable::kPosition},
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.005}},
           .places = places::theOnly,

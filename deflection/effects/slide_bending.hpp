@@ -29,6 +29,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "slide-bending",
+          .words = "a slide bends by how far it is out",
           .law = "rotation at a slide's end = moment * (linear * s + square * s^2), s how far it is out",
           .validity = "small rotations; the slide's limits are stated",
           .source = "bearings an overlap apart, to second order",
@@ -36,6 +37,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kRowAxis,
           .odds = 1,
           .odds_reason = "telescopes are softer the farther they are out",
+          .varies_with = {EffectVariable::kMoment, EffectVariable::kJoint},
           .needs = {.moments = true},
           .parameters = {{"linear", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
                          {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},

@@ -41,6 +41,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "thermal-growth",
+          .words = "lengths grow with temperature",
           .law = "moving lengths = as drawn * (1 + expansion * (temperature - reference_temperature))",
           .validity = "one temperature and one expansion for the whole arm",
           .source = "linear thermal expansion",
@@ -49,6 +50,7 @@ inline EffectKind kind() {
           .word = "arm",
           .odds = 1,
           .odds_reason = "halls warm up by degrees in a shift",
+          .varies_with = {EffectVariable::kTemperature},
           .needs = {.temperature = true},
           .parameters = {{"expansion", Quantity::kPerTemperature, 0, -0.01, 0.01, 1e-4}},
           .places = places::theOnly,

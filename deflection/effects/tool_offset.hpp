@@ -17,6 +17,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "tool-offset",
+          .words = "the tip is elsewhere on the tool",
           .law = "tip = as drawn + (x, y, z) in the last row's frame",
           .validity = "geometry only",
           .source = "Klimchik et al., arXiv 1211.5739",
@@ -25,6 +26,7 @@ inline EffectKind kind() {
           .word = "tool",
           .odds = 2,
           .odds_reason = "the tool is mounted and measured by hand",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},

@@ -18,6 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "tool-remount",
+          .words = "the tip was mounted anew for a set-up",
           .law = "in one set-up the tip is elsewhere: tip = as in the others + (x, y, z)",
           .validity = "rigid, the same all through the set-up",
           .source = "geometry",
@@ -25,6 +26,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kSetup,
           .odds = 2,
           .odds_reason = "between set-ups tools and targets are taken off and put on again",
+          .varies_with = {EffectVariable::kSetup},
           .needs = {},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.01},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.01},

@@ -22,6 +22,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "tool-weight",
+          .words = "the tool weighs more or less",
           .law = "weights of the last row = as stated * (1 + scale)",
           .validity = "at rest; the hung load is none of it",
           .source = "Calkins 1994, section 2.3",
@@ -30,6 +31,7 @@ inline EffectKind kind() {
           .word = "tool",
           .odds = 1,
           .odds_reason = "tools are changed and seldom weighed",
+          .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -1, kUnbounded, 0.5}},
           .places = places::theOnly,

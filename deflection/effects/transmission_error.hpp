@@ -22,6 +22,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "transmission-error",
+          .words = "a joint's gear errs twice per turn",
           .law = "true joint angle = reading + sine * sin(2 reading) + cosine * cos(2 reading)",
           .validity = "amplitudes far below a radian; turning joints",
           .source = "Ghorbel, Gandhi and Alpeter 2001",
@@ -29,6 +30,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 1,
           .odds_reason = "gears err twice per turn of a strain wave generator",
+          .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
                          {"cosine", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},

@@ -78,6 +78,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 /// It has no places of its own: its formula names them.
 inline EffectKind kind() {
   return {.name = kName,
+          .words = "a formula of one's own",
           .law = "TARGET += EXPRESSION, as the user writes it",
           .validity = "where the expression has a finite value",
           .source = "the user",
@@ -85,6 +86,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .odds = 0,
           .odds_reason = "a user's own law is never tried unasked",
+          .varies_with = {},
           .needs = {},
           .parameters = {},
           .places = [](const Arm&) { return std::vector<Place>(); },

@@ -18,10 +18,11 @@ using Eigen::Vector3d, Eigen::VectorXd;
 struct CompensationRow {
   Compensation mode;
   std::string_view name;
+  std::string_view words;
 };
-constexpr std::array kModes{CompensationRow{Compensation::kNone, "none"},
-                            CompensationRow{Compensation::kGoalPoint, "goal-point"},
-                            CompensationRow{Compensation::kViaPoint, "via-point"}};
+constexpr std::array kModes{CompensationRow{Compensation::kNone, "none", "no compensation"},
+                            CompensationRow{Compensation::kGoalPoint, "goal-point", "goal-point compensation"},
+                            CompensationRow{Compensation::kViaPoint, "via-point", "via-point compensation"}};
 
 /// The way up to a branch's goal: its via points at equal heights, from the goal down to the standoff, are made twice
 /// as many until the placer's own tip keeps to the vertical midway between them.
@@ -220,6 +221,10 @@ class Modes {
 
 std::string_view nameOf(Compensation mode) {
   return std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; })->name;
+}
+
+std::string_view wordsOf(Compensation mode) {
+  return std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; })->words;
 }
 
 std::optional<Compensation> findCompensation(std::string_view name) {

@@ -20,6 +20,8 @@ enum class Compensation {
 
 /// none, goal-point, via-point.
 std::string_view nameOf(Compensation mode);
+/// For a reader: "no compensation", "goal-point compensation", "via-point compensation".
+std::string_view wordsOf(Compensation mode);
 std::optional<Compensation> findCompensation(std::string_view name);
 
 struct CompensationOptions {

@@ -22,6 +22,18 @@ bool mentions(const std::vector<Problem>& problems, const std::string& text) {
                      [&](const Problem& problem) { return problem.sentence().find(text) != std::string::npos; });
 }
 
+TEST(TubeStates, HaveNamesForFilesAndWordsForReaders) {
+  std::set<std::string_view> words;
+  for (const TubeState state : tubeStates()) {
+    EXPECT_EQ(findTubeState(tubeStateName(state)), state);
+    EXPECT_TRUE(words.insert(tubeStateWords(state)).second);
+  }
+  EXPECT_EQ(tubeStates().size(), 7U);
+  EXPECT_EQ(tubeStateWords(TubeState::kToPlug), "recommended to plug");
+  EXPECT_EQ(legWords(Leg::kFull), "full sheet");
+  EXPECT_EQ(viewedFromWords(ViewedFrom::kBelow), "seen from below");
+}
+
 class ExampleSheetTest : public testing::TestWithParam<ExampleSheet> {};
 
 TEST_P(ExampleSheetTest, HasNoProblems) {

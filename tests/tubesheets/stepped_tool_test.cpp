@@ -43,6 +43,12 @@ TEST(StepsInserted, FollowsTable57) {
   EXPECT_EQ(stepsInserted(tool, std::numeric_limits<double>::infinity()), 0);
 }
 
+TEST(StepWords, SayHowManyOfTheToolsSteps) {
+  EXPECT_EQ(stepWords(thesisTool()), (std::vector<std::string>{"no step enters", "one step enters", "two steps enter",
+                                                               "all three steps enter"}));
+  EXPECT_EQ(stepWords({{{0.01, 0.001}}, {}}), (std::vector<std::string>{"no step enters", "one step enters"}));
+}
+
 TEST(StepsInserted, ALaterStepNeedsAllEarlierOnes) {
   const SteppedTool tool{{{0.01, 0.001}, {0.012, 0.003}, {0.014, 0.0005}}, {}};
   EXPECT_EQ(stepsInserted(tool, 0.002), 0);

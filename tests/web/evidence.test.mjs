@@ -113,7 +113,7 @@ describe("figures", () => {
     assert.match(await tab.innerText(".verdict-figures .bad"), /▲ 10\.5/);
     await diagnosed(tab);
     const words = await tab.innerText(".verdict ul");
-    assert.match(words, /half width 0\.05\d\d ± 0\.00\d\d deg/);
+    assert.match(words, /half width 0\.05\d\d ± 0\.00\d\d\sdeg/);
     assert.match(words, /from 0\.0\d{3} to 0\.00\d\d in/);
     const shown = await tab.evaluate(() => {
       const box = document.querySelector(".verdict ul");

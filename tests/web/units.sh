@@ -1,11 +1,12 @@
 #!/bin/sh
 # The page's own unit tests, among its packages in TUBEPLAN_WEB; those that ask the program itself ask TUBEPLAN. Exit code 77 where npm or the packages are not there.
 web=$(cd "$(dirname "$0")/../../app/web" && pwd)
-export TUBEPLAN_CELLS="${web%/web}/cells"
+export TUBEPLAN_CELLS="${web%/web}/cells" TUBEPLAN_PAGES="${web%/web}"
 skip() { echo "skipped: $1"; exit 77; }
 command -v npm > /dev/null || skip "npm is not installed (apt-get install npm)"
 if [ -d "${TUBEPLAN_WEB:-none}/node_modules/vitest" ]; then
-  rm -rf "$TUBEPLAN_WEB/tests" && cp -r "$web/tests" "$TUBEPLAN_WEB/" || exit 1
+  rm -rf "$TUBEPLAN_WEB/tests" "$TUBEPLAN_WEB/../drawing" && cp -r "$web/tests" "$TUBEPLAN_WEB/" &&
+    cp -r "$web/../drawing" "$TUBEPLAN_WEB/../" || exit 1
   web=$TUBEPLAN_WEB
 fi
 cd "$web" || exit 1

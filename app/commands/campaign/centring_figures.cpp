@@ -117,6 +117,12 @@ json wayJson(const CentringResults& results, const SettingTally& setting, const 
           {"worst_holes", worstHoles(results, way)}};
 }
 
+json waysJson() {
+  json ways = json::array();
+  for (std::size_t w = 0; w < kWays.size(); ++w) ways.push_back({{"name", kWays[w]}, {"words", kWayWords[w]}});
+  return ways;
+}
+
 json settingJson(const CentringResults& results, std::size_t index) {
   const auto& setting = results.task.options.settings[index];
   const auto& tally = results.tally.settings()[index];
@@ -184,6 +190,7 @@ json centringJson(const CentringResults& results) {
                   {"holes_in_a_run", task.options.holes},
                   {"tubes", {{"asked", task.tubes}, {"in_reach", task.holes.visited.size()}}},
                   {"step_tolerances", tolerances},
+                  {"ways", waysJson()},
                   {"settings", json::array()}};
   for (std::size_t k = 0; k < task.options.settings.size(); ++k) figures["settings"].push_back(settingJson(results, k));
   return figures;

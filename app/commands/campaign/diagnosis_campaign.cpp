@@ -3,6 +3,7 @@
 
 #include "app/commands/campaign/campaign.hpp"
 #include "app/commands/campaign/diagnosis_trial.hpp"
+#include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
@@ -165,6 +166,26 @@ json countsJson(const OutcomeCounts& counts) {
   return named;
 }
 
+/// The shares of foundJson, and what they are of runs that hide an effect.
+constexpr std::array<std::pair<const char*, const char*>, 5> kRates{{{"truth_among_answers", "truth among the answers"},
+                                                                     {"named", "named alone"},
+                                                                     {"wrong", "another named"},
+                                                                     {"refused", "refused as unexplained"},
+                                                                     {"missed", "not seen"}}};
+
+json ratesJson() {
+  json rates = json::array();
+  for (const auto& [name, words] : kRates) rates.push_back({{"name", name}, {"words", words}});
+  return rates;
+}
+
+json outcomesJson() {
+  json outcomes = json::array();
+  for (std::size_t k = 0; k < kOutcomes; ++k)
+    outcomes.push_back({{"name", kDiagnosisOutcomes[k]}, {"words", kOutcomeWords[k]}});
+  return outcomes;
+}
+
 json foundJson(const OutcomeCounts& counts) {
   using Kind = DiagnosisOutcomeKind;
   const std::uint64_t made = madeOf(counts);
@@ -203,6 +224,8 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
                     {"false_alarms", shareJson(sumOf(nothing, {Kind::kOther, Kind::kUnexplained}), madeOf(nothing))},
                     {"inconclusive", shareJson(sumOf(nothing, {Kind::kInconclusive}), madeOf(nothing))}}},
                   {"hidden", foundJson(hiddenCounts(tally))},
+                  {"rates", ratesJson()},
+                  {"outcomes", outcomesJson()},
                   {"by_size", json::array()},
                   {"by_effect", json::array()}};
   figures["hidden"]["outcomes"] = countsJson(hiddenCounts(tally));
@@ -217,6 +240,7 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
     json entry = foundJson(counts);
     entry["effect"] = deflection::effectKinds()[static_cast<std::size_t>(kind)].name;
     entry["outcomes"] = countsJson(counts);
+    addEffectWords(entry["effect"], entry);
     figures["by_effect"].push_back(entry);
   }
   return figures;
@@ -235,11 +259,7 @@ std::string diagnosisCampaignText(const json& figures) {
                                  figures["runs_done"].get<std::uint64_t>(), figures["runs"].get<std::uint64_t>(),
                                  figures["readings"].get<int>(), figures["design"].get<std::string>());
   text += "nothing hidden: false alarms " + shareText(figures["nothing_hidden"]["false_alarms"]) + "\n";
-  for (const auto& [key, words] : {std::pair{"truth_among_answers", "truth among the answers"},
-                                   {"named", "named alone"},
-                                   {"wrong", "another named"},
-                                   {"refused", "refused as unexplained"},
-                                   {"missed", "not seen"}})
+  for (const auto& [key, words] : kRates)
     text += fmt::format("an effect hidden: {:<24}{}\n", words, shareText(hidden[key]));
   for (const auto& entry : figures["by_size"])
     text += fmt::format("  of {:.2g} to {:.2g} of the largest plausible size: truth among the answers {}\n",

@@ -23,6 +23,13 @@ enum class DiagnosisOutcomeKind {
 };
 inline constexpr std::array<std::string_view, 7> kDiagnosisOutcomes{"not-made", "adequate", "inconclusive", "named",
                                                                     "among",    "other",    "unexplained"};
+inline constexpr std::array<std::string_view, 7> kOutcomeWords{"not made",
+                                                               "adequate",
+                                                               "inconclusive",
+                                                               "the truth named",
+                                                               "truth among several",
+                                                               "another named",
+                                                               "refused as unexplained"};
 
 /// A hidden effect's size as a share of the largest that a machine has: drawn between the least and 1, all orders of
 /// size alike.

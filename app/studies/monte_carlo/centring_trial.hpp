@@ -55,6 +55,7 @@ inline constexpr std::size_t kTrialFailures = 6;
 
 /// Sent there with and without compensation; empty where that way finds no posture.
 inline constexpr std::array<std::string_view, 2> kWays{"none", "compensated"};
+inline constexpr std::array<std::string_view, kWays.size()> kWayWords{"without compensation", "with compensation"};
 struct TrialVisit {
   int hole = -1;  ///< among those that may be visited
   std::array<std::optional<planner::Centring>, kWays.size()> centring;

@@ -13,6 +13,8 @@ namespace tubeplan::app {
 
 inline constexpr std::array kCompensations{planner::Compensation::kNone, planner::Compensation::kGoalPoint,
                                            planner::Compensation::kViaPoint};
+/// Their keys in documents.
+inline constexpr std::array<const char*, kCompensations.size()> kModeKeys{"none", "goal_point", "via_point"};
 
 /// The models that the modes plan with, and the truth.
 struct ScoringModels {

@@ -1,5 +1,6 @@
 import {describe, expect, it} from "vitest";
-import {acceptanceOf, axisEnd, rungName} from "../source/error/ladder";
+import {axisEnd, barOf, rungNames, rungsOf, timesFloor} from "../../drawing/ladder.js";
+import {acceptanceOf} from "../source/error/ladder";
 import {jointsAt, sampleAt} from "../source/plan/sampling";
 
 const rung = (fitted: number, heldout: number) => ({name: "", fitted, heldout, worst: 2 * heldout, centred: null});
@@ -17,9 +18,26 @@ describe("the ladder", () => {
     expect(acceptanceOf(rung(0.01, 0.02), null)).toBe(null);
     expect(acceptanceOf({...rung(0.01, 0.02), worst: null}, 0.05)).toBe(null);
   });
-  it("names models by the last part of their files", () => {
-    expect(rungName("/tmp/cells/bench.yaml, rigid")).toBe("bench, rigid");
-    expect(rungName("hysteresis@theta4")).toBe("hysteresis@theta4");
+  it("names models by the last part of their files, where that tells them apart", () => {
+    expect(rungNames(["/tmp/cells/bench.yaml, rigid", "hysteresis@theta4"])).toEqual([
+      "bench, rigid",
+      "hysteresis@theta4",
+    ]);
+    expect(rungNames(["a/bench.yaml", "b/bench.yaml"])).toEqual(["a/bench.yaml", "b/bench.yaml"]);
+  });
+  it("reads errors bare or inside {rms}, and leaves out models without any", () => {
+    const entries = [
+      {name: "one", rms: 0.02, heldout_rms: {rms: 0.03}},
+      {model: "two", rms: null},
+    ];
+    expect(rungsOf(entries)).toEqual([{name: "one", fitted: 0.02, heldout: 0.03}]);
+  });
+  it("tells sizes by the floor, and cuts bars at the axis", () => {
+    expect(timesFloor(0.0059, 0.0057)).toBe("1.04 × floor");
+    expect(timesFloor(0.5, 0.005)).toBe("100 × floor");
+    expect(timesFloor(0.5, null)).toBe("");
+    expect(barOf(3, 2)).toEqual({share: 1, isCut: true});
+    expect(barOf(1, 2)).toEqual({share: 0.5, isCut: false});
   });
 });
 

@@ -1,15 +1,7 @@
 import {describe, expect, it} from "vitest";
-import {
-  chance,
-  clock,
-  duration,
-  probability,
-  roundDown125,
-  roundTicks,
-  short,
-  valueAndSigma,
-  withSigma,
-} from "../source/drawing/numbers";
+import {chance, clock, duration, probability, short} from "../../drawing/numbers.js";
+import {rootTicks, roundDown125, roundTicks, roundUp125, symmetric} from "../../drawing/scales.js";
+import {valueAndSigma, withSigma} from "../../drawing/sigma_text.js";
 
 describe("figures", () => {
   it("have about three digits and a real minus sign", () => {
@@ -21,23 +13,23 @@ describe("figures", () => {
     expect(short(NaN)).toBe("–");
   });
   it("have as many digits as sigma tells", () => {
-    expect(withSigma(0.0585900745, 0.00101218, "deg")).toBe("0.0586 ± 0.0010 deg");
-    expect(withSigma(2, null, "in")).toBe("2.00 in");
-    expect(withSigma(9927495, 67123, "lbf/in^2")).toBe("(9.927 ± 0.067)e6 lbf/in^2");
-    expect(withSigma(2.8658879e16, 1.8571527e16, "lbf")).toBe("(2.9 ± 1.9)e16 lbf");
+    expect(withSigma(0.0585900745, 0.00101218, "deg")).toBe("0.0586 ± 0.0010\u00a0deg");
+    expect(withSigma(2, null, "in")).toBe("2.00\u00a0in");
+    expect(withSigma(9927495, 67123, "lbf/in^2")).toBe("(9.927 ± 0.067)e6\u00a0lbf/in^2");
+    expect(withSigma(2.8658879e16, 1.8571527e16, "lbf")).toBe("(2.9 ± 1.9)e16\u00a0lbf");
     expect(withSigma(-0.000182, 0.000075)).toBe("(−1.82 ± 0.75)e−4");
     expect(withSigma(3812, 640)).toBe("3,810 ± 640");
     expect(valueAndSigma(12.34567, 0.0123)).toEqual(["12.346", "0.012"]);
     expect(valueAndSigma(319800, 151571)).toEqual(["3.2e5", "1.5e5"]);
   });
   it("say certainty only where it is certain", () => {
-    expect(probability(0.9997)).toBe("> 99.9 %");
-    expect(probability(0.0002)).toBe("< 0.1 %");
-    expect(probability(1)).toBe("100.0 %");
+    expect(probability(0.9997)).toBe(">\u00a099.9\u00a0%");
+    expect(probability(0.0002)).toBe("<\u00a00.1\u00a0%");
+    expect(probability(1)).toBe("100.0\u00a0%");
   });
   it("of chance are told with one digit where they are small", () => {
     expect(chance(6.4e-173)).toBe("p = 6e−173");
-    expect(chance(0)).toBe("p < 1e−300");
+    expect(chance(0)).toBe("p <\u00a01e−300");
     expect(chance(0.0321)).toBe("p = 0.032");
     expect(chance(null)).toBe("not tested");
   });
@@ -49,5 +41,9 @@ describe("figures", () => {
     expect(roundDown125(0.0373)).toBe(0.02);
     expect(roundTicks(0, 1, 5)).toEqual([0, 0.2, 0.4, 0.6, 0.8, 1]);
     expect(roundTicks(-0.021, 0.021, 5)).toEqual([-0.02, -0.01, 0, 0.01, 0.02]);
+    expect(roundTicks(0, 550, 13)).toEqual([0, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500, 550]);
+    expect([0.15, 0.2, 3, 7, 11].map(roundUp125)).toEqual([0.2, 0.2, 5, 10, 20]);
+    expect(rootTicks(6)).toEqual([0, 0.1, 0.5, 1, 2, 5]);
+    expect(symmetric(-2, 1)).toEqual([-2.16, 2.16]);
   });
 });

@@ -1,9 +1,11 @@
 import {describe, expect, it} from "vitest";
 import type {SheetDocument} from "../source/server/documents";
+import {fromPixel, toPixel} from "../../drawing/frames.js";
+import {makeSheetModel, sheetWords, spacedTicks} from "../../drawing/sheet_model.js";
 import {isInside} from "../source/drawing/lasso";
-import {fit, panned, toPixel, toSheet, zoomed} from "../source/sheet/sheet_camera";
-import {bandEdges} from "../source/sheet/colourings";
-import {makeSheetModel, neighbour} from "../source/sheet/sheet_model";
+import {fit, panned, zoomed} from "../source/sheet/sheet_camera";
+import {bandEdges, byState} from "../source/sheet/colourings";
+import {holeName, neighbour} from "../source/sheet/sheet_model";
 
 /** One leg of five rows and eleven columns, seen from below: u = -x. */
 function grid(): SheetDocument {
@@ -26,7 +28,9 @@ function grid(): SheetDocument {
     rows: 5,
     columns: 11,
     viewing_side: "below",
+    view_words: "seen from below",
     leg: "hot",
+    leg_words: "hot leg",
     manway: null,
     holes: {
       row,
@@ -36,8 +40,9 @@ function grid(): SheetDocument {
       z: x.map(() => 0),
       u: x.map((value) => -value),
       v: y,
-      state: x.map(() => 0),
-      states: ["open"],
+      state: x.map((_, i) => (i === 3 ? 1 : 0)),
+      states: ["open", "to-plug"],
+      state_words: ["open", "recommended to plug"],
     },
   };
 }
@@ -54,6 +59,22 @@ describe("a sheet", () => {
     expect(sheet.nearest(40, 40, 0.5)).toBe(-1);
     expect(sheet.find(3, 7)).toBe(2 * 11 + 6);
   });
+  it("ends at the divider plate, a rim beyond its outermost hole", () => {
+    const radius = Math.hypot(5, 6) + 1.4;
+    expect(sheet.plate).toEqual({left: -radius, right: radius, bottom: 0, top: radius});
+    expect(sheet.isLower).toBe(false);
+  });
+  it("is named, with its holes and their states, in the words that it came with", () => {
+    expect(sheetWords(sheet)).toBe("hot leg, seen from below");
+    expect(holeName(sheet, sheet.find(3, 7))).toBe("R3\u00a0C7");
+    expect(byState(sheet).kinds.map(({name}) => name)).toEqual(["open", "recommended to plug"]);
+    expect(byState(sheet).counts).toEqual([54, 1]);
+  });
+  it("writes as many numbers as there is room for", () => {
+    const ticks = Array.from({length: 40}, (_, k) => ({value: k + 1, place: k}));
+    expect(spacedTicks(ticks, 40)).toHaveLength(40);
+    expect(spacedTicks(ticks, 4).map(({value}) => value)).toEqual([10, 20, 30, 40]);
+  });
   it("goes from hole to hole as the picture shows it", () => {
     const middle = sheet.find(3, 6);
     expect(neighbour(sheet, middle, 1, 0)).toBe(sheet.find(3, 5));
@@ -67,20 +88,20 @@ describe("the camera", () => {
   const camera = fit({left: -60, right: 60, bottom: 0, top: 60}, size);
   it("brings a place to a pixel and back", () => {
     const [x, y] = toPixel(camera, size, 12.5, 40);
-    const [u, v] = toSheet(camera, size, x, y);
+    const [u, v] = fromPixel(camera, size, x, y);
     expect(u).toBeCloseTo(12.5, 9);
     expect(v).toBeCloseTo(40, 9);
   });
   it("zooms about the pointer, within limits", () => {
-    const before = toSheet(camera, size, 200, 150);
-    const after = toSheet(zoomed(camera, size, 200, 150, 3, [1, 100]), size, 200, 150);
+    const before = fromPixel(camera, size, 200, 150);
+    const after = fromPixel(zoomed(camera, size, 200, 150, 3, [1, 100]), size, 200, 150);
     expect(after[0]).toBeCloseTo(before[0], 9);
     expect(after[1]).toBeCloseTo(before[1], 9);
     expect(zoomed(camera, size, 0, 0, 1e9, [1, 100]).scale).toBe(100);
   });
   it("moves with the pointer", () => {
-    const before = toSheet(camera, size, 100, 100);
-    const after = toSheet(panned(camera, 30, -20), size, 130, 80);
+    const before = fromPixel(camera, size, 100, 100);
+    const after = fromPixel(panned(camera, 30, -20), size, 130, 80);
     expect(after[0]).toBeCloseTo(before[0], 9);
     expect(after[1]).toBeCloseTo(before[1], 9);
   });

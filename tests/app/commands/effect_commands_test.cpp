@@ -32,12 +32,15 @@ TEST_F(EffectCommands, EveryEffectOfTheCatalogueIsListedWithItsPlaces) {
   expectSays(one.out, "tool.z");
   EXPECT_EQ(one.out.find("hysteresis"), std::string::npos);
   const json listed = json::parse(run("effects " + bench() + " --json -").out);
-  for (const auto& effect : listed["effects"])
+  for (const auto& effect : listed["effects"]) {
+    EXPECT_NE(effect["words"], "") << effect["effect"];
+    EXPECT_FALSE(effect["varies_with"].empty()) << effect["effect"];
     EXPECT_EQ(run("add " + bench() + " '" + effect["effect"].get<std::string>() + "@" +
                   effect["at"].get<std::string>() + "' --out " + path("better.yaml"))
                   .exit_code,
               0)
         << effect["effect"] << effect["at"];
+  }
   const auto wrong = run("effects " + bench() + " backlsh");
   EXPECT_EQ(wrong.exit_code, 2);
   expectSays(wrong.err, "did you mean 'backlash'?");

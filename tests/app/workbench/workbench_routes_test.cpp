@@ -81,6 +81,9 @@ TEST_F(WorkbenchRoutes, sheetAndScene) {
   for (const char* column : {"row", "column", "x", "y", "z", "u", "v", "state"})
     EXPECT_EQ(sheet["holes"][column].size(), holes) << column;
   EXPECT_EQ(sheet["viewing_side"], "below");
+  EXPECT_EQ(sheet["holes"]["state_words"].size(), sheet["holes"]["states"].size());
+  EXPECT_EQ(sheet["leg_words"], "hot leg");
+  EXPECT_EQ(sheet["view_words"], "seen from below");
   EXPECT_NEAR(sheet["holes"]["x"][5].get<double>(), -sheet["holes"]["u"][5].get<double>(), 1e-12);
   EXPECT_NEAR(sheet["holes"]["x"][6].get<double>() - sheet["holes"]["x"][5].get<double>(), 1.0625, 1e-9);
   const json& manway = sheet["manway"];

@@ -13,6 +13,21 @@
 namespace tubeplan::calibration {
 namespace {
 
+TEST(Verdicts, HaveNamesForFilesAndWordsForReaders) {
+  EXPECT_EQ(std::string(nameOf(Verdict::kPartlyExplained)), "partly-explained");
+  EXPECT_EQ(std::string(wordsOf(Verdict::kAdequate)), "Adequate: nothing is missing");
+  for (const Verdict verdict : {Verdict::kNotRun, Verdict::kAdequate, Verdict::kExplained, Verdict::kPartlyExplained,
+                                Verdict::kAmbiguous, Verdict::kUnexplained, Verdict::kInconclusive, Verdict::kStopped})
+    EXPECT_GT(std::string(wordsOf(verdict)).size(), 3U) << nameOf(verdict);
+}
+
+TEST(Causes, AreWhatTheirEffectIsOrFreedNumbers) {
+  EXPECT_EQ(std::string(causeWords("base-slip")), "the base has slipped once");
+  EXPECT_EQ(std::string(causeWords(kFreedNumbers)), "a number of the arm's file is off");
+  EXPECT_EQ(causeVariables("cable-stretch"), (std::vector<std::string>{"moment", "sense"}));
+  EXPECT_TRUE(causeVariables(kFreedNumbers).empty());
+}
+
 DiagnosisOptions optionsFor(const app::Cell& cell) {
   DiagnosisOptions options;
   options.baseline.free = {cell.identify, false};

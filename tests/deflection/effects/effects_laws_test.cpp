@@ -33,9 +33,13 @@ TEST(EffectsTable, HoldsTheNamesOfTheCatalogue) {
 }
 
 TEST(EffectsTable, EveryRowIsWhole) {
+  std::set<std::string> words;
   for (const EffectKind& kind : effectKinds()) {
-    for (const char* text : {kind.law, kind.validity, kind.source})
+    for (const char* text : {kind.words, kind.law, kind.validity, kind.source})
       EXPECT_GT(std::string(text).size(), 3U) << kind.name;
+    EXPECT_TRUE(words.insert(kind.words).second) << kind.name;
+    EXPECT_EQ(kind.varies_with.empty(), std::string(kind.name) == "formula") << kind.name;
+    for (const EffectVariable variable : kind.varies_with) EXPECT_NE(std::string(nameOf(variable)), "") << kind.name;
     EXPECT_EQ(kind.at == PlaceRule::kWord, *kind.word != 0) << kind.name;
     if (std::string(kind.name) == "formula") {
       EXPECT_TRUE(kind.parameters.empty());

@@ -5,7 +5,7 @@ import {useEffect, useRef} from "preact/hooks";
 import {Vector3} from "three";
 import {palette} from "../drawing/colours";
 import {MarkIcon} from "../drawing/marks";
-import {fixed, short, whole} from "../drawing/numbers";
+import {fixed, short, whole} from "../../../drawing/numbers.js";
 import {sceneDocument, units} from "../server/workbench";
 import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";

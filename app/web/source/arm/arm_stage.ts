@@ -141,7 +141,8 @@ export class ArmStage {
     }
     if (sheet) this.statics.add(plateOf(sheet, palette));
     else this.statics.add(floorOf(palette));
-    if (sheet?.manway) this.statics.add(openingOf(sheet.manway.center, sheet.manway.diameter, colours));
+    const {center, diameter} = sheet?.manway ?? {};
+    if (center && diameter) this.statics.add(openingOf(center, diameter, colours));
     this.replaceArms(document, palette);
     this.reach = reachOf(sheet);
     this.focus.set(0, sheet?.isOneLeg ? 0.42 * this.reach : 0, sheet ? -0.38 * this.reach : 25);

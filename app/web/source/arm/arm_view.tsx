@@ -2,7 +2,7 @@
 import {Segments} from "../drawing/segments";
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {fixed} from "../drawing/numbers";
+import {fixed} from "../../../drawing/numbers.js";
 import type {JointInfo, TipPose} from "../server/documents";
 import {cell, report, units} from "../server/workbench";
 import {picked, sheet} from "../shell/page_state";

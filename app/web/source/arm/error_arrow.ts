@@ -1,7 +1,7 @@
 // A reading's errors in the 3-D picture: arrows from the tip, drawn larger by a round factor, so that they are seen.
 import {ArrowHelper, Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type LineBasicMaterial} from "three";
 import type {Palette} from "../drawing/colours";
-import {roundDown125} from "../drawing/numbers";
+import {roundDown125} from "../../../drawing/scales.js";
 import type {ShownReading} from "./pose_link";
 
 /** Of the picture's reach: how long the larger error is drawn at most. */

@@ -12,7 +12,7 @@ import {
   Vector3,
 } from "three";
 import type {Palette} from "../drawing/colours";
-import {roundDown125} from "../drawing/numbers";
+import {roundDown125} from "../../../drawing/scales.js";
 import type {ReadingErrors} from "../error/residuals";
 
 /** Of the picture's reach: how long an error is drawn that nine of ten are not beyond. */

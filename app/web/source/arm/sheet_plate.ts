@@ -25,9 +25,9 @@ const FACE = 2048;
 /** The sheet's lower face; its holes are one picture laid on it, smooth at any angle and cheap for every processor. */
 export function plateOf(sheet: SheetModel, palette: Palette): Object3D {
   const group = new Group();
-  const isBelow = sheet.extent.top <= 0.25 * Math.abs(sheet.extent.bottom);
   const outline = new Shape();
-  if (sheet.isOneLeg) outline.absarc(0, 0, sheet.radius, isBelow ? Math.PI : 0, isBelow ? 2 * Math.PI : Math.PI, false);
+  if (sheet.isOneLeg)
+    outline.absarc(0, 0, sheet.radius, sheet.isLower ? Math.PI : 0, sheet.isLower ? 2 * Math.PI : Math.PI, false);
   else outline.absarc(0, 0, sheet.radius, 0, 2 * Math.PI, false);
   const face = new ShapeGeometry(outline, 64);
   const places = face.getAttribute("position"),

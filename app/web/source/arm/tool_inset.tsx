@@ -2,11 +2,11 @@
 // off it is.
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
-import {fixed} from "../drawing/numbers";
+import {fixed} from "../../../drawing/numbers.js";
 import type {PoseDocument} from "../server/documents";
 import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
-import {STEP_KINDS} from "../sheet/colourings";
+import {stepKinds} from "../sheet/colourings";
 import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
@@ -28,7 +28,8 @@ export function ToolInset() {
   }, [centring, palette.value]);
   const hole = poseRequest.hole.value;
   const name = hole >= 0 && sheet.value ? holeName(sheet.value, hole) : "no hole picked";
-  const kind = centring?.steps !== null && centring?.steps !== undefined ? STEP_KINDS[centring.steps] : null;
+  const kinds = stepKinds(sheetDocument.value.document?.tool?.step_words);
+  const kind = kinds[centring?.steps ?? -1];
   return (
     <section class="inset" aria-label="The tool under the hole">
       <header>

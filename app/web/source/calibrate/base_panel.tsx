@@ -1,5 +1,6 @@
 // Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
-import {fixed, isNumber, short, valueAndSigma} from "../drawing/numbers";
+import {fixed, isNumber, short} from "../../../drawing/numbers.js";
+import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
 import {units} from "../server/workbench";
 import {ProblemWords} from "../shell/states";
 import {Covariance} from "./covariance";
@@ -38,7 +39,7 @@ export function BasePanel() {
         <h2>Base</h2>
         <div class="end">
           <span class={isShort ? "bad" : "muted"}>
-            {isShort ? "▲ " : ""}rms {short(document.rms)} {length}
+            {isShort ? MARKED : ""}rms {short(document.rms)} {length}
           </span>
         </div>
       </header>
@@ -114,15 +115,12 @@ export function BasePanel() {
   );
 }
 
-/** From so many sigmas on what is left at a touch is marked. */
-const MANY_SIGMAS = 4;
-
 function Left({value, sigma}: {value: number; sigma: number}) {
   const times = Math.abs(value) / sigma;
-  const isBad = times >= MANY_SIGMAS;
+  const isBad = times > TOUCH_SIGMAS;
   return (
     <td class={`number ${isBad ? "bad" : ""}`} title={isNumber(times) ? `${short(times)} sigmas` : ""}>
-      {isBad ? "▲ " : ""}
+      {isBad ? MARKED : ""}
       {valueAndSigma(value, sigma)[0]}
     </td>
   );

@@ -1,5 +1,5 @@
 // A covariance as the correlations that it holds: squares as large as they are strong, told apart by sign in colour and shape.
-import {fixed} from "../drawing/numbers";
+import {fixed} from "../../../drawing/numbers.js";
 
 const NAMES = ["x", "y", "z", "about x", "about y", "about z"];
 

@@ -1,6 +1,6 @@
 // The list of touches: made, proposed, and the hole that is picked; joints are entered or simulated.
 import {Icon} from "../drawing/icons";
-import {fixed} from "../drawing/numbers";
+import {fixed} from "../../../drawing/numbers.js";
 import {remove} from "../server/requests";
 import {cell, order, report, runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";

@@ -5,7 +5,7 @@ import {MarkIcon} from "../drawing/marks";
 import {runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
 import {byField, byState} from "../sheet/colourings";
-import {toPixel} from "../sheet/sheet_camera";
+import {toPixel} from "../../../drawing/frames.js";
 import type {PaintOver} from "../sheet/sheet_drawing";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
 import {SheetPanel} from "../sheet/with_sheet";

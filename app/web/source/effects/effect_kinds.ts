@@ -12,6 +12,7 @@ export interface EffectPlace {
 
 export interface EffectKind {
   effect: string;
+  words: string;
   law: string;
   validity: string;
   source: string;
@@ -46,15 +47,11 @@ export function kindsOf(
   return [...kinds.values()];
 }
 
-/** Words are looked for in the name, the law and the places; all must be there. */
-export function filteredKinds(
-  kinds: readonly EffectKind[],
-  text: string,
-  wordsOf: (effect: string) => string,
-): EffectKind[] {
+/** Words are looked for in the name, what it is, the law and the places; all must be there. */
+export function filteredKinds(kinds: readonly EffectKind[], text: string): EffectKind[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  return kinds.filter(({effect, law, places}) => {
-    const all = `${effect} ${wordsOf(effect)} ${law} ${places.map(({at}) => at).join(" ")}`.toLowerCase();
+  return kinds.filter((kind) => {
+    const all = [kind.effect, kind.words, kind.law, ...kind.places.map(({at}) => at)].join(" ").toLowerCase();
     return words.every((word) => all.includes(word));
   });
 }

@@ -1,9 +1,8 @@
 // The effects that this arm can have: laws, numbers with their usual sizes, places, and which of them the readings that
 // are open could hardly tell from one another.
 import {computed, effect as follow, signal} from "@preact/signals";
-import {isNumber, percent, plural, short} from "../drawing/numbers";
+import {isNumber, percent, plural, short} from "../../../drawing/numbers.js";
 import {currentDiagnosis} from "../error/loop";
-import {effectWords} from "../error/words";
 import type {CatalogueDocument, TwinsDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {cell, report, state} from "../server/workbench";
@@ -50,7 +49,7 @@ const kinds = computed(() =>
 
 export function EffectsView() {
   if (!catalogue.value) return <Waiting words="Asking for the effects of this arm" isBusy />;
-  const shown = filteredKinds(kinds.value, filter.value, effectWords);
+  const shown = filteredKinds(kinds.value, filter.value);
   const kind = shown.find(({effect}) => effect === chosen.value) ?? shown[0];
   return (
     <div class="effects-view">
@@ -78,7 +77,7 @@ export function EffectsView() {
                   onClick={() => (chosen.value = entry.effect)}
                 >
                   <b>{entry.effect}</b>
-                  <span class="muted">{effectWords(entry.effect)}</span>
+                  <span class="muted">{entry.words}</span>
                   <small class="muted">{plural(entry.places.length, "place")}</small>
                 </button>
               </li>
@@ -112,7 +111,7 @@ function KindPanel({kind}: {kind: EffectKind}) {
     <section class="panel">
       <header>
         <h2>{kind.effect}</h2>
-        <span class="muted clip">{effectWords(kind.effect)}</span>
+        <span class="muted clip">{kind.words}</span>
       </header>
       <div class="panel-body effect-kind">
         <p class="law">{kind.law}</p>

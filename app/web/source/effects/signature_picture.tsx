@@ -1,7 +1,8 @@
 // What an effect does to the tip of this arm, drawn against what it follows.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {roundTicks, short, unitText} from "../drawing/numbers";
+import {short, unitText} from "../../../drawing/numbers.js";
+import {roundTicks} from "../../../drawing/scales.js";
 import type {SignatureDocument} from "../server/documents";
 import {get} from "../server/requests";
 

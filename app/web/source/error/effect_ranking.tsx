@@ -1,16 +1,26 @@
 // What could be missing: the answer with its Add, then every effect that was tried, most probable first.
-import {isNumber, probability, short, withSigma} from "../drawing/numbers";
+import {
+  effectTitle,
+  explanationsOf,
+  explanationTitle,
+  explanationWords,
+  isEnough,
+  sizeText,
+} from "../../../drawing/explanations.js";
+import {isNumber, short} from "../../../drawing/numbers.js";
+import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
 import {chosenExplanation} from "./residuals";
-import {effectTitle, effectWords, explanationTitle, isEnough, keptText, sizeText} from "./words";
 
-const MOST_RANKED = 14;
+type Shown = Pick<Explanation, "effects"> & Partial<Explanation>;
+type Row = ReturnType<typeof rankingRows<RankedEffect>>[number];
 
 export function EffectRanking({document}: {document: DiagnoseDocument}) {
-  const explanations = explanationsOf(document);
-  const ranking = document.ranking.slice(0, MOST_RANKED);
+  const explanations: Shown[] = explanationsOf(document);
+  const rows = rankingRows(document.ranking);
+  const others = rows.slice(MOST_RANKED);
   return (
     <div class="ranking">
       {explanations.map((explanation, index) => (
@@ -22,27 +32,14 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
           letter={explanations.length > 1 ? String.fromCharCode(65 + index) : ""}
         />
       ))}
-      <table>
-        <thead>
-          <tr>
-            <th>effect</th>
-            <th>probability</th>
-            <th class="number">chi² falls by</th>
-            <th>size</th>
-            <th />
-          </tr>
-        </thead>
-        <tbody>
-          {ranking.map((effect) => (
-            <RankedRow key={effectTitle(effect)} effect={effect} />
-          ))}
-        </tbody>
-      </table>
-      <p class="muted note">
-        {document.ranking.length} causes were tried, each alone and with others; that nothing is missing has probability{" "}
-        {probability(document.probability.nothing_missing)}, that no known effect is part of it{" "}
-        {probability(document.probability.unknown_alone)}.
-      </p>
+      <RankingTable rows={rows.slice(0, MOST_RANKED)} />
+      {others.length > 0 ? (
+        <details>
+          <summary class="muted">the other {others.length}</summary>
+          <RankingTable rows={others} />
+        </details>
+      ) : null}
+      <p class="muted note">{triedText(document)}</p>
       {document.not_tried.length > 0 ? (
         <ul class="muted note">
           {document.not_tried.map((lack) => (
@@ -54,23 +51,30 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   );
 }
 
+function RankingTable({rows}: {rows: Row[]}) {
+  return (
+    <table>
+      <thead>
+        <tr>
+          <th>effect</th>
+          <th>probability</th>
+          <th class="number">chi² falls by</th>
+          <th>size</th>
+          <th />
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((row) => (
+          <RankedRow key={row.title} row={row} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
 /** Whether the model as it is now has this effect. */
 function hasEffect(effect: EffectAt): boolean {
   return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
-}
-
-/** Every alternative: those that were drawn with their figures first, then the others by name and size. */
-function explanationsOf(document: DiagnoseDocument): Explanation[] {
-  const drawn = document.explanations ?? [];
-  const titles = new Set(drawn.map(explanationTitle));
-  const others = (document.alternatives ?? []).map((effects) => ({
-    effects,
-    chi2: NaN,
-    p_value: NaN,
-    rms: NaN,
-    heldout_rms: null,
-  }));
-  return [...drawn, ...others.filter((other) => !titles.has(explanationTitle(other)))];
 }
 
 function ExplanationCard({
@@ -79,7 +83,7 @@ function ExplanationCard({
   document,
   letter,
 }: {
-  explanation: Explanation;
+  explanation: Shown;
   index: number;
   document: DiagnoseDocument;
   letter: string;
@@ -93,11 +97,7 @@ function ExplanationCard({
       {letter ? <b class="letter">{letter}</b> : null}
       <div class="explanation-words">
         <b>{explanationTitle(explanation)}</b>
-        <span class="muted">
-          {isEnough(explanation)
-            ? explanation.effects.map((effect) => effectWords(effect.effect)).join("; ")
-            : "the closest of the known effects, but not enough"}
-        </span>
+        <span class="muted">{explanationWords(explanation)}</span>
         {explanation.effects
           .filter((effect) => (effect.also ?? []).length > 0)
           .map((effect) => (
@@ -139,11 +139,10 @@ function ExplanationCard({
   );
 }
 
-function RankedRow({effect}: {effect: RankedEffect}) {
-  const share = Math.max(0, Math.min(1, effect.probability ?? 0));
-  const hint = [effectWords(effect.effect), keptText(effect.kept_fraction)].filter((text) => text !== "").join("; ");
+function RankedRow({row}: {row: Row}) {
+  const {entry: effect, title, words, kept, probability, fall, size} = row;
   return (
-    <tr title={hint}>
+    <tr title={[words, kept].filter((text) => text !== "").join("; ")}>
       <td class="effect-name">
         {effect.effect}
         <small>{effect.at}</small>
@@ -151,16 +150,14 @@ function RankedRow({effect}: {effect: RankedEffect}) {
       <td>
         <span class="chance">
           <span class="chance-bar">
-            <i style={{width: `${100 * share}%`}} />
+            <i style={{width: `${100 * probability.share}%`}} />
           </span>
-          {probability(effect.probability)}
+          {probability.text}
         </span>
       </td>
-      <td class="number">{short(effect.chi2_fall)}</td>
+      <td class="number">{fall.text}</td>
       <td class="size">
-        {effect.size
-          ? `${effect.size.name.replaceAll("_", " ")} ${withSigma(effect.size.value, effect.size.sigma, effect.size.unit)}`
-          : "–"}
+        {size.name} {size.text}
       </td>
       <td class="number">
         {hasEffect(effect) ? (
@@ -169,7 +166,7 @@ function RankedRow({effect}: {effect: RankedEffect}) {
           <button
             class="button small"
             disabled={runningJob("add") !== null}
-            aria-label={`Add ${effectTitle(effect)}`}
+            aria-label={`Add ${title}`}
             onClick={() => addEffects([effect])}
           >
             Add

@@ -2,8 +2,12 @@
 import {computed, signal} from "@preact/signals";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
-import {MarkIcon} from "../drawing/marks";
-import {isNumber, plural, short} from "../drawing/numbers";
+import {explanationTitle} from "../../../drawing/explanations.js";
+import {verdictMark} from "../../../drawing/kinds.js";
+import {MARKED} from "../../../drawing/sigma_text.js";
+import {comparisonItems, sentencesOf, verdictItems} from "../../../drawing/verdict_items.js";
+import {MarkIcon, type Mark} from "../drawing/marks";
+import {isNumber, plural, short} from "../../../drawing/numbers.js";
 import type {DiagnoseDocument} from "../server/documents";
 import {currentModel, runningJob, state, units} from "../server/workbench";
 import {dialog} from "../shell/page_state";
@@ -29,30 +33,29 @@ import {ReadingChecks} from "./reading_checks";
 import {ResidualPlot} from "./residual_plot";
 import {SelectionBar} from "./selection_bar";
 import {Splitting} from "./splitting";
-import {comparisonItems, sentencesOf, verdictItems} from "./verdict_words";
-import {explanationTitle, verdictOf, type Verdict} from "./words";
 
 type Tab = "effects" | "split" | "formula" | "numbers";
 const tab = signal<Tab>("effects");
 
 interface Answer {
-  verdict: Verdict;
+  words: string;
+  mark: Mark;
   items: string[];
+}
+
+function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: string}, items: string[]): Answer {
+  return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items};
 }
 
 /** What the top of the view says: of the newest document about the model as it is now. */
 const answer = computed<Answer | null>(() => {
   const diagnosed = currentDiagnosis.value,
     compared = currentComparison.value;
-  if (diagnosed) return {verdict: verdictOf(diagnosed.verdict), items: verdictItems(diagnosed)};
+  if (diagnosed) return answerOf(diagnosed, verdictItems(diagnosed));
   const fallen = fallOfError();
-  const isShort = compared !== null && compared.verdict !== "adequate";
-  if (fallen)
-    return {
-      verdict: isShort ? verdictOf(compared.verdict) : fallen.verdict,
-      items: [...fallen.items, ...(isShort ? comparisonItems(compared).slice(1) : [])],
-    };
-  return compared ? {verdict: verdictOf(compared.verdict), items: comparisonItems(compared)} : null;
+  if (fallen && compared && compared.verdict !== "adequate")
+    return answerOf(compared, [...fallen.items, ...comparisonItems(compared).slice(1)]);
+  return fallen ?? (compared ? answerOf(compared, comparisonItems(compared)) : null);
 });
 
 /** How the last change of the model has changed the error, where the ladder knows. */
@@ -67,7 +70,8 @@ function fallOfError(): Answer | null {
   const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
   const verb = now.heldout < before.heldout ? "fell" : "rose";
   return {
-    verdict: isAtFloor ? {...verdictOf("adequate"), words: "At the noise floor"} : verdictOf("falls-short"),
+    words: isAtFloor ? "At the noise floor" : "Above the noise floor",
+    mark: verdictMark(isAtFloor ? "adequate" : "falls-short"),
     items: sentencesOf(
       `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${verb} from ${short(before.heldout)} to ` +
         `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
@@ -118,9 +122,9 @@ function VerdictBand() {
   const document = currentDiagnosis.value ?? currentComparison.value;
   return (
     <section class="panel verdict" aria-live="polite">
-      {now ? <MarkIcon mark={now.verdict.mark} size={34} /> : <span class="verdict-space" />}
+      {now ? <MarkIcon mark={now.mark} size={34} /> : <span class="verdict-space" />}
       <div class="verdict-words">
-        <h1>{now?.verdict.words ?? (job ? "Working" : "Not compared yet")}</h1>
+        <h1>{now?.words ?? (job ? "Working" : "Not compared yet")}</h1>
         {now ? (
           <ul>
             {now.items.map((item) => (
@@ -157,7 +161,7 @@ function Misfit({chi2}: {chi2: number | null | undefined}) {
   const isBad = chi2 >= TWICE;
   return (
     <span class={isBad ? "bad" : ""} title={`errors are ${short(Math.sqrt(chi2))} times the stated noise`}>
-      {isBad ? "▲ " : ""}
+      {isBad ? MARKED : ""}
       {short(chi2)}
     </span>
   );
@@ -209,7 +213,7 @@ function NextStep({isBusy}: {isBusy: boolean}) {
         Compare
       </button>
     );
-  const isDone = answer.value.verdict.mark === verdictOf("adequate").mark;
+  const isDone = answer.value.mark === verdictMark("adequate");
   return (
     <button
       class={`button large next ${isDone ? "" : "first"}`}

@@ -4,7 +4,6 @@ import type {CatalogueDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {cell, report, runningJob} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
-import {effectWords} from "./words";
 
 /** Kept over changes of view. */
 export const formulaText = signal("");
@@ -89,7 +88,7 @@ function CatalogueMenu() {
       >
         Add
       </button>
-      <p class="muted reserve">{effect ? `${effectWords(effect.effect)}. ${effect.law ?? ""}` : ""}</p>
+      <p class="muted reserve">{effect ? `${effect.words}. ${effect.law}` : ""}</p>
     </div>
   );
 }

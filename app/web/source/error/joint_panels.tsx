@@ -1,7 +1,7 @@
 // Joint by joint: small pictures of the error as that of each joint, the loudest framed. One look says where.
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
-import {chance, isNumber, short} from "../drawing/numbers";
+import {chance, isNumber, short} from "../../../drawing/numbers.js";
 import {cell, sceneDocument} from "../server/workbench";
 import {binnedMeans} from "./binned";
 import {chosenPart, chosenVariable, parts, shownView, variables} from "./focus";

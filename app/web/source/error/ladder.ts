@@ -1,10 +1,8 @@
-// The ladder of errors as figures: its rungs, and where the axis of its bars ends.
-import type {LadderDocument} from "../server/documents";
+// The ladder of errors as figures: its rungs, and whether a model is accepted.
+import {rungNames, type Rung as BareRung} from "../../../drawing/ladder.js";
+import type {CompareDocument, LadderDocument} from "../server/documents";
 
-export interface Rung {
-  name: string;
-  fitted: number | null;
-  heldout: number | null;
+export interface Rung extends BareRung {
   /** The largest error: held out, else fitted. */
   worst: number | null;
   /** Of so many holes, in how many every step of the tool would go in; null where there is no sheet. */
@@ -17,15 +15,11 @@ export interface Ladder {
   unit: string;
 }
 
-/** Model names as files are long: their last part tells them apart. */
-export function rungName(name: string): string {
-  return name.replace(/^.*\//, "").replace(/\.yaml\b/, "");
-}
-
 export function ladderOf(document: LadderDocument): Ladder {
+  const names = rungNames(document.rungs.map(({name}) => name));
   return {
-    rungs: document.rungs.map((rung) => ({
-      name: rungName(rung.name),
+    rungs: document.rungs.map((rung, k) => ({
+      name: names[k],
       fitted: rung.rms.fitted,
       heldout: rung.rms.heldout,
       worst: rung.worst.heldout ?? rung.worst.fitted,
@@ -33,6 +27,21 @@ export function ladderOf(document: LadderDocument): Ladder {
     })),
     floor: document.rungs.at(-1)?.rms.noise_floor ?? null,
     unit: document.units.length,
+  };
+}
+
+/** Of a comparison alone: the model as it stands, and refitted. */
+export function ladderOfComparison({ladder, rms, units}: CompareDocument): Ladder {
+  return {
+    rungs: (ladder ?? []).map((rung) => ({
+      name: rung.name,
+      fitted: rung.rms,
+      heldout: rung.heldout_rms,
+      worst: null,
+      centred: null,
+    })),
+    floor: rms.noise_floor,
+    unit: units.length,
   };
 }
 
@@ -44,12 +53,4 @@ export function acceptanceOf(rung: Rung, tolerance: number | null): Acceptance |
   if (tolerance === null || rms === null || rung.worst === null) return null;
   if (rung.worst <= tolerance) return "accepted";
   return rms <= tolerance ? "in part" : "rejected";
-}
-
-/** Where the axis ends: at the largest error, unless that would press the others against the left. */
-export function axisEnd(rungs: readonly Rung[], floor: number | null): number {
-  const errors = rungs.map((rung) => Math.max(rung.fitted ?? 0, rung.heldout ?? 0));
-  const others = Math.max(floor ?? 0, ...errors.slice(1));
-  const largest = Math.max(floor ?? 0, ...errors) || 1;
-  return errors.length > 1 && others > 0 && largest > 4 * others ? 1.7 * others : 1.06 * largest;
 }

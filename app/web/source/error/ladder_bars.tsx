@@ -1,12 +1,11 @@
 // The ladder: the error of each model, fitted and held out, falling towards the noise floor.
 import {signal} from "@preact/signals";
-import {fixed, short} from "../drawing/numbers";
+import {short} from "../../../drawing/numbers.js";
 import {cell, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
-import {type Acceptance, acceptanceOf, axisEnd, ladderOf, type Ladder, type Rung} from "./ladder";
+import {axisEnd, barOf, floorText, LADDER_WORDS, timesFloor} from "../../../drawing/ladder.js";
+import {type Acceptance, acceptanceOf, ladderOf, ladderOfComparison, type Ladder, type Rung} from "./ladder";
 import {compare, ladder} from "./loop";
-
-const UNJUDGED = {worst: null, centred: null};
 
 // ---- the tolerance: the user's, one for each cell, kept in this browser
 
@@ -30,15 +29,7 @@ function setTolerance(text: string): void {
 function shownLadder(): Ladder | null {
   if (ladder.value.document) return ladderOf(ladder.value.document);
   const document = compare.value.document;
-  if (!document) return null;
-  return {
-    rungs: [
-      {...UNJUDGED, name: "as the model stands", fitted: document.rms.before, heldout: document.rms.heldout_before},
-      {...UNJUDGED, name: "refitted", fitted: document.rms.after, heldout: document.rms.heldout_after},
-    ],
-    floor: document.rms.noise_floor,
-    unit: document.units.length,
-  };
+  return document ? ladderOfComparison(document) : null;
 }
 
 export function LadderBars() {
@@ -54,9 +45,7 @@ export function LadderBars() {
         {floor !== null && (
           <div class="ladder-floor">
             <i style={{left: `${(100 * floor) / end}%`}}>
-              <span>
-                noise floor {short(floor)} {unit}
-              </span>
+              <span title={LADDER_WORDS.floor}>{floorText(floor, unit)}</span>
             </i>
           </div>
         )}
@@ -76,7 +65,10 @@ export function LadderBars() {
         ))}
       </div>
       <p class="ladder-legend">
-        <i class="swatch fitted" /> fitted <i class="swatch heldout" /> held out: judged by a fit that has not seen it
+        <span title={LADDER_WORDS.fitted}>
+          <i class="swatch fitted" /> fitted
+        </span>
+        <i class="swatch heldout" /> {LADDER_WORDS.heldout}
         <label class="tolerance">
           tolerance
           <input
@@ -137,14 +129,14 @@ function Bar({
   unit: string;
 }) {
   if (value === null || value === undefined) return null;
-  const times = floor ? `${fixed(value / floor, value / floor < 10 ? 2 : 0)} × floor` : "";
+  const {share, isCut} = barOf(value, end);
   return (
     <>
       <div class="bar-line">
-        <div class={`bar ${kind} ${value > end ? "cut" : ""}`} style={{width: `${100 * Math.min(1, value / end)}%`}} />
+        <div class={`bar ${kind} ${isCut ? "cut" : ""}`} style={{width: `${100 * share}%`}} />
       </div>
       <span class="bar-text">
-        {short(value)} {unit} <small>{times}</small>
+        {short(value)} {unit} <small>{timesFloor(value, floor)}</small>
       </span>
     </>
   );

@@ -2,40 +2,7 @@
 // may hang on, the one that what the cause does at these readings follows most.
 import type {EffectAt, Vector3} from "../server/documents";
 import {jointKey, type Part} from "./parts";
-import type {Variable, VariableKind} from "./variables";
-
-/** What the law of each effect hangs on, the plainest first; any that is not here may hang on anything. */
-export const LIVES_ON: Record<string, VariableKind[]> = {
-  "joint-offset": ["joint"],
-  "joint-scale": ["joint"],
-  "encoder-eccentricity": ["joint"],
-  "transmission-error": ["joint"],
-  "gear-wave": ["joint"],
-  "joint-coupling": ["joint"],
-  hysteresis: ["sense"],
-  "link-length": ["joint"],
-  "link-twist": ["joint"],
-  "tool-offset": ["joint"],
-  "gravity-tilt": ["joint"],
-  "hose-pull": ["joint"],
-  "payload-offset": ["load"],
-  "link-weight": ["joint", "moment"],
-  "tool-weight": ["joint", "moment"],
-  "contact-force": ["joint", "moment"],
-  "gravity-sag": ["joint", "moment"],
-  "joint-compliance": ["moment"],
-  "link-bending": ["moment"],
-  "link-torsion": ["moment"],
-  stiffening: ["moment"],
-  backlash: ["moment"],
-  "cable-stretch": ["moment", "sense"],
-  "slide-bending": ["moment", "joint"],
-  "thermal-growth": ["temperature"],
-  "base-slip": ["time"],
-  "base-drift": ["time"],
-  "scale-error": ["position"],
-  "tool-remount": ["set-up"],
-};
+import type {Variable} from "./variables";
 
 const BINS = 12;
 
@@ -90,15 +57,20 @@ function ownMoments({at}: EffectAt, variables: readonly Variable[]): Variable[] 
   return variables.filter((variable) => variable.key === key || new RegExp(`^${key}_[xyz]$`).test(variable.key));
 }
 
+/** A user's own law stands in the place of its place: "theta2 += c*sin(theta1)". */
+function isLaw({at}: EffectAt): boolean {
+  return at.includes("+=");
+}
+
 /** The variables that a cause's law may hang on, the named ones of a formula or a coupling first. */
 function candidates(effect: EffectAt, variables: readonly Variable[]): Variable[] {
   const driver = effect.at.split("<-")[1];
   if (driver) return variables.filter((variable) => variable.key === driver);
-  if (effect.effect === "formula") {
+  if (isLaw(effect)) {
     const words = new Set(effect.at.match(/[A-Za-z_]\w*/g) ?? []);
     return variables.filter((variable) => words.has(variable.key));
   }
-  const kinds = LIVES_ON[effect.effect] ?? [];
+  const kinds = effect.varies_with ?? [];
   const own = variables.find((variable) => variable.key === effect.at);
   if (own && kinds.includes(own.kind)) return [own];
   const moments = kinds[0] === "moment" ? ownMoments(effect, variables) : [];

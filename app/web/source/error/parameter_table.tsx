@@ -1,5 +1,6 @@
 // What the last fit found, each number with its interval and a word on whether it can be told.
-import {exact, valueAndSigma} from "../drawing/numbers";
+import {exact} from "../../../drawing/numbers.js";
+import {valueAndSigma} from "../../../drawing/sigma_text.js";
 import type {IdentifyDocument} from "../server/documents";
 
 export function ParameterTable({document}: {document: IdentifyDocument}) {

@@ -5,7 +5,9 @@ import {effect as follow, signal, type Signal} from "@preact/signals";
 import type {RefObject} from "preact";
 import type uPlot from "uplot";
 import {palette} from "../drawing/colours";
-import {exact, fixed, isNumber, short} from "../drawing/numbers";
+import {conditionsOf} from "../../../drawing/conditions.js";
+import {isNumber, short} from "../../../drawing/numbers.js";
+import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import {cell, units} from "../server/workbench";
 import {followLasso, isInside, type Loop} from "../drawing/lasso";
 import {pickOut, pickedOut, pointed} from "./linked";
@@ -167,12 +169,9 @@ export function PointedReading({place, errors}: {place: Signal<Place>; errors: R
   );
 }
 
-const MANY = 5;
-const DIRECTIONS = ["↓", "", "↑"];
-
 export function ReadingWords({errors, index}: {errors: ReadingErrors; index: number}) {
   const reading = errors.readings[index];
-  const joints = cell.value?.joints ?? [];
+  const joints = errors.joints.map((name, k) => ({name, unit: cell.value?.joints[k]?.unit}));
   return (
     <>
       <b>
@@ -181,30 +180,14 @@ export function ReadingWords({errors, index}: {errors: ReadingErrors; index: num
         {reading.held_out ? ", held out" : ""}
       </b>
       <dl>
-        {errors.joints.map((name, k) => (
+        {conditionsOf(reading, joints, units.value).map(({name, figure, unit, sense}) => (
           <>
             <dt>{name}</dt>
             <dd>
-              {fixed(reading.joints[k], 2)} {joints[k]?.unit} {DIRECTIONS[(reading.senses?.[k] ?? 0) + 1]}
+              {figure} {unit} {sense}
             </dd>
           </>
         ))}
-        {isNumber(reading.load) ? (
-          <>
-            <dt>load</dt>
-            <dd>
-              {exact(reading.load)} {units.value.force}
-            </dd>
-          </>
-        ) : null}
-        {reading.force ? (
-          <>
-            <dt>force</dt>
-            <dd>
-              {reading.force.map(exact).join("  ")} {units.value.force}
-            </dd>
-          </>
-        ) : null}
         {errors.series.map((series, k) => (
           <>
             <dt>{k === 0 ? "before" : "after"}</dt>
@@ -222,11 +205,11 @@ export function ReadingWords({errors, index}: {errors: ReadingErrors; index: num
 /** An error with its sigmas; more than five are marked, with a sign beside the colour. */
 export function ErrorWords({error, sigmas}: {error: number[] | null; sigmas: number | undefined}) {
   if (!error) return <>–</>;
-  const isBad = isNumber(sigmas) && sigmas > MANY;
+  const {text, isMany} = sigmasText(sigmas, READING_SIGMAS);
   return (
     <>
       {short(Math.hypot(...error))} {units.value.length}
-      {isNumber(sigmas) ? <span class={isBad ? "bad" : ""}>{` ${isBad ? "▲ " : ""}${fixed(sigmas, 1)} σ`}</span> : null}
+      {isNumber(sigmas) ? <span class={isMany ? "bad" : ""}>{` ${text} σ`}</span> : null}
     </>
   );
 }

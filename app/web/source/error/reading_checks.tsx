@@ -1,6 +1,6 @@
 // What looked wrong with the readings when they were opened: one line for each, and how to mend it.
 import {MarkIcon, type Mark} from "../drawing/marks";
-import {short} from "../drawing/numbers";
+import {short} from "../../../drawing/numbers.js";
 import type {ReadingCheck, ReadingsInfo} from "../server/state_documents";
 import {units} from "../server/workbench";
 

@@ -1,6 +1,6 @@
 // Marks on readings: set aside or held out, and taken back, as steps that can be undone while nothing else has changed.
 import {computed, signal} from "@preact/signals";
-import {plural} from "../drawing/numbers";
+import {plural} from "../../../drawing/numbers.js";
 import type {WorkbenchState} from "../server/documents";
 import {post} from "../server/requests";
 import {report, runningJobs, state, stopJob, takeState} from "../server/workbench";

@@ -1,5 +1,5 @@
 // The readings as rows of a table: everything that is said of one, what is searched, and in which order.
-import {isNumber} from "../drawing/numbers";
+import {isNumber} from "../../../drawing/numbers.js";
 import type {MeasurementRow, Vector3} from "../server/documents";
 import type {ReadingErrors} from "./residuals";
 

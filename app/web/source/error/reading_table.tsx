@@ -2,7 +2,9 @@
 // the page, so that thousands cost nothing.
 import {computed, effect as follow, signal} from "@preact/signals";
 import {useEffect, useMemo, useRef} from "preact/hooks";
-import {exact, fixed, isNumber, plural, short} from "../drawing/numbers";
+import {senseArrow} from "../../../drawing/conditions.js";
+import {exact, fixed, plural, short} from "../../../drawing/numbers.js";
+import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import type {MeasurementsDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {report, state, units} from "../server/workbench";
@@ -14,8 +16,6 @@ import {showReading} from "./show_reading";
 
 const ROW = 26;
 const MORE = 8;
-/** Sigmas from which an error is marked. */
-export const MANY_SIGMAS = 5;
 
 const measured = signal<MeasurementsDocument | null>(null);
 const isWanted = signal(false);
@@ -156,10 +156,8 @@ function Rows({
   );
 }
 
-const DIRECTIONS = ["↓", "", "↑"];
-
 function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: object; isBusy: boolean}) {
-  const isBad = isNumber(row.sigmas) && row.sigmas > MANY_SIGMAS;
+  const {text, isMany} = sigmasText(row.sigmas, READING_SIGMAS);
   const isMarked = pointed.value === row.id || pickedOut.value.has(row.id);
   return (
     <div
@@ -186,9 +184,7 @@ function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: 
         {row.id}
         {row.isHeldOut ? <small title="held out: no fit sees it"> ◇</small> : null}
       </button>
-      <span class={`number ${isBad ? "bad" : ""}`}>
-        {row.isAside ? "aside" : `${isBad ? "▲ " : ""}${isNumber(row.sigmas) ? fixed(row.sigmas, 1) : "–"}`}
-      </span>
+      <span class={`number ${isMany ? "bad" : ""}`}>{row.isAside ? "aside" : text}</span>
       <span class="number">{short(row.before)}</span>
       <span class="number">{short(row.after)}</span>
       <span class="reading-point">{row.name}</span>
@@ -198,7 +194,7 @@ function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: 
       {row.joints.map((value, k) => (
         <span class="number">
           {fixed(value, 1)}
-          {DIRECTIONS[(row.senses[k] ?? 0) + 1]}
+          {senseArrow(row.senses[k])}
         </span>
       ))}
     </div>

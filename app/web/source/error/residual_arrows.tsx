@@ -4,36 +4,40 @@ import {effect as follow, signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
 import {followLasso, isInside} from "../drawing/lasso";
-import {short, roundDown125} from "../drawing/numbers";
+import {drawArrow, usualLargest} from "../../../drawing/arrows.js";
+import {extentOf, fit, nearestPlace, toPixel, type Camera, type Size} from "../../../drawing/frames.js";
+import {exact} from "../../../drawing/numbers.js";
+import {inPlane, PLANES, type Plane} from "../../../drawing/planes.js";
+import {roundDown125} from "../../../drawing/scales.js";
 import type {Vector3} from "../server/documents";
 import {units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
-import type {SheetModel} from "../sheet/sheet_model";
+import {drawPlate} from "../../../drawing/sheet_ground.js";
+import type {SheetModel} from "../../../drawing/sheet_model.js";
 import {readingErrors, type ReadingErrors} from "./residuals";
 import {pickOut, pickedOut, pointed} from "./linked";
 import {SeriesLegend} from "./residual_plot";
 import {showReading} from "./show_reading";
 
-type Plane = "xy" | "xz" | "yz";
-const PLANES: [Plane, string][] = [
-  ["xy", "above"],
-  ["xz", "along y"],
-  ["yz", "along x"],
-];
-const plane = signal<Plane>("xy");
+const plane = signal<Plane>(PLANES[0]);
 
-/** The length on screen of a typical error, in pixels. */
-const TYPICAL = 22;
+/** The length on screen of an error that few are beyond, in pixels. */
+const LONG = 42;
+
+/** The sheet lies across the world's z. */
+function isOverSheet({axes}: Plane): boolean {
+  return axes[0] === 0 && axes[1] === 1;
+}
 
 export function PlaneChoice() {
   return (
     <Segments
       label="Seen"
-      value={plane.value}
-      onChoose={(next) => (plane.value = next)}
-      choices={PLANES.map(([value, words]) => ({
-        value,
-        words: value === "xy" && sheet.value?.viewingSide === "below" ? "below" : words,
+      value={plane.value.key}
+      onChoose={(next) => (plane.value = PLANES.find(({key}) => key === next)!)}
+      choices={PLANES.map((entry) => ({
+        value: entry.key,
+        words: isOverSheet(entry) && sheet.value?.viewingSide === "below" ? "from below" : entry.words,
       }))}
     />
   );
@@ -81,7 +85,7 @@ export function ResidualArrows() {
     [errors],
   );
   const pointAt = (event: PointerEvent) => {
-    const index = nearestPlace(places.current, event.offsetX, event.offsetY);
+    const index = nearestPlace(places.current, event.offsetX, event.offsetY, NEAR);
     pointed.value = index < 0 ? "" : (errors?.readings[index]?.id ?? "");
   };
   return (
@@ -122,20 +126,6 @@ function drawPicked(
   context.stroke();
 }
 
-function nearestPlace(places: ([number, number] | null)[], x: number, y: number): number {
-  let best = -1,
-    least = NEAR * NEAR;
-  places.forEach((place, i) => {
-    const square = place ? (place[0] - x) ** 2 + (place[1] - y) ** 2 : Infinity;
-    if (square < least) [best, least] = [i, square];
-  });
-  return best;
-}
-
-function axesOf(which: Plane): [number, number] {
-  return which === "xy" ? [0, 1] : which === "xz" ? [0, 2] : [1, 2];
-}
-
 /** Draws them; where each reading's place is, in pixels. */
 function drawArrows(
   canvas: HTMLCanvasElement,
@@ -155,100 +145,50 @@ function drawArrows(
   if (!errors || width < 40 || height < 40) return [];
   const places = errors.places.filter((place): place is Vector3 => place !== null);
   if (places.length === 0) return [];
-  const onSheet = which === "xy" ? sheet.peek() : null;
-  const frame = makeFrame(which, places, onSheet, width, height);
-  const typical = typicalSize(errors.series[0].errors);
-  const grow = typical > 0 ? TYPICAL / typical : 0;
-  if (onSheet) drawPlate(context, colours, onSheet, frame);
+  const onSheet = isOverSheet(which) ? sheet.peek() : null;
+  const frame = makeFrame(which, places, onSheet, {width, height});
+  const largest = usualLargest(errors.series[0].errors.map((error) => (error ? Math.hypot(...error) : null)));
+  const grow = largest > 0 ? LONG / largest : 0;
+  if (onSheet) drawPlate(context, onSheet, frame.camera, frame.size, colours);
   drawAxes(context, colours, which, frame.sign, height);
+  const shown = errors.places.map((place) => (place ? frame.at(place) : null));
   for (const series of errors.series) {
     context.strokeStyle = context.fillStyle = colours[series.mark.colour];
     context.lineWidth = 1.3;
-    errors.places.forEach((place, i) => {
+    shown.forEach((at, i) => {
       const error = series.errors[i];
-      if (place && error)
-        drawArrow(context, ...frame.at(place), frame.sign * grow * error[frame.a], -grow * error[frame.b]);
+      if (!at || !error) return;
+      const [u, v] = inPlane(which, error);
+      context.beginPath();
+      context.arc(...at, 1.5, 0, 2 * Math.PI);
+      context.fill();
+      drawArrow(context, ...at, frame.sign * grow * u, -grow * v);
     });
   }
-  drawScale(context, colours, typical, grow, width, height);
-  return errors.places.map((place) => (place ? frame.at(place) : null));
+  drawScale(context, colours, largest, grow, width, height);
+  return shown;
 }
 
 interface Frame {
-  a: number;
-  b: number;
+  camera: Camera;
+  size: Size;
   /** -1 where the sheet is seen from below: +x points left, as in the sheet's own picture. */
   sign: number;
-  scale: number;
   at: (place: Vector3) => [number, number];
 }
 
+const BESIDE_SHEET = {left: 12, right: 12, top: 12, bottom: 12};
+const BESIDE_PLACES = {left: 45, right: 45, top: 30, bottom: 30};
+
 /** Fits the places, or the whole sheet where the cell has one. */
-function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, width: number, height: number): Frame {
-  const [a, b] = axesOf(which),
-    sign = onSheet?.viewingSide === "below" ? -1 : 1;
-  const range = (of: (place: Vector3) => number) =>
-    places.reduce(([low, high], place) => [Math.min(low, of(place)), Math.max(high, of(place))], [Infinity, -Infinity]);
-  const r = onSheet?.radius ?? 0;
-  const [left, right] = onSheet ? [-r, r] : range((place) => place[a]);
-  const [bottom, top] = onSheet
-    ? [onSheet.isOneLeg && onSheet.extent.top > 0 ? 0 : -r, onSheet.isOneLeg && onSheet.extent.top <= 0 ? 0 : r]
-    : range((place) => place[b]);
-  const [besideX, besideY] = onSheet ? [24, 24] : [90, 60];
-  const scale = Math.min((width - besideX) / (right - left || 1), (height - besideY) / (top - bottom || 1));
-  return {
-    a,
-    b,
-    sign,
-    scale,
-    at: (place) => [
-      width / 2 + sign * scale * (place[a] - (left + right) / 2),
-      height / 2 - scale * (place[b] - (bottom + top) / 2),
-    ],
+function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, size: Size): Frame {
+  const sign = onSheet?.viewingSide === "below" ? -1 : 1;
+  const drawn = (place: Vector3): [number, number] => {
+    const [u, v] = inPlane(which, place);
+    return [sign * u, v];
   };
-}
-
-function drawPlate(context: CanvasRenderingContext2D, colours: Palette, onSheet: SheetModel, frame: Frame): void {
-  const [x, y] = frame.at([0, 0, 0]),
-    isBelow = onSheet.extent.top <= 0;
-  context.beginPath();
-  if (onSheet.isOneLeg)
-    context.arc(x, y, onSheet.radius * frame.scale, isBelow ? 0 : Math.PI, isBelow ? Math.PI : 2 * Math.PI);
-  else context.arc(x, y, onSheet.radius * frame.scale, 0, 2 * Math.PI);
-  context.closePath();
-  context.fillStyle = colours.plate;
-  context.strokeStyle = colours.rim;
-  context.lineWidth = 1;
-  context.fill();
-  context.stroke();
-}
-
-function typicalSize(errors: (Vector3 | null)[]): number {
-  const known = errors.filter((error): error is Vector3 => error !== null);
-  return Math.sqrt(
-    known.reduce((sum, error) => sum + error[0] ** 2 + error[1] ** 2 + error[2] ** 2, 0) / Math.max(1, known.length),
-  );
-}
-
-function drawArrow(context: CanvasRenderingContext2D, x: number, y: number, dx: number, dy: number): void {
-  const long = Math.hypot(dx, dy);
-  context.beginPath();
-  context.arc(x, y, 1.5, 0, 2 * Math.PI);
-  context.fill();
-  if (long < 1) return;
-  context.beginPath();
-  context.moveTo(x, y);
-  context.lineTo(x + dx, y + dy);
-  context.stroke();
-  const head = Math.min(6, 0.4 * long),
-    ux = dx / long,
-    uy = dy / long;
-  context.beginPath();
-  context.moveTo(x + dx, y + dy);
-  context.lineTo(x + dx - head * (ux + 0.45 * uy), y + dy - head * (uy - 0.45 * ux));
-  context.lineTo(x + dx - head * (ux - 0.45 * uy), y + dy - head * (uy + 0.45 * ux));
-  context.closePath();
-  context.fill();
+  const camera = fit(onSheet?.plate ?? extentOf(places.map(drawn)), size, onSheet ? BESIDE_SHEET : BESIDE_PLACES);
+  return {camera, size, sign, at: (place) => toPixel(camera, size, ...drawn(place))};
 }
 
 const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
@@ -267,25 +207,25 @@ function drawAxes(
   drawArrow(context, x, y, sign * 26, 0);
   drawArrow(context, x, y, 0, -26);
   context.font = FONT;
-  context.fillText(which[0], sign > 0 ? x + 30 : x - 38, y + 4);
-  context.fillText(which[1], x - 3, y - 31);
+  context.fillText(which.key[0], sign > 0 ? x + 30 : x - 38, y + 4);
+  context.fillText(which.key[1], x - 3, y - 31);
 }
 
 function drawScale(
   context: CanvasRenderingContext2D,
   colours: Palette,
-  typical: number,
+  largest: number,
   grow: number,
   width: number,
   height: number,
 ): void {
-  if (!(typical > 0)) return;
-  const size = roundDown125(1.6 * typical),
+  if (!(largest > 0)) return;
+  const size = roundDown125(largest),
     long = size * grow;
   context.strokeStyle = context.fillStyle = colours.ink;
   drawArrow(context, width - 14 - long, height - 12, long, 0);
   context.font = FONT;
   context.textAlign = "right";
-  context.fillText(`${short(size)} ${units.value.length}`, width - 14, height - 20);
+  context.fillText(`${exact(size)} ${units.value.length}`, width - 14, height - 20);
   context.textAlign = "left";
 }

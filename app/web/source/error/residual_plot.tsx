@@ -5,7 +5,8 @@ import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {MarkIcon} from "../drawing/marks";
 import {palette, type Palette} from "../drawing/colours";
-import {exact, isNumber, roundTicks, short} from "../drawing/numbers";
+import {exact, isNumber, short} from "../../../drawing/numbers.js";
+import {roundTicks, symmetric, widened} from "../../../drawing/scales.js";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
 import {binnedMeans, lawAlong, type Bin} from "./binned";
@@ -181,14 +182,4 @@ function levelTicks(levels: string[] | undefined): number[] {
 
 function levelRange(levels: string[] | undefined, low: number, high: number): [number, number] {
   return levels ? [-0.5, levels.length - 0.5] : [Math.min(low, -1) - 0.3, Math.max(high, 1) + 0.3];
-}
-
-function widened(low: number, high: number): [number, number] {
-  const more = 0.04 * (high - low || 1);
-  return [low - more, high + more];
-}
-
-function symmetric(low: number, high: number): [number, number] {
-  const most = 1.08 * Math.max(Math.abs(low), Math.abs(high)) || 1;
-  return [-most, most];
 }

@@ -1,12 +1,13 @@
 // The readings' errors, measured less predicted, before and after: the diagnosis with the explanation that is chosen,
 // else the model before beside the model as it is now, else the comparison as the model stands and refitted.
 import {computed, effect, signal} from "@preact/signals";
+import {AS_IT_STANDS, isEnough, REFITTED, withIt, WITHOUT_IT} from "../../../drawing/explanations.js";
+import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import type {Mark} from "../drawing/marks";
 import type {CompareDocument, DiagnoseDocument, EffectAt, ErrorReading, Model, Vector3} from "../server/documents";
 import {get} from "../server/requests";
 import {report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
-import {explanationTitle, isEnough} from "./words";
 
 export interface ErrorSeries {
   name: string;
@@ -29,10 +30,6 @@ export interface ReadingErrors {
   /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
   sigmas: (number | undefined)[][];
 }
-
-/** Hollow and full, triangle and disc: told apart without colour. */
-export const BEFORE: Mark = {shape: "triangle", colour: "case0"};
-export const AFTER: Mark = {shape: "disc", colour: "accent"};
 
 /** Which of the diagnosis's explanations is drawn. */
 export const chosenExplanation = signal(0);
@@ -84,11 +81,11 @@ function ofDiagnosis(document: DiagnoseDocument): ReadingErrors {
   const sigmasOf = (reading: ErrorReading) => known.get(reading.id)?.sigmas_after;
   const before = document.readings.map(sigmasOf);
   const series: ErrorSeries[] = [
-    {name: "before: refitted without it", mark: BEFORE, errors: document.readings.map((reading) => reading.before)},
+    {name: `before: ${WITHOUT_IT}`, mark: BEFORE, errors: document.readings.map((reading) => reading.before)},
   ];
   if (explanation)
     series.push({
-      name: `after: with ${isEnough(explanation) ? "" : "the closest, "}${explanationTitle(explanation)}`,
+      name: `after: ${withIt(explanation)}`,
       mark: AFTER,
       errors: document.readings.map((reading) => reading.explained[index]),
     });
@@ -149,12 +146,12 @@ function ofComparison(document: CompareDocument): ReadingErrors {
     places: document.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
     series: [
       {
-        name: `before: as the model stands${when}`,
+        name: `before: ${AS_IT_STANDS}${when}`,
         mark: BEFORE,
         errors: document.readings.map((reading) => reversed(reading.error_before)),
       },
       {
-        name: `after: refitted${when}`,
+        name: `after: ${REFITTED}${when}`,
         mark: AFTER,
         errors: document.readings.map((reading) => reversed(reading.error_after)),
       },

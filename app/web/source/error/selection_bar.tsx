@@ -1,6 +1,6 @@
 // What can be done with readings that were picked out of a picture or the table: they are set aside or held out, and the
 // ladder follows; what was done last can be taken back.
-import {plural} from "../drawing/numbers";
+import {plural} from "../../../drawing/numbers.js";
 import {pickedOut} from "./linked";
 import {isMarkable, lastMarking, markReadings, markingWords, undoMarking} from "./reading_marks";
 import {readingErrors} from "./residuals";

@@ -1,6 +1,7 @@
 // "A or B": the readings that would split what these cannot, and what else would tell.
 import {poseRequest} from "../arm/pose_link";
-import {fixed, isNumber, probability, short} from "../drawing/numbers";
+import {PAIR_HEADS, pairCells, senseArrow, separations} from "../../../drawing/conditions.js";
+import {fixed, isNumber, short} from "../../../drawing/numbers.js";
 import type {DiagnoseDocument, NextReading} from "../server/documents";
 import {cell} from "../server/workbench";
 import {view} from "../shell/page_state";
@@ -33,21 +34,17 @@ export function Splitting({document}: {document: DiagnoseDocument}) {
         <table>
           <thead>
             <tr>
-              <th>if it is</th>
-              <th>rather than</th>
-              <th class="number">apart now</th>
-              <th class="number">then</th>
-              <th class="number">chance to tell</th>
+              {PAIR_HEADS.map((head, k) => (
+                <th class={k < 2 ? "" : "number"}>{head}</th>
+              ))}
             </tr>
           </thead>
           <tbody>
             {splitting!.pairs!.map((pair) => (
               <tr>
-                <td>{pair.if_true}</td>
-                <td>{pair.against}</td>
-                <td class="number">{short(pair.criterion_gap_now)}</td>
-                <td class="number">{short(pair.criterion_gap_expected)}</td>
-                <td class="number">{probability(pair.probability_told)}</td>
+                {pairCells(pair).map((cell, k) => (
+                  <td class={k < 2 ? "" : "number"}>{cell}</td>
+                ))}
               </tr>
             ))}
           </tbody>
@@ -59,7 +56,6 @@ export function Splitting({document}: {document: DiagnoseDocument}) {
 
 function ReadingTable({readings}: {readings: NextReading[]}) {
   const joints = Object.keys(readings[0].posture ?? {});
-  const most = Math.max(1e-12, ...readings.map((reading) => reading.separation_sigmas).filter(isNumber));
   return (
     <table>
       <thead>
@@ -73,21 +69,21 @@ function ReadingTable({readings}: {readings: NextReading[]}) {
         </tr>
       </thead>
       <tbody>
-        {readings.map((reading) => (
+        {separations(readings).map(({reading, share, text}) => (
           <tr title={(reading.splits ?? []).join(" from ")}>
             {joints.map((joint) => (
               <td class="number">
                 {fixed(reading.posture[joint], 1)}
-                {arrow(reading.senses?.[joint])}
+                {senseArrow(reading.senses?.[joint])}
               </td>
             ))}
             <td class="number">{short(reading.load ?? 0)}</td>
             <td>
               <span class="chance">
                 <span class="chance-bar">
-                  <i style={{width: `${(100 * (reading.separation_sigmas ?? 0)) / most}%`}} />
+                  <i style={{width: `${100 * share}%`}} />
                 </span>
-                {short(reading.separation_sigmas)}
+                {text}
               </span>
             </td>
             <td class="number">
@@ -100,11 +96,6 @@ function ReadingTable({readings}: {readings: NextReading[]}) {
       </tbody>
     </table>
   );
-}
-
-/** The sense in which a joint must arrive. */
-function arrow(sense: number | undefined): string {
-  return !sense ? "" : sense > 0 ? " ↑" : " ↓";
 }
 
 function show(reading: NextReading): void {

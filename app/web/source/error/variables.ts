@@ -1,6 +1,6 @@
 // What an error may be drawn against: anything that differs between the readings, by the name that formulas and the
 // program's findings give it.
-import {isNumber} from "../drawing/numbers";
+import {isNumber} from "../../../drawing/numbers.js";
 import type {ErrorReading, MomentsDocument, Vector3} from "../server/documents";
 
 export type VariableKind =

@@ -1,18 +1,19 @@
 // The plan view: a work list chosen on the sheet, made into a proved tour, played with the arm, and taken away as files.
-import {choicesOf, Segments} from "../drawing/segments";
+import {Segments, type Choice} from "../drawing/segments";
 import {computed, signal} from "@preact/signals";
 import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {ArmPicture} from "../arm/arm_picture";
+import {UNREACHABLE} from "../../../drawing/kinds.js";
 import {drawMark, MarkIcon} from "../drawing/marks";
-import {duration, percent, plural, short, whole} from "../drawing/numbers";
+import {duration, percent, plural, short, whole} from "../../../drawing/numbers.js";
 import type {PlanDocument} from "../server/documents";
 import {cell, runJob, runningJob, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected} from "../shell/page_state";
 import {ExportMenu} from "../shell/export_menu";
 import {ProblemWords} from "../shell/states";
 import {byState, bySteps} from "../sheet/colourings";
-import {toPixel} from "../sheet/sheet_camera";
+import {toPixel} from "../../../drawing/frames.js";
 import type {PaintOver} from "../sheet/sheet_drawing";
 import type {SheetModel} from "../sheet/sheet_model";
 import {SelectionBox} from "../sheet/selection_panel";
@@ -33,12 +34,11 @@ const EXPORTS = [
 const compensation = signal("via-point");
 const isParked = signal(false);
 const mode = signal("via_point");
-const MODES: [string, string][] = [
-  ["none", "none"],
-  ["goal_point", "goal point"],
-  ["via_point", "via point"],
-  ["predicted", "predicted"],
-];
+/** What the tour is coloured by: each way that is scored against the true arm, and what the plan itself expects. */
+function modesOf({modes}: PlanDocument): Choice<string>[] {
+  const scored = (modes ?? []).map(({name, words, brief}) => ({value: name, words: brief, hint: words}));
+  return [...scored, {value: "predicted", words: "predicted"}];
+}
 
 /** The planned holes in the order of visiting. */
 const tour = computed<number[]>(() => {
@@ -136,8 +136,8 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
       }
       for (const tube of document?.unreachable ?? []) {
         const hole = model.find(tube.row, tube.column);
-        context.fillStyle = colours.rose;
-        if (hole >= 0) drawMark(context, "diamond", ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
+        context.fillStyle = context.strokeStyle = colours[UNREACHABLE.colour];
+        if (hole >= 0) drawMark(context, UNREACHABLE.shape, ...toPixel(camera, size, model.u[hole], model.v[hole]), r);
       }
       if (holes[at] !== undefined) {
         const [x, y] = toPixel(camera, size, model.u[holes[at]], model.v[holes[at]]);
@@ -168,7 +168,7 @@ function PlanSheet({model, document}: {model: SheetModel; document: PlanDocument
               <span class="muted">true arm, compensation</span>
               <Segments
                 label="Compensation of the true arm"
-                choices={choicesOf(MODES)}
+                choices={document ? modesOf(document) : []}
                 value={shownMode}
                 onChoose={(next) => (mode.value = next)}
               />

@@ -5,7 +5,9 @@ import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
 import {palette} from "../drawing/colours";
-import {exact, fixed, roundTicks, short} from "../drawing/numbers";
+import {exact, fixed, short} from "../../../drawing/numbers.js";
+import {rootTicks, roundTicks} from "../../../drawing/scales.js";
+import {requiredText} from "../../../drawing/visits.js";
 import {axis, Plot} from "../drawing/plot";
 import type {PathDocument, PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
@@ -161,16 +163,6 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument, samp
   return {options, data};
 }
 
-/** Close together near zero, where clearance matters. */
-function rootTicks(high: number): number[] {
-  const kept: number[] = [];
-  for (const value of [0, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]) {
-    if (value <= high && (kept.length === 0 || Math.sqrt(value / high) - Math.sqrt(kept[kept.length - 1] / high) > 0.1))
-      kept.push(value);
-  }
-  return kept;
-}
-
 function drawPlayhead(plot: uPlot, required: number | null): void {
   const {ctx, bbox} = plot;
   const colours = palette.peek();
@@ -185,7 +177,7 @@ function drawPlayhead(plot: uPlot, required: number | null): void {
     ctx.stroke();
     ctx.font = `${11 * uPlot.pxRatio}px 'IBM Plex Sans Variable', system-ui, sans-serif`;
     ctx.textAlign = "right";
-    const words = `required ${exact(required)} ${units.peek().length}`;
+    const words = requiredText(required, units.peek().length);
     ctx.strokeStyle = colours.panel;
     ctx.lineWidth = 4 * uPlot.pxRatio;
     ctx.lineJoin = "round";

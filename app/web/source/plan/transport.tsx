@@ -1,7 +1,8 @@
 // Play, pause, scrub, speed.
 import {Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
-import {clock, short} from "../drawing/numbers";
+import {clock, MISSING, short} from "../../../drawing/numbers.js";
+import {tubeTitle} from "../../../drawing/sheet_model.js";
 import {units} from "../server/workbench";
 import {currentVisit, endTime, goToVisit, isPlaying, path, plan, speed, time, togglePlay} from "./playback";
 import {sampleAt} from "./sampling";
@@ -51,7 +52,7 @@ export function Transport() {
       />
       <span class="clock muted">{clock(endTime.value)}</span>
       <span class="now-words">
-        <b>{tube ? tube.name.replace("C", " C") : "–"}</b>
+        <b>{tube ? tubeTitle(tube.row, tube.column) : MISSING}</b>
         <span class="muted">{tubes.length > 0 ? `${Math.max(0, currentVisit.value) + 1} / ${tubes.length}` : ""}</span>
         <span class="muted">{document?.kind[sample] ?? ""}</span>
         <span class="muted">

@@ -2,11 +2,14 @@
 import {useEffect, useRef} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
-import {clock, fixed, probability, short} from "../drawing/numbers";
+import {clock, fixed, probability, short} from "../../../drawing/numbers.js";
+import {tubeTitle} from "../../../drawing/sheet_model.js";
 import type {PlanDocument, PlannedTube} from "../server/documents";
 import {units} from "../server/workbench";
-import {STEP_KINDS} from "../sheet/colourings";
+import {stepKinds, type Kind} from "../sheet/colourings";
 import {arrivals, currentVisit, goToVisit, isPlaying} from "./playback";
+
+const titleOf = ({row, column}: {row: number; column: number}) => tubeTitle(row, column);
 
 const ROW = 27;
 const MORE = 8;
@@ -30,19 +33,17 @@ export function TubeTable({document}: {document: PlanDocument}) {
   const total = document.tubes.length + document.unreachable.length;
   const first = Math.max(0, Math.floor(top.value / ROW) - MORE),
     last = Math.min(total, first + Math.ceil(height.value / ROW) + 2 * MORE);
+  const kinds = stepKinds(document.step_words);
   const rows = [];
   for (let i = first; i < last; ++i) {
     const tube = document.tubes[i];
     rows.push(
       tube ? (
-        <TubeRow key={i} tube={tube} index={i} />
+        <TubeRow key={i} tube={tube} index={i} kinds={kinds} />
       ) : (
         <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}>
           <span class="number">–</span>
-          <b>
-            R{document.unreachable[i - document.tubes.length].row} C
-            {document.unreachable[i - document.tubes.length].column}
-          </b>
+          <b>{titleOf(document.unreachable[i - document.tubes.length])}</b>
           <span class="wide bad">{document.unreachable[i - document.tubes.length].reason}</span>
         </div>
       ),
@@ -67,9 +68,9 @@ export function TubeTable({document}: {document: PlanDocument}) {
   );
 }
 
-function TubeRow({tube, index}: {tube: PlannedTube; index: number}) {
+function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds: readonly Kind[]}) {
   const score = tube.scored?.via_point ?? tube.scored?.goal_point ?? null;
-  const kind = STEP_KINDS[score?.steps ?? tube.steps];
+  const kind = kinds[score?.steps ?? tube.steps];
   return (
     <div
       class="tube-row"
@@ -82,9 +83,7 @@ function TubeRow({tube, index}: {tube: PlannedTube; index: number}) {
       }}
     >
       <span class="number">{index + 1}</span>
-      <b>
-        R{tube.row} C{tube.column}
-      </b>
+      <b>{titleOf(tube)}</b>
       <span>
         {kind ? (
           <>

@@ -49,6 +49,10 @@ export interface PatternFound extends PatternTest {
 
 export interface CompareDocument {
   verdict: string;
+  /** Not in what an earlier program left in a project. */
+  verdict_words?: string;
+  /** The errors of the model as it stands, and refitted. */
+  ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
   sentence: string;
   chi2_per_dof: number;
   p_value: number;
@@ -102,6 +106,8 @@ export interface NextReading {
 
 export interface DiagnoseDocument {
   verdict: string;
+  /** Not in what an earlier program left in a project. */
+  verdict_words?: string;
   sentence: string;
   chi2_per_dof: number;
   p_value: number;
@@ -181,6 +187,8 @@ export interface CatalogueDocument {
   effects: {
     effect: string;
     at: string;
+    words: string;
+    varies_with: string[];
     law: string;
     validity: string;
     source: string;

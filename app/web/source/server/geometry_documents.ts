@@ -9,14 +9,15 @@ export interface SheetDocument {
   rows: number;
   columns: number;
   viewing_side: string;
+  view_words: string;
   leg: string;
+  leg_words: string;
   /** In the bowl, in the world; u and v its direction from the sheet's middle as drawn. Null: the cell does not say. */
   manway: {center: Vector3; diameter: number; u: number; v: number} | null;
-  tool?: {diameters: number[]; tolerances: number[]} | null;
+  tool?: {diameters: number[]; tolerances: number[]; step_words: string[]} | null;
   holes: {
     row: number[];
     column: number[];
-    leg?: (string | number)[];
     x: number[];
     y: number[];
     z: number[];
@@ -24,6 +25,8 @@ export interface SheetDocument {
     v: number[];
     state: number[];
     states: string[];
+    /** The same for a reader. */
+    state_words: string[];
   };
 }
 

@@ -29,6 +29,10 @@ export interface PlanDocument {
   tightest: string;
   detours: number;
   counts?: Record<string, number[]>;
+  /** The ways of compensation that are scored; as step_words, not in what an earlier program left in a project. */
+  modes?: {name: string; words: string; brief: string}[];
+  /** What 0, 1, ... steps of the tool that enter are called. */
+  step_words?: string[];
   units: Units;
 }
 

@@ -29,6 +29,10 @@ export interface CellInfo {
 export interface EffectAt {
   effect: string;
   at: string;
+  /** What it is, for a reader who does not know its name. */
+  words?: string;
+  /** What its law may hang on, by kinds of variables, the plainest first; empty: on anything. */
+  varies_with?: string[];
   /** As the order to add it takes it, with the sizes that were found. */
   add?: string;
   /** Other names of it, that no reading could tell from it. */

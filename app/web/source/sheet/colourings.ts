@@ -1,7 +1,9 @@
 // What the sheet's holes can be coloured by. Each colouring sorts the holes into a few kinds with a colour and a shape.
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
-import {isNumber, short} from "../drawing/numbers";
+import {NOT_PLANNED, STEP_MARKS, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
+import {isNumber, MISSING, plural, short} from "../../../drawing/numbers.js";
+import {visitText} from "../../../drawing/visits.js";
 import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
 import type {SheetModel} from "./sheet_model";
 
@@ -34,37 +36,15 @@ function finished(
   return {title, meaning, kinds, of, counts, words};
 }
 
-const STATE_MARKS: Record<string, Mark> = {
-  open: {shape: "ring", colour: "hole"},
-  plugged: {shape: "cross", colour: "ink"},
-  stabilised: {shape: "square", colour: "violet"},
-  stabilized: {shape: "square", colour: "violet"},
-  sleeved: {shape: "half", colour: "case1"},
-  stay: {shape: "disc", colour: "muted"},
-  "to-plug": {shape: "triangle", colour: "case0"},
-  inaccessible: {shape: "diamond", colour: "rose"},
-  unresolved: {shape: "bar", colour: "case2"},
-};
-const OTHER_MARKS: Mark[] = [
-  {shape: "diamond", colour: "rose"},
-  {shape: "bar", colour: "case2"},
-  {shape: "triangle", colour: "case3"},
-];
-
 export function byState(sheet: SheetModel): Colouring {
-  const names = sheet.states.length > 0 ? sheet.states : ["open"];
-  let others = 0;
-  const kinds = names.map((name) => ({
-    name,
-    mark: Object.hasOwn(STATE_MARKS, name) ? STATE_MARKS[name] : OTHER_MARKS[others++ % OTHER_MARKS.length],
-  }));
+  const kinds = sheet.states.map((name, k) => ({name: sheet.stateWords[k], mark: stateMark(name)}));
   return finished("State", kinds, sheet.state);
 }
 
 export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   const kinds: Kind[] = [
     {name: "in reach", mark: {shape: "disc", colour: "case3"}},
-    {name: "out of reach", mark: {shape: "cross", colour: "rose"}},
+    {name: "out of reach", mark: UNREACHABLE},
   ];
   const of = new Uint8Array(sheet.count);
   for (let i = 0; i < sheet.count; ++i) of[i] = reach.reachable[i] ? 0 : 1;
@@ -75,19 +55,18 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   );
 }
 
-export const STEP_KINDS: Kind[] = [
-  {name: "no step goes in", mark: {shape: "cross", colour: "case0"}},
-  {name: "one step", mark: {shape: "triangle", colour: "case1"}},
-  {name: "two steps", mark: {shape: "half", colour: "case2"}},
-  {name: "all three steps", mark: {shape: "disc", colour: "case3"}},
-];
-
-const NOT_PLANNED: Kind = {name: "not on the list", mark: {shape: "dot", colour: "faint"}};
-const UNREACHABLE: Kind = {name: "out of reach", mark: {shape: "diamond", colour: "rose"}};
+/** How far the tool goes in, in the words of a document. */
+export function stepKinds(words: readonly string[] | undefined): Kind[] {
+  return STEP_MARKS.map((mark, steps) => ({name: words?.[steps] ?? plural(steps, "step"), mark}));
+}
 
 /** How far the tool goes in at the planned tubes: as predicted, or by the true arm in one of the ways of compensation. */
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
-  const kinds = [...STEP_KINDS, UNREACHABLE, NOT_PLANNED];
+  const kinds = [
+    ...stepKinds(plan.step_words),
+    {name: "out of reach", mark: UNREACHABLE},
+    {name: "not on the list", mark: NOT_PLANNED},
+  ];
   const of = new Uint8Array(sheet.count).fill(5);
   for (const tube of plan.unreachable) mark(of, sheet.find(tube.row, tube.column), 4);
   const tubes = new Map<number, number>();
@@ -107,7 +86,7 @@ function mark(of: Uint8Array, hole: number, kind: number): void {
 function tubeWords(plan: PlanDocument, index: number | undefined): string[] {
   if (index === undefined) return [];
   const tube = plan.tubes[index];
-  return [`visit ${index + 1} of ${plan.tubes.length}`, `predicted: ${STEP_KINDS[tube.steps]?.name ?? "–"}`];
+  return [visitText(index, plan.tubes.length), `predicted: ${stepKinds(plan.step_words)[tube.steps]?.name ?? MISSING}`];
 }
 
 const BANDS: {shape: Shape; colour: ColourName}[] = [

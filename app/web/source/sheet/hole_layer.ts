@@ -2,7 +2,7 @@
 // into one picture by copying its pixels. It needs no graphics processor, and holes never overlap, so nothing is blended.
 import type {Palette} from "../drawing/colours";
 import {drawMark, type Mark} from "../drawing/marks";
-import {toPixel, type Camera, type Size} from "./sheet_camera";
+import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import type {SheetModel} from "./sheet_model";
 
 /** Sub-pixel places along each axis: small marks need them to look evenly spaced, large ones do not. */

@@ -1,11 +1,11 @@
 // What is known of the hole that is pointed out, and the posture that brings the tool under it.
-import {fixed} from "../drawing/numbers";
+import {fixed} from "../../../drawing/numbers.js";
 import type {InverseDocument} from "../server/documents";
 import {cell, units} from "../server/workbench";
 import {picked, selection, toggleSelected, view} from "../shell/page_state";
 import {poseRequest, whyNot} from "../arm/pose_link";
 import type {Colouring} from "./colourings";
-import {holeName, legWords, type SheetModel} from "./sheet_model";
+import {holeName, type SheetModel} from "./sheet_model";
 
 export function HolePanel({model, colouring: shown}: {model: SheetModel; colouring: Colouring}) {
   const hole = picked.value;
@@ -25,7 +25,7 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
     <section class="panel grow">
       <header>
         <h2>{holeName(model, hole)}</h2>
-        <span class="muted">{legWords(model.legs[hole])}</span>
+        <span class="muted">{model.legWords}</span>
         <div class="end no-print">
           <button class="button" aria-pressed={selection.value.has(hole)} onClick={() => toggleSelected(hole)}>
             {selection.value.has(hole) ? "Drop" : "Select"}
@@ -39,7 +39,7 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
             {[0, 1, 2].map((k) => fixed(model.world[3 * hole + k], 3)).join("  ")} {units.value.length}
           </dd>
           <dt>state</dt>
-          <dd>{model.states[model.state[hole]] ?? "open"}</dd>
+          <dd>{model.stateWords[model.state[hole]]}</dd>
           {shown.words(hole).map((line) => (
             <>
               <dt></dt>

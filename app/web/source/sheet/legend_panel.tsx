@@ -1,7 +1,7 @@
 // The legend of a colouring: what the marks mean, how many holes have each, and which are shown.
 import {effect, signal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
-import {whole} from "../drawing/numbers";
+import {whole} from "../../../drawing/numbers.js";
 import {select} from "../shell/page_state";
 import type {Colouring} from "./colourings";
 import {chosen} from "./sheet_choice";

@@ -1,6 +1,6 @@
 // Selecting holes by ranges, and what can be done with those that are selected.
 import {useSignal} from "@preact/signals";
-import {plural} from "../drawing/numbers";
+import {plural} from "../../../drawing/numbers.js";
 import {post} from "../server/requests";
 import {report} from "../server/workbench";
 import {select, selection, view} from "../shell/page_state";

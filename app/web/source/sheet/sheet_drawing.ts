@@ -5,7 +5,8 @@ import type {Colouring} from "./colourings";
 import {drawGround, drawTicks} from "./ground_layer";
 import {HoleLayer} from "./hole_layer";
 import {isInside} from "../drawing/lasso";
-import {fit, panned, toPixel, toSheet, zoomed, type Camera, type Size} from "./sheet_camera";
+import {fromPixel, toPixel, type Camera, type Size} from "../../../drawing/frames.js";
+import {fit, panned, zoomed} from "./sheet_camera";
 import type {SheetModel} from "./sheet_model";
 
 /** What a view draws over the holes. */
@@ -57,15 +58,8 @@ export class SheetDrawing {
 
   fit(): void {
     this.isFitted = true;
-    this.camera = fit(this.extent(), this.size);
+    this.camera = fit(this.props.sheet.plate, this.size);
     this.ask();
-  }
-
-  private extent() {
-    const {sheet} = this.props;
-    const r = sheet.radius;
-    if (!sheet.isOneLeg) return {left: -r, right: r, bottom: -r, top: r};
-    return sheet.extent.top > 0 ? {left: -r, right: r, bottom: 0, top: r} : {left: -r, right: r, bottom: -r, top: 0};
   }
 
   move(camera: Camera): void {
@@ -75,7 +69,7 @@ export class SheetDrawing {
   }
 
   limits(): [number, number] {
-    const least = fit(this.extent(), this.size).scale;
+    const least = fit(this.props.sheet.plate, this.size).scale;
     return [0.5 * least, 90 / this.props.sheet.holeRadius];
   }
 
@@ -177,12 +171,12 @@ export class SheetDrawing {
   holeAt(x: number, y: number): number {
     const {sheet} = this.props;
     const reach = Math.max(sheet.pitch * 0.72, 9 / this.camera.scale);
-    const [u, v] = toSheet(this.camera, this.size, x, y);
+    const [u, v] = fromPixel(this.camera, this.size, x, y);
     return sheet.nearest(u, v, reach);
   }
 
   insideLasso(): number[] {
-    const polygon = this.lasso.map(([x, y]) => toSheet(this.camera, this.size, x, y));
+    const polygon = this.lasso.map(([x, y]) => fromPixel(this.camera, this.size, x, y));
     const {sheet} = this.props;
     const found: number[] = [];
     for (let i = 0; i < sheet.count; ++i) if (isInside(polygon, sheet.u[i], sheet.v[i])) found.push(i);

@@ -1,6 +1,7 @@
 // Pointers and keys on a sheet: wheel, drag, pinch, lasso, and from hole to hole by arrows.
 import type {Signal} from "@preact/signals";
-import {panned, toPixel} from "./sheet_camera";
+import {toPixel} from "../../../drawing/frames.js";
+import {panned} from "./sheet_camera";
 import type {SheetDrawing} from "./sheet_drawing";
 import {neighbour} from "./sheet_model";
 

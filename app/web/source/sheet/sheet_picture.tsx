@@ -4,13 +4,14 @@ import {useEffect, useMemo, useRef} from "preact/hooks";
 import {useSignal, useSignalEffect} from "@preact/signals";
 import {palette} from "../drawing/colours";
 import {Icon} from "../drawing/icons";
-import {fixed} from "../drawing/numbers";
+import {fixed} from "../../../drawing/numbers.js";
+import {units} from "../server/workbench";
 import type {Colouring} from "./colourings";
-import {sheetWords} from "./ground_layer";
-import type {Size} from "./sheet_camera";
+import {sheetWords} from "../../../drawing/sheet_model.js";
+import type {Size} from "../../../drawing/frames.js";
 import {SheetDrawing, type SheetPictureProps} from "./sheet_drawing";
 import {makeGestures, sheetKeys} from "./sheet_gestures";
-import {holeName, legWords, type SheetModel} from "./sheet_model";
+import {holeName, type SheetModel} from "./sheet_model";
 
 export type {PaintOver} from "./sheet_drawing";
 
@@ -116,12 +117,12 @@ function HoleTip({
   return (
     <div class="tip" style={style} role="status">
       <b>
-        {legWords(sheet.legs[hole] ?? sheet.leg)} · {holeName(sheet, hole)}
+        {sheet.legWords} · {holeName(sheet, hole)}
       </b>
       <span>
-        x {fixed(sheet.world[3 * hole], 3)}, y {fixed(sheet.world[3 * hole + 1], 3)} {sheet.unit}
+        x {fixed(sheet.world[3 * hole], 3)}, y {fixed(sheet.world[3 * hole + 1], 3)} {units.value.length}
       </span>
-      <span>{sheet.states[sheet.state[hole]] ?? "open"}</span>
+      <span>{sheet.stateWords[sheet.state[hole]]}</span>
       {colouring.words(hole).map((line) => (
         <span>{line}</span>
       ))}

@@ -2,7 +2,7 @@
 // the last word, and what was chosen once is chosen again for a table with the same columns.
 import {signal} from "@preact/signals";
 import type {Problem, WorkbenchState} from "../server/documents";
-import {plural} from "../drawing/numbers";
+import {plural} from "../../../drawing/numbers.js";
 import {asProblem, post} from "../server/requests";
 import {cell, takeState} from "../server/workbench";
 import {

@@ -1,7 +1,7 @@
 // The header: which cell and readings, the stack of models with undo and redo, what is running, dark or light.
 import {Icon} from "../drawing/icons";
 import {chooseScheme, isDark, scheme} from "../drawing/colours";
-import {duration, plural} from "../drawing/numbers";
+import {duration, plural} from "../../../drawing/numbers.js";
 import type {Job} from "../server/documents";
 import {cell, connection, order, runningJobs, state} from "../server/workbench";
 import {dialog} from "./page_state";

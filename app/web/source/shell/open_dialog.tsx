@@ -2,7 +2,7 @@
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import type {CatalogueDocument, Problem} from "../server/documents";
-import {plural} from "../drawing/numbers";
+import {plural} from "../../../drawing/numbers.js";
 import {asProblem, get} from "../server/requests";
 import {cell, state} from "../server/workbench";
 import {Dialog} from "./dialog";
@@ -177,7 +177,7 @@ function PracticeForm() {
         hidden effect
         <input
           list="practice-effects"
-          placeholder="none, or backlash@tool.z:0.15deg"
+          placeholder="none, or EFFECT@PLACE:SIZE"
           value={hide.value}
           onInput={(event) => (hide.value = event.currentTarget.value)}
         />

@@ -1,7 +1,7 @@
 // What belongs to this browser alone: the view, the hole pointed out, the holes selected, dialogs. Kept over a reload.
 import {computed, effect, signal} from "@preact/signals";
 import {sheetDocument} from "../server/workbench";
-import {makeSheetModel} from "../sheet/sheet_model";
+import {makeSheetModel} from "../../../drawing/sheet_model.js";
 
 export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects"] as const;
 export type ViewName = (typeof VIEWS)[number];

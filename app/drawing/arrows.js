@@ -1,0 +1,66 @@
+// Arrows of errors: their corners in pixels, and the scale at which a field of them is drawn.
+import {isNumber} from "./numbers.js";
+
+/** Shorter than this, in pixels, an arrow is its place alone. */
+const SHORTEST = 0.7;
+
+/**
+ * The neck, where the shaft ends, and the two corners of the head, which never exceeds 0.8 of the arrow; null of what
+ * is too short to be one.
+ * @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} head
+ * @returns {[number, number, number, number, number, number] | null}
+ */
+export function arrowCorners(x, y, dx, dy, head = 6) {
+  const long = Math.hypot(dx, dy);
+  if (!(long >= SHORTEST)) return null;
+  const size = Math.min(head, 0.8 * long),
+    ux = dx / long,
+    uy = dy / long;
+  const nx = x + dx - size * ux,
+    ny = y + dy - size * uy,
+    half = 0.42 * size;
+  return [nx, ny, nx - half * uy, ny + half * ux, nx + half * uy, ny - half * ux];
+}
+
+/**
+ * A shaft and a head to fill, as an SVG path.
+ * @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} [head]
+ */
+export function arrowPath(x, y, dx, dy, head) {
+  const corners = arrowCorners(x, y, dx, dy, head);
+  if (!corners) return "";
+  const [nx, ny, ax, ay, bx, by] = corners.map((value) => value.toFixed(1));
+  const tip = `${(x + dx).toFixed(1)} ${(y + dy).toFixed(1)}`;
+  return `M${x.toFixed(1)} ${y.toFixed(1)}L${nx} ${ny}M${tip}L${ax} ${ay}L${bx} ${by}Z`;
+}
+
+/**
+ * The same on a canvas, without a detour by text: thousands are drawn at once. Shaft and head have the context's own
+ * stroke and fill.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} [head]
+ */
+export function drawArrow(context, x, y, dx, dy, head) {
+  const corners = arrowCorners(x, y, dx, dy, head);
+  if (!corners) return;
+  const [nx, ny, ax, ay, bx, by] = corners;
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(nx, ny);
+  context.stroke();
+  context.beginPath();
+  context.moveTo(x + dx, y + dy);
+  context.lineTo(ax, ay);
+  context.lineTo(bx, by);
+  context.closePath();
+  context.fill();
+}
+
+/**
+ * The size that a share of 98 % is not beyond, so that one wild reading does not make all others small.
+ * @param {readonly unknown[]} sizes
+ */
+export function usualLargest(sizes) {
+  const known = sizes.filter(isNumber).sort((a, b) => a - b);
+  return known[Math.floor(0.98 * (known.length - 1))] || 0;
+}

@@ -1,0 +1,60 @@
+// What a reading says of itself, and what would be read next.
+import {exact, fixed, isNumber, probability, short} from "./numbers.js";
+
+/**
+ * @typedef {{joints?: readonly number[], senses?: readonly number[] | null, load?: number | null,
+ *    force?: readonly number[]}} Conditions
+ */
+/** @typedef {{name: string, unit?: string}} JointName */
+
+/** The sense in which a joint arrived, or must. @param {unknown} sense */
+export function senseArrow(sense) {
+  return !isNumber(sense) || sense === 0 ? "" : sense > 0 ? "\u2191" : "\u2193";
+}
+
+/**
+ * Joints, load and force of a reading: what each is called, its figure, its unit, the sense of the joint's last motion.
+ * @param {Conditions} reading @param {readonly JointName[]} joints @param {{force?: string}} units
+ */
+export function conditionsOf(reading, joints, units, digits = 2) {
+  const rows = joints.map(({name, unit = ""}, k) => ({
+    name,
+    figure: fixed(reading.joints?.[k], digits),
+    unit,
+    sense: senseArrow(reading.senses?.[k]),
+  }));
+  const force = units.force ?? "";
+  if (isNumber(reading.load)) rows.push({name: "load", figure: exact(reading.load), unit: force, sense: ""});
+  if (reading.force) rows.push({name: "force", figure: reading.force.map(exact).join("  "), unit: force, sense: ""});
+  return rows;
+}
+
+/**
+ * Further readings, each with how far it sets explanations apart and its share of the largest such distance.
+ * @template {{separation_sigmas?: number | null}} T @param {readonly T[]} readings
+ */
+export function separations(readings) {
+  const most = readings.reduce((largest, {separation_sigmas: sigmas}) => Math.max(largest, sigmas ?? 0), 1e-12);
+  return readings.map((reading) => ({
+    reading,
+    share: Math.max(0, reading.separation_sigmas ?? 0) / most,
+    text: short(reading.separation_sigmas),
+  }));
+}
+
+/** What further readings would do to a pair of explanations. */
+export const PAIR_HEADS = ["if it is", "rather than", "BIC apart now", "expected then", "chance to be named"];
+
+/**
+ * @param {{if_true?: unknown, against?: unknown, criterion_gap_now?: unknown, criterion_gap_expected?: unknown,
+ *    probability_told?: unknown}} pair
+ */
+export function pairCells(pair) {
+  return [
+    String(pair.if_true ?? ""),
+    String(pair.against ?? ""),
+    short(pair.criterion_gap_now),
+    short(pair.criterion_gap_expected),
+    probability(pair.probability_told),
+  ];
+}

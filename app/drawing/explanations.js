@@ -1,0 +1,87 @@
+// Effects and explanations of a diagnosis in words. What an effect is stands beside its name in the documents.
+import {isNumber, percent} from "./numbers.js";
+import {withSigma} from "./sigma_text.js";
+
+/**
+ * @typedef {{effect: string, at: string, words?: string, parameters?: object,
+ *    also?: {effect: string, at: string}[]}} FoundEffect
+ */
+/** @typedef {{effects: FoundEffect[], enough?: boolean}} BareExplanation */
+/** @typedef {{name: string, value: number, sigma?: number | null, unit?: string}} NamedNumber */
+
+/** An effect at its place. @param {{effect: string, at?: string}} effect */
+export function effectTitle({effect, at}) {
+  return `${effect}${at ? ` at ${at}` : ""}`;
+}
+
+/** @param {{effects: readonly {effect: string, at?: string}[]}} explanation */
+export function explanationTitle({effects}) {
+  return effects.map(effectTitle).join(" and ");
+}
+
+/** "half_width" for a reader. @param {unknown} name */
+export function plainName(name) {
+  return String(name ?? "").replaceAll("_", " ");
+}
+
+/**
+ * An effect's numbers that say something: those that were fitted, or where none was those that are not zero.
+ * @param {FoundEffect} effect @returns {NamedNumber[]}
+ */
+function tellingNumbers({parameters}) {
+  const all = Object.entries(parameters ?? {}).flatMap(([name, number]) =>
+    number !== null && isNumber(number?.value) ? [{...number, name: plainName(name)}] : [],
+  );
+  const fitted = all.filter((number) => isNumber(number.sigma));
+  return fitted.length > 0 ? fitted : all.filter((number) => number.value !== 0);
+}
+
+/** "half width 0.0586 +- 0.0010 deg". @param {FoundEffect} effect */
+export function sizeText(effect) {
+  return tellingNumbers(effect)
+    .map(({name, value, sigma, unit}) => `${name} ${withSigma(value, sigma, unit)}`)
+    .join(", ");
+}
+
+/** How much of what an effect does shows in the readings; empty where that is not known. @param {unknown} fraction */
+export function keptText(fraction) {
+  if (!isNumber(fraction)) return "";
+  if (fraction > 0.98) return "all of it shows";
+  return `${percent(fraction, fraction < 0.1 ? 1 : 0)} of it shows; the rest hides in the fitted numbers`;
+}
+
+/** Whether nothing else is needed beside it. @param {{enough?: boolean}} explanation */
+export function isEnough(explanation) {
+  return explanation.enough !== false;
+}
+
+/** What its effects are, or that they do not suffice. @param {BareExplanation} explanation */
+export function explanationWords(explanation) {
+  if (!isEnough(explanation)) return "the closest of the known effects, but not enough";
+  const words = new Set(explanation.effects.map((effect) => effect.words ?? ""));
+  return [...words].filter((text) => text !== "").join("; ");
+}
+
+/**
+ * Every explanation: those with figures first, best first, then further alternatives by name and size alone.
+ * @template {FoundEffect} E @template {{effects: E[], enough?: boolean}} T
+ * @param {{explanations?: T[] | null, alternatives?: E[][] | null}} document
+ * @returns {(T | {effects: E[], enough?: boolean})[]}
+ */
+export function explanationsOf(document) {
+  const drawn = Array.isArray(document.explanations) ? document.explanations : [];
+  const titles = new Set(drawn.map(explanationTitle));
+  const others = (Array.isArray(document.alternatives) ? document.alternatives : []).map((effects) => ({effects}));
+  return [...drawn, ...others.filter((other) => !titles.has(explanationTitle(other)))];
+}
+
+/** What errors are called that were refitted without the explanation, and with it. */
+export const WITHOUT_IT = "refitted without it";
+/** @param {BareExplanation} explanation */
+export function withIt(explanation) {
+  return `with ${isEnough(explanation) ? "" : "the closest, "}${explanationTitle(explanation)}`;
+}
+
+/** What errors are called of a model as it stands, and refitted. */
+export const AS_IT_STANDS = "as the model stands";
+export const REFITTED = "refitted";

@@ -1,0 +1,68 @@
+// From lengths in a plane to pixels: a camera, an extent that it is to show, and the margins around it.
+
+/** Where the middle of the picture lies, u to the right and v upwards, and pixels per unit of length.
+ *  @typedef {{u: number, v: number, scale: number}} Camera */
+/** @typedef {{width: number, height: number}} Size */
+/** @typedef {{left: number, right: number, bottom: number, top: number}} Extent */
+
+/** @param {Iterable<ArrayLike<number>>} places @returns {Extent} */
+export function extentOf(places) {
+  const extent = {left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity};
+  for (const place of places) {
+    extent.left = Math.min(extent.left, place[0]);
+    extent.right = Math.max(extent.right, place[0]);
+    extent.bottom = Math.min(extent.bottom, place[1]);
+    extent.top = Math.max(extent.top, place[1]);
+  }
+  return extent;
+}
+
+/**
+ * The camera that shows an extent as large as the margins, in pixels, leave room.
+ * @param {Extent} extent @param {Size} size @param {Extent} margin @returns {Camera}
+ */
+export function fit(extent, size, margin) {
+  const width = Math.max(40, size.width - margin.left - margin.right);
+  const height = Math.max(40, size.height - margin.top - margin.bottom);
+  const scale = Math.min(width / (extent.right - extent.left || 1), height / (extent.top - extent.bottom || 1));
+  return {
+    u: (extent.left + extent.right) / 2 - (margin.left - margin.right) / 2 / scale,
+    v: (extent.bottom + extent.top) / 2 + (margin.top - margin.bottom) / 2 / scale,
+    scale,
+  };
+}
+
+/** The height in which an extent fills a width. @param {Extent} extent @param {number} width @param {Extent} margin */
+export function heightFor(extent, width, margin) {
+  const scale = Math.max(40, width - margin.left - margin.right) / (extent.right - extent.left || 1);
+  return margin.top + margin.bottom + scale * (extent.top - extent.bottom);
+}
+
+/** @param {Camera} camera @param {Size} size @param {number} u @param {number} v @returns {[number, number]} */
+export function toPixel(camera, size, u, v) {
+  return [size.width / 2 + (u - camera.u) * camera.scale, size.height / 2 - (v - camera.v) * camera.scale];
+}
+
+/** @param {Camera} camera @param {Size} size @param {number} x @param {number} y @returns {[number, number]} */
+export function fromPixel(camera, size, x, y) {
+  return [camera.u + (x - size.width / 2) / camera.scale, camera.v - (y - size.height / 2) / camera.scale];
+}
+
+/**
+ * The entry whose place in pixels is nearest, or -1 where none is within reach.
+ * @param {readonly (ArrayLike<number> | null)[]} places @param {number} x @param {number} y @param {number} reach
+ */
+export function nearestPlace(places, x, y, reach) {
+  let best = -1,
+    least = reach * reach;
+  places.forEach((place, i) => {
+    const square = place ? (place[0] - x) ** 2 + (place[1] - y) ** 2 : Infinity;
+    if (square < least) [best, least] = [i, square];
+  });
+  return best;
+}
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+export function distance(a, b) {
+  return Math.hypot(a[0] - b[0], a[1] - b[1]);
+}

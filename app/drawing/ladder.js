@@ -1,0 +1,67 @@
+// The ladder of errors: each model's, fitted and held out, over the noise floor.
+import {fixed, isNumber, short} from "./numbers.js";
+
+/** @typedef {{name: string, fitted: number | null, heldout: number | null}} Rung */
+
+/** What the two kinds of bars and the line are. */
+export const LADDER_WORDS = {
+  fitted: "fitted: on the readings it was fitted to",
+  heldout: "held out: judged by a fit that has not seen it",
+  floor: "noise floor: what the stated noise alone leaves",
+};
+
+/**
+ * Model names as files are long: their last part tells them apart, else they stay whole.
+ * @param {readonly string[]} names
+ */
+export function rungNames(names) {
+  const brief = names.map((name) => name.replace(/^.*\//, "").replace(/\.yaml\b/, ""));
+  return new Set(brief).size === new Set(names).size ? brief : [...names];
+}
+
+/**
+ * Where the axis ends: at the largest error, unless that would press the others against the left.
+ * @param {readonly Rung[]} rungs @param {number | null} floor
+ */
+export function axisEnd(rungs, floor) {
+  const errors = rungs.map((rung) => Math.max(rung.fitted ?? 0, rung.heldout ?? 0));
+  const others = Math.max(floor ?? 0, ...errors.slice(1));
+  const largest = Math.max(floor ?? 0, ...errors) || 1;
+  return errors.length > 1 && others > 0 && largest > 4 * others ? 1.7 * others : 1.06 * largest;
+}
+
+/** "1.04 x floor"; empty without a floor. @param {number} value @param {number | null} floor */
+export function timesFloor(value, floor) {
+  return floor ? `${fixed(value / floor, value / floor < 10 ? 2 : 0)} \u00d7 floor` : "";
+}
+
+/** @param {number} floor @param {string} unit */
+export function floorText(floor, unit) {
+  return `noise floor ${short(floor)} ${unit}`;
+}
+
+/** A bar's length as a share of the axis, and whether it is cut there. @param {number} value @param {number} end */
+export function barOf(value, end) {
+  return {share: Math.min(1, value / end), isCut: value > end * 1.001};
+}
+
+/**
+ * The rungs of a list as documents have it: bare errors, or inside {rms}.
+ * @param {readonly any[]} entries @returns {Rung[]}
+ */
+export function rungsOf(entries) {
+  const names = rungNames(entries.map((entry) => String(entry.name ?? entry.model ?? entry.cell ?? "")));
+  return entries
+    .map((entry, k) => ({
+      name: names[k],
+      fitted: errorOf(entry.rms),
+      heldout: errorOf(entry.heldout_rms ?? entry.heldout),
+    }))
+    .filter((rung) => rung.fitted !== null || rung.heldout !== null);
+}
+
+/** A root mean square, given bare or inside {rms}. @param {any} value @returns {number | null} */
+export function errorOf(value) {
+  const bare = value !== null && typeof value === "object" ? value.rms : value;
+  return isNumber(bare) ? bare : null;
+}

@@ -1,0 +1,98 @@
+// Writing figures: real minus signs, about three digits. ASCII only, as all of this folder: reports carry these files as
+// they are.
+
+export const MISSING = "\u2013";
+
+/** @type {(value: unknown) => value is number} */
+export function isNumber(value) {
+  return typeof value === "number" && Number.isFinite(value);
+}
+
+/** @param {unknown} value @param {number} digits */
+export function fixed(value, digits) {
+  if (!isNumber(value)) return MISSING;
+  const text = value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits});
+  return text.replace("-", "\u2212");
+}
+
+/** About three figures: 0.0302, 12.4, 4,674, 3.1e-8. @param {unknown} value */
+export function short(value) {
+  if (!isNumber(value)) return MISSING;
+  const size = Math.abs(value);
+  if (size === 0) return "0";
+  if (size < 5e-4 || size >= 1e6)
+    return value
+      .toExponential(size < 1 ? 1 : 2)
+      .replaceAll("-", "\u2212")
+      .replace("e+", "e");
+  const digits = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 0.1 ? 3 : 4;
+  return fixed(value, digits);
+}
+
+/** As it was given, to six figures: 0.089, 20. @param {unknown} value */
+export function exact(value) {
+  return isNumber(value) ? value.toLocaleString("en", {maximumSignificantDigits: 6}).replace("-", "\u2212") : MISSING;
+}
+
+/** @param {unknown} value */
+export function whole(value) {
+  return fixed(value, 0);
+}
+
+/** @param {unknown} fraction */
+export function percent(fraction, digits = 0) {
+  return isNumber(fraction) ? `${fixed(100 * fraction, digits)}\u00a0%` : MISSING;
+}
+
+/** Certainty is said only where it is certain. @param {unknown} value */
+export function probability(value) {
+  if (!isNumber(value)) return MISSING;
+  if (value > 0 && value < 0.001) return "<\u00a00.1\u00a0%";
+  if (value < 1 && value > 0.999) return ">\u00a099.9\u00a0%";
+  return percent(value, 1);
+}
+
+/** A p-value for a table: 0.032, 6e-173. @param {unknown} p */
+export function pValue(p) {
+  if (!isNumber(p)) return MISSING;
+  if (p < 1e-300) return "<\u00a01e\u2212300";
+  return p < 0.001 ? p.toExponential(0).replace("e-", "e\u2212") : fixed(p, p < 0.095 ? 3 : 2);
+}
+
+/** A p-value in a sentence: p = 0.032. @param {unknown} p */
+export function chance(p) {
+  if (!isNumber(p)) return "not tested";
+  const text = pValue(p);
+  return text.startsWith("<") ? `p ${text}` : `p = ${text}`;
+}
+
+/** 75 s, 12 min 05 s, 1 h 20 min. @param {unknown} seconds */
+export function duration(seconds) {
+  if (!isNumber(seconds)) return MISSING;
+  if (seconds < 120) return `${fixed(seconds, seconds < 10 ? 1 : 0)} s`;
+  const minutes = Math.floor(Math.round(seconds) / 60);
+  if (minutes < 120) return `${minutes} min ${twoDigits(Math.round(seconds) % 60)} s`;
+  const all = Math.round(seconds / 60);
+  return `${Math.floor(all / 60)} h ${twoDigits(all % 60)} min`;
+}
+
+/** @param {number} value */
+function twoDigits(value) {
+  return String(value).padStart(2, "0");
+}
+
+/** A clock of fixed width: 03:07.5. @param {number} seconds */
+export function clock(seconds) {
+  const minutes = Math.floor(seconds / 60);
+  return `${twoDigits(minutes)}:${(seconds - 60 * minutes).toFixed(1).padStart(4, "0")}`;
+}
+
+/** @param {unknown} count @param {string} one */
+export function plural(count, one, many = `${one}s`) {
+  return `${whole(count)} ${count === 1 ? one : many}`;
+}
+
+/** A unit behind a figure; none where it is 1. @param {unknown} unit */
+export function unitText(unit) {
+  return typeof unit !== "string" || unit === "" || unit === "1" ? "" : `\u00a0${unit.replace("degree", "deg")}`;
+}

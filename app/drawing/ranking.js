@@ -1,0 +1,50 @@
+// The ranking of effects as rows: figures as text, and shares for bars.
+import {effectTitle, keptText, plainName} from "./explanations.js";
+import {isNumber, MISSING, percent, plural, probability, short} from "./numbers.js";
+import {withSigma} from "./sigma_text.js";
+
+/** So many are shown; the others fold away. */
+export const MOST_RANKED = 12;
+
+/** @typedef {{name: string, value: number, sigma: number | null, unit: string}} RankedSize */
+/** @typedef {{effect: string, at: string, words?: string, probability?: number | null, chi2_fall?: number | null,
+ *    kept_fraction?: number | null, size?: RankedSize | null}} Ranked */
+
+/** A figure behind a bar. @typedef {{share: number, text: string}} Barred */
+
+/** @param {unknown} value @param {number} most @param {string} text @returns {Barred} */
+export function barred(value, most, text) {
+  return {share: isNumber(value) && most > 0 ? Math.max(0, Math.min(1, value / most)) : 0, text};
+}
+
+/** @template {Ranked} T @param {readonly T[]} ranking */
+export function rankingRows(ranking) {
+  const falls = ranking.map((entry) => entry.chi2_fall).filter(isNumber);
+  const most = falls.reduce((largest, fall) => Math.max(largest, fall), 1e-12);
+  return ranking.map((entry) => ({
+    entry,
+    title: effectTitle(entry),
+    words: entry.words ?? "",
+    kept: keptText(entry.kept_fraction),
+    probability: barred(entry.probability, 1, probability(entry.probability)),
+    fall: barred(entry.chi2_fall, most, short(entry.chi2_fall)),
+    size: entry.size
+      ? {name: plainName(entry.size.name), text: withSigma(entry.size.value, entry.size.sigma, entry.size.unit)}
+      : {name: "", text: MISSING},
+    shows: barred(entry.kept_fraction, 1, percent(entry.kept_fraction)),
+  }));
+}
+
+/**
+ * How many were tried, and what else is probable.
+ * @param {{ranking: readonly unknown[], probability?: any}} document
+ */
+export function triedText({ranking, probability: chances}) {
+  const causes = `${plural(ranking.length, "cause")} ${ranking.length === 1 ? "was" : "were"}`;
+  const tried = `${causes} tried, each alone and with others.`;
+  if (!isNumber(chances?.nothing_missing)) return tried;
+  return (
+    `${tried} That nothing is missing has probability ${probability(chances.nothing_missing)}, ` +
+    `that no known effect is part of it ${probability(chances.unknown_alone)}.`
+  );
+}

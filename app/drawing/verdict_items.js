@@ -1,0 +1,90 @@
+// A verdict as a list: every sentence of it, figures to as many digits as noise carries, nothing cut.
+import {explanationTitle, sizeText} from "./explanations.js";
+import {isNumber, percent, short} from "./numbers.js";
+
+/** @typedef {import("./explanations.js").FoundEffect} FoundEffect */
+/** @typedef {{verdict: string, sentence?: string, units?: {length: string}, rms?: Record<string, number | null>,
+ *    explanations?: {effects: FoundEffect[]}[], alternatives?: FoundEffect[][], splitting?: {advice?: string} | null,
+ *    probability?: {scatter_alone?: number | null} | null,
+ *    remainder?: {size: number | null, follows: {variable: string, share: number}[]} | null}} Diagnosed */
+/**
+ * @typedef {{sentence?: string, units?: {length: string}, rms?: Record<string, number | null>,
+ *    grounds?: string[]}} Compared
+ */
+
+/** @param {Diagnosed} document */
+export function verdictItems(document) {
+  return [...findingItems(document), ...sentencesOf(document.splitting?.advice ?? "")];
+}
+
+/** @param {Diagnosed} document @returns {string[]} */
+function findingItems(document) {
+  const {verdict, explanations = [], alternatives = []} = document,
+    first = explanations[0];
+  const error = lengthsOf(document);
+  if (first && (verdict === "explained" || verdict === "partly-explained")) {
+    const sizes = first.effects.map(sizeText).filter((text) => text !== "");
+    return [
+      `Missing: ${explanationTitle(first)}${sizes.length > 0 ? ` (${sizes.join("; ")})` : ""}.`,
+      `With it ${fallText(error)}`,
+      ...remainderItems(document),
+    ];
+  }
+  if (verdict === "ambiguous" && alternatives.length > 1)
+    return [
+      `${alternatives.length} explanations fit these readings equally well.`,
+      `With the first, ${explanationTitle({effects: alternatives[0]})}, ${fallText(error)}`,
+    ];
+  if (verdict === "adequate")
+    return [`Nothing is missing: the error of ${error("before")} is what noise leaves (${error("noise_floor")}).`];
+  if (verdict === "unexplained" && !isScatter(document))
+    return ["Something is missing, and no known effect is sure to be part of it.", ...remainderItems(document)];
+  return sentencesOf(document.sentence ?? "");
+}
+
+/** @param {{rms?: Record<string, number | null>, units?: {length: string}}} document */
+function lengthsOf({rms, units}) {
+  return (/** @type {string} */ name) => `${short(rms?.[name])} ${units?.length ?? ""}`;
+}
+
+/** @param {(name: string) => string} error */
+function fallText(error) {
+  const from = error("heldout_before").split(" ")[0];
+  const to = error("heldout_after");
+  return `the held-out error falls from ${from} to ${to}; noise alone leaves ${error("noise_floor")}.`;
+}
+
+/**
+ * Beyond the stated noise, and following nothing: then the program's own words say what that can be.
+ * @param {Diagnosed} document
+ */
+function isScatter({probability}) {
+  return (probability?.scatter_alone ?? 0) > 0.5;
+}
+
+/** @param {Diagnosed} document */
+function remainderItems({remainder, units}) {
+  if (!remainder || !isNumber(remainder.size) || !(remainder.size > 0)) return [];
+  const follows = (remainder.follows ?? []).slice(0, 3).map(({variable, share}) => `${variable} (${percent(share)})`);
+  const what =
+    follows.length > 0 ? `; it follows ${follows.join(", ")}` : ", and follows nothing that the readings state";
+  return [`${short(remainder.size)} ${units?.length ?? ""} remains that no known effect explains${what}.`];
+}
+
+/** The comparison's reasons, one by one. @param {Compared} document */
+export function comparisonItems(document) {
+  const error = lengthsOf(document);
+  return [
+    `The error is ${error("before")} as the model stands and ${error("after")} refitted; ` +
+      `noise alone leaves ${error("noise_floor")}.`,
+    ...(document.grounds ?? []).map((ground) => `${ground.charAt(0).toUpperCase()}${ground.slice(1)}.`),
+  ];
+}
+
+/** @param {string} text */
+export function sentencesOf(text) {
+  return text
+    .split(/(?<=[.;:])\s+(?=[A-Z(]|or |load )/)
+    .map((part) => part.trim())
+    .filter((part) => part !== "");
+}

@@ -1,0 +1,21 @@
+// Visits of a plan in words, and what it keeps clear.
+import {exact} from "./numbers.js";
+
+/** @param {number} index from 0 @param {number} count */
+export function visitText(index, count) {
+  return `visit ${index + 1} of ${count}`;
+}
+
+/** @param {number} clearance @param {string} unit */
+export function requiredText(clearance, unit) {
+  return `required ${exact(clearance)} ${unit}`;
+}
+
+/**
+ * The number of steps of the tool that enter at a centring error, by the tolerances of all of them.
+ * @param {number} error @param {readonly number[]} tolerances
+ */
+export function stepsAtError(error, tolerances) {
+  const first = tolerances.findIndex((tolerance) => error > tolerance);
+  return first < 0 ? tolerances.length : first;
+}

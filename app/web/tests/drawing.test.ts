@@ -1,0 +1,236 @@
+// The modules that reports and workbench share: shapes, arrows, frames, and their words.
+import {readdirSync, readFileSync} from "node:fs";
+import path from "node:path";
+import {describe, expect, it} from "vitest";
+import {arrowCorners, arrowPath, usualLargest} from "../../drawing/arrows.js";
+import {conditionsOf, pairCells, separations, senseArrow} from "../../drawing/conditions.js";
+import {
+  effectTitle,
+  explanationsOf,
+  explanationTitle,
+  explanationWords,
+  keptText,
+  sizeText,
+  withIt,
+} from "../../drawing/explanations.js";
+import {extentOf, fit, fromPixel, heightFor, nearestPlace, toPixel} from "../../drawing/frames.js";
+import {stateMark, STEP_MARKS, verdictMark} from "../../drawing/kinds.js";
+import {inPlane, PLANES} from "../../drawing/planes.js";
+import {rankingRows, triedText} from "../../drawing/ranking.js";
+import {hollowPath, outlineOf, type Shape} from "../../drawing/shapes.js";
+import {READING_SIGMAS, sigmasText} from "../../drawing/sigma_text.js";
+import {comparisonItems, sentencesOf, verdictItems} from "../../drawing/verdict_items.js";
+import {requiredText, stepsAtError, visitText} from "../../drawing/visits.js";
+
+const SHAPES: Shape[] = [
+  "ring",
+  "double-ring",
+  "target",
+  "dot",
+  "disc",
+  "half",
+  "square",
+  "diamond",
+  "triangle",
+  "cross",
+  "bar",
+  "hatched",
+];
+
+describe("shapes", () => {
+  it("are each something of their own, filled or a line with a width", () => {
+    const drawn = SHAPES.map((shape) => outlineOf(shape, 0, 0, 10));
+    for (const {fill, line, width} of drawn) {
+      expect(fill + line).toMatch(/^M/);
+      expect(line !== "").toBe(width > 0);
+    }
+    expect(new Set(drawn.map(({fill, line}) => `${fill}|${line}`)).size).toBe(SHAPES.length);
+    expect(outlineOf("none", 0, 0, 10)).toEqual({fill: "", line: "", width: 0});
+  });
+  it("can be drawn hollow", () => {
+    expect(hollowPath("disc", 5, 5, 2)).toBe(outlineOf("disc", 5, 5, 2).fill);
+  });
+  it("tell kinds apart without colour", () => {
+    expect(new Set(STEP_MARKS.map(({shape}) => shape)).size).toBe(4);
+    expect(stateMark("no such state").shape).toBe("diamond");
+    expect(verdictMark("constructor").shape).toBe("diamond");
+  });
+});
+
+describe("arrows", () => {
+  it("have a head that ends them and never exceeds them", () => {
+    const [nx, ny, ax, ay, bx, by] = arrowCorners(0, 0, 100, 0, 6)!;
+    expect([nx, ny]).toEqual([94, 0]);
+    expect([ax, bx]).toEqual([94, 94]);
+    expect(ay).toBeCloseTo(-by);
+    expect(arrowCorners(0, 0, 2, 0, 6)![0]).toBeCloseTo(0.4);
+  });
+  it("are nothing where they are too short to be seen", () => {
+    expect(arrowCorners(3, 4, 0.3, 0.3)).toBeNull();
+    expect(arrowPath(3, 4, 0, 0)).toBe("");
+    expect(arrowPath(0, 0, 20, 0)).toBe("M0.0 0.0L14.0 0.0M20.0 0.0L14.0 2.5L14.0 -2.5Z");
+  });
+  it("are scaled by what few errors are beyond", () => {
+    const sizes = Array.from({length: 100}, (_, k) => k + 1);
+    expect(usualLargest([...sizes, 1e6])).toBe(99);
+    expect(usualLargest([null, undefined, NaN])).toBe(0);
+  });
+});
+
+describe("frames", () => {
+  const margin = {left: 10, right: 30, top: 20, bottom: 40},
+    size = {width: 400, height: 300};
+  it("show an extent within its margins, and back", () => {
+    const camera = fit({left: 0, right: 36, bottom: 0, top: 24}, size, margin);
+    expect(toPixel(camera, size, 0, 0)).toEqual([10, 260]);
+    expect(toPixel(camera, size, 36, 24)).toEqual([370, 20]);
+    expect(fromPixel(camera, size, 190, 140)).toEqual([18, 12]);
+    expect(heightFor({left: 0, right: 36, bottom: 0, top: 24}, 400, margin)).toBe(300);
+  });
+  it("know extents and the place that is pointed at", () => {
+    const places = [[1, 2], [5, -3], null] as [number, number][];
+    expect(extentOf(places.slice(0, 2))).toEqual({left: 1, right: 5, bottom: -3, top: 2});
+    expect(nearestPlace(places, 4, -3, 2)).toBe(1);
+    expect(nearestPlace(places, 20, 20, 2)).toBe(-1);
+    expect(inPlane(PLANES[1], [1, 2, 3])).toEqual([1, 3]);
+  });
+});
+
+const slack = {effect: "slack", at: "wrist.z", words: "a clearance", parameters: {half_gap: {value: 0.1, sigma: 0.01}}};
+
+describe("explanations", () => {
+  it("are named by their effects, with the numbers that say something", () => {
+    expect(effectTitle(slack)).toBe("slack at wrist.z");
+    expect(explanationTitle({effects: [slack, {effect: "drift", at: "base"}]})).toBe(
+      "slack at wrist.z and drift at base",
+    );
+    expect(sizeText(slack)).toBe("half gap 0.100 ± 0.010");
+    expect(sizeText({...slack, parameters: {a: {value: 0}, b: {value: 2, unit: "in"}, c: "text", d: null}})).toBe(
+      "b 2.00\u00a0in",
+    );
+  });
+  it("say what they are in the words of the document, each once", () => {
+    expect(explanationWords({effects: [slack, slack]})).toBe("a clearance");
+    expect(explanationWords({effects: [slack], enough: false})).toMatch(/not enough/);
+    expect(withIt({effects: [slack], enough: false})).toBe("with the closest, slack at wrist.z");
+  });
+  it("are all there: those with figures first", () => {
+    const other = {effect: "drift", at: "base"};
+    const found = explanationsOf({explanations: [{effects: [slack]}], alternatives: [[slack], [other]]});
+    expect(found.map(explanationTitle)).toEqual(["slack at wrist.z", "drift at base"]);
+    expect(explanationsOf({})).toEqual([]);
+  });
+  it("say how much shows", () => {
+    expect(keptText(0.03)).toMatch(/^3\.0\u00a0% of it shows/);
+    expect(keptText(0.99)).toBe("all of it shows");
+    expect(keptText(null)).toBe("");
+  });
+});
+
+describe("the ranking", () => {
+  const rows = rankingRows([
+    {
+      ...slack,
+      probability: 0.9,
+      chi2_fall: 200,
+      kept_fraction: 0.4,
+      size: {name: "half_gap", value: 1, sigma: 0.1, unit: "1"},
+    },
+    {effect: "drift", at: "base", probability: null, chi2_fall: 50, kept_fraction: null, size: null},
+  ]);
+  it("has figures with shares for bars", () => {
+    expect(rows.map(({fall}) => fall)).toEqual([
+      {share: 1, text: "200"},
+      {share: 0.25, text: "50.0"},
+    ]);
+    expect(rows[0].size).toEqual({name: "half gap", text: "1.00 ± 0.10"});
+    expect(rows[1].probability).toEqual({share: 0, text: "–"});
+    expect(rows[1].words).toBe("");
+  });
+  it("says how many were tried", () => {
+    expect(triedText({ranking: rows, probability: {nothing_missing: 0.2, unknown_alone: 0}})).toMatch(
+      /^2 causes were tried.*20\.0/,
+    );
+    expect(triedText({ranking: [1]})).toMatch(/^1 cause was tried/);
+  });
+});
+
+describe("readings", () => {
+  it("say their conditions, with what is not there left out", () => {
+    const rows = conditionsOf(
+      {joints: [-53.126, 75.7], senses: [1, 0], load: 20},
+      [{name: "a", unit: "deg"}, {name: "b"}],
+      {
+        force: "lbf",
+      },
+    );
+    expect(rows.map(({name, figure, unit, sense}) => `${name} ${figure} ${unit} ${sense}`.trim())).toEqual([
+      "a −53.13 deg ↑",
+      "b 75.70",
+      "load 20 lbf",
+    ]);
+    expect(senseArrow(-1)).toBe("↓");
+    expect(senseArrow(undefined)).toBe("");
+  });
+  it("tell explanations apart by so much", () => {
+    expect(
+      separations([{separation_sigmas: 8}, {separation_sigmas: null}]).map(({share, text}) => [share, text]),
+    ).toEqual([
+      [1, "8.00"],
+      [0, "–"],
+    ]);
+    expect(pairCells({if_true: "A", against: "B", probability_told: 1})).toEqual(["A", "B", "–", "–", "100.0\u00a0%"]);
+  });
+  it("are marked from many sigmas on, by a sign too", () => {
+    expect(sigmasText(5.04, READING_SIGMAS)).toEqual({text: "▲ 5.0", isMany: true});
+    expect(sigmasText(4.96, READING_SIGMAS)).toEqual({text: "5.0", isMany: false});
+    expect(sigmasText(undefined, READING_SIGMAS).text).toBe("–");
+  });
+});
+
+describe("verdicts", () => {
+  const rms = {before: 0.02, after: 0.019, noise_floor: 0.0057, heldout_before: 0.0204, heldout_after: 0.0059};
+  const units = {length: "in"};
+  it("are lists of what was found and what is left", () => {
+    const explained = {verdict: "explained", explanations: [{effects: [slack]}], rms, units};
+    expect(verdictItems(explained)).toEqual([
+      "Missing: slack at wrist.z (half gap 0.100 ± 0.010).",
+      "With it the held-out error falls from 0.0204 to 0.0059 in; noise alone leaves 0.0057 in.",
+    ]);
+    const remainder = {size: 0.01, follows: [{variable: "load", share: 0.5}]};
+    expect(verdictItems({...explained, verdict: "partly-explained", remainder}).at(-1)).toMatch(/it follows load \(50/);
+  });
+  it("keep the program's own words where a list would say less", () => {
+    expect(verdictItems({verdict: "inconclusive", sentence: "No verdict is possible: too few."})).toEqual([
+      "No verdict is possible: too few.",
+    ]);
+    expect(sentencesOf("One. Two; load 20 next")).toEqual(["One.", "Two;", "load 20 next"]);
+  });
+  it("of a comparison give its reasons", () => {
+    expect(comparisonItems({rms, units, grounds: ["chi-square says so"]}).at(-1)).toBe("Chi-square says so.");
+  });
+});
+
+describe("a plan", () => {
+  it("says its visits, what it keeps clear, and how far the tool goes in", () => {
+    expect(visitText(6, 60)).toBe("visit 7 of 60");
+    expect(requiredText(0.25, "in")).toBe("required 0.25 in");
+    expect([0.001, 0.05, 0.2].map((error) => stepsAtError(error, [0.09, 0.06, 0.01]))).toEqual([3, 2, 0]);
+  });
+});
+
+describe("the files of app/drawing", () => {
+  const folder = path.resolve(__dirname, "../../drawing");
+  const files = readdirSync(folder).filter((name) => name.endsWith(".js"));
+  it("are what reports can carry: ASCII, with imports of one form", () => {
+    expect(files.length).toBeGreaterThan(10);
+    for (const name of files) {
+      const text = readFileSync(path.join(folder, name), "utf8");
+      expect(text, name).toMatch(/^[\t\n\r -~]*$/);
+      for (const line of text.match(/^(import|export)\b.*/gm) ?? [])
+        expect(line, name).toMatch(
+          /^(import \{[^}]*\} from "\.\/\w+\.js";|import \{$|export (async )?(function\*?|const|let|class) )/,
+        );
+    }
+  });
+});

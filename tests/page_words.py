@@ -1,0 +1,25 @@
+"""No page names an effect: names, words and what their laws hang on come with the documents, from deflection/effects.
+python3 tests/page_words.py [TREE]"""
+import pathlib
+import re
+import sys
+
+tree = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.')
+# A user's formula is what pages have a box for; that it is a row of the table too is no matter of theirs.
+OF_PAGES = {'formula'}
+
+headers = sorted((tree / 'deflection/effects').glob('*.hpp'))
+names = {name for header in headers for name in re.findall(r'\.name = "([a-z-]+)",\s+\.words', header.read_text())} - OF_PAGES
+if len(names) < 25:
+    sys.exit(f'only {len(names)} effects were found in deflection/effects: is their form another one now?')
+named = re.compile(r'(?<![\w-])(' + '|'.join(sorted(names)) + r')(?![\w-])')
+found = []
+for folder in ('app/drawing', 'app/report', 'app/web/source'):
+    for file in sorted((tree / folder).rglob('*')):
+        if file.suffix not in ('.js', '.ts', '.tsx'):
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            for name in named.findall(line):
+                found.append(f'{file.relative_to(tree)}:{number}: names the effect {name}')
+print('\n'.join(found) or f'{len(names)} effects, and no page names one')
+sys.exit(bool(found))
