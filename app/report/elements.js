@@ -104,16 +104,21 @@ export function figure(description, draw) {
 /// A colour of the style sheet by its variable's name.
 export function colour(name) { return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim(); }
 
-/// Redraws on a change of the colour scheme, and in the light colours for the printer.
+/// Follows the reader's colour scheme, and is light for the printer; figures are drawn again with the colours.
 export function followColourScheme() {
-  const redrawAll = () => figures.forEach((redraw) => redraw());
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redrawAll);
+  const dark = matchMedia("(prefers-color-scheme: dark)"), page = document.documentElement;
+  const apply = (isDark) => {
+    page.dataset.scheme = isDark ? "dark" : "light";
+    figures.forEach((redraw) => redraw());
+  };
+  apply(dark.matches);
+  dark.addEventListener("change", () => apply(dark.matches));
   addEventListener("beforeprint", () => {
-    document.documentElement.dataset.printing = "yes";
-    redrawAll();
+    page.dataset.printing = "yes";
+    apply(false);
   });
   addEventListener("afterprint", () => {
-    delete document.documentElement.dataset.printing;
-    redrawAll();
+    delete page.dataset.printing;
+    apply(dark.matches);
   });
 }

@@ -2,11 +2,12 @@
 import {isNumber} from "../drawing/numbers.js";
 import {rangeOf, roundTicks, widened} from "../drawing/scales.js";
 import {hollowPath} from "../drawing/shapes.js";
+import {besideLevel, variablesOf, variableTitle} from "../drawing/variables.js";
 import {zeroLine} from "./added_variable.js";
 import {chartFrame, evenAxis} from "./axes.js";
 import {append, choice, el, figure, notRecorded, svg} from "./elements.js";
 import {jointNames, seriesLegend, seriesOf} from "./error_series.js";
-import {lengthUnit, list, numbers, object, textOf} from "./values.js";
+import {lengthUnit, list, numbers, object} from "./values.js";
 
 const ERROR_PARTS = [
   {key: "size", name: "size", of: (error) => Math.hypot(...error)},
@@ -15,18 +16,15 @@ const ERROR_PARTS = [
   {key: "z", name: "z", of: (error) => error[2]},
 ];
 
-/// What the readings can be drawn against: {title, of, isSense}; only what differs between them.
+/// What errors are drawn against here: what was set or measured, but for the places, which have maps of their own.
+const DRAWN = new Set(["joint", "load", "temperature", "time", "sense"]);
+
 function regressorsOf(report, readings) {
-  const units = object(report.units) ?? {};
   const joints = readings.length > 0 ? jointNames(report, readings[0]) : [];
-  const all = [
-    ...joints.map(({name, unit}, i) => ({title: `${name}, ${unit}`, of: (reading) => reading.joints?.[i]})),
-    {title: `load, ${textOf(units.force, "")}`, of: (reading) => reading.load},
-    {title: `temperature, ${textOf(units.temperature, "")}`, of: (reading) => reading.temperature},
-    {title: `time, ${textOf(units.time, "")}`, of: (reading) => reading.time},
-    ...joints.map(({name}, i) => ({title: `sense of ${name}`, isSense: true, of: (reading) => reading.senses?.[i]}))
-  ];
-  return all.filter(({of}) => new Set(readings.map(of).filter(isNumber)).size > 1);
+  const found = variablesOf({readings, joints, places: []}, object(report.units) ?? {});
+  const titled = found.filter(({kind}) => DRAWN.has(kind)).map((entry) => ({...entry, title: variableTitle(entry)}));
+  const isSense = ({kind}) => kind === "sense";
+  return [...titled.filter((entry) => !isSense(entry)), ...titled.filter(isSense)];
 }
 
 export function residualChartsSection(report) {
@@ -62,7 +60,7 @@ function drawErrors(report, readings, regressor, part, width) {
   const [low, high] = rangeOf(values);
   const [from, to] = widened(low, high);
   const even = evenAxis(all.map((point) => point[1]));
-  const x = regressor.isSense ?
+  const x = regressor.kind === "sense" ?
       {from: -1.6, to: 1.6, ticks: [-1, 0, 1]} :
       {from, to, ticks: roundTicks(low, high, Math.max(2, width / 75))};
   const y = part.key === "size" ? {from: 0, to: even.to} : even;
@@ -80,7 +78,7 @@ function drawErrors(report, readings, regressor, part, width) {
 /// The series' marks; those of a sense are spread a little, each series to its own side.
 function errorMarks(series, points, regressor, at) {
   const side = series.key === "before" ? -1 : 1;
-  const spread = (index) => (regressor.isSense ? side * (8 + 11 * ((index * 0.618034) % 1)) : 0);
+  const spread = (index) => (regressor.kind === "sense" ? side * (13.5 + 11 * besideLevel(index)) : 0);
   const isHollow = series.key === "before";
   const d = points.map(([vx, vy], index) => {
     const [px, py] = at(vx, vy);

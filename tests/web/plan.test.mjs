@@ -27,7 +27,7 @@ describe("the mock-up", () => {
     await tab.focus(".stage");
     await tab.keyboard.press("ArrowUp");
     await tab.keyboard.press("Enter");
-    await tab.waitForSelector(".side h2 >> text=/^R\\d+ C\\d+$/");
+    await tab.waitForSelector(".side h2 >> text=/^R\\d+\\sC\\d+$/");
     await tab.waitForSelector(".side .figures dt >> text=theta4");
   });
 

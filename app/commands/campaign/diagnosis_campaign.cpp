@@ -179,10 +179,15 @@ json ratesJson() {
   return rates;
 }
 
+/// From the truth named to what could not be judged, as tables show them.
 json outcomesJson() {
+  using Kind = DiagnosisOutcomeKind;
   json outcomes = json::array();
-  for (std::size_t k = 0; k < kOutcomes; ++k)
+  for (const Kind kind : {Kind::kNamed, Kind::kAmong, Kind::kOther, Kind::kUnexplained, Kind::kInconclusive,
+                          Kind::kAdequate, Kind::kNotMade}) {
+    const auto k = static_cast<std::size_t>(kind);
     outcomes.push_back({{"name", kDiagnosisOutcomes[k]}, {"words", kOutcomeWords[k]}});
+  }
   return outcomes;
 }
 

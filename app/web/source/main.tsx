@@ -1,6 +1,7 @@
 // Starts the page: style, colours, the server's events, then the workbench itself.
 import "./style/fonts.css";
 import "uplot/dist/uPlot.min.css";
+import "../../drawing/colours.css";
 import "./style/tokens.css";
 import "./style/page.css";
 import "./style/views.css";

@@ -3,7 +3,7 @@ import {binnedMeans, lawAlong} from "../source/error/binned";
 import {followedShare, viewOfCause} from "../source/error/own_variable";
 import {partsOf} from "../source/error/parts";
 import {columnsOf, filtered, rowsOf, sorted} from "../source/error/reading_rows";
-import {findVariable, variablesOf} from "../source/error/variables";
+import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
 
 // Two turning joints in a plane, the second at the end of a link of 10; sixty readings, the world's z up.
@@ -44,7 +44,7 @@ const leverage: LeverageDocument = {
   tool: byId(() => [1, 0, 0, 0, 1, 0, 0, 0, 1]),
   readings: byId((k) => [...levers[k][0], ...levers[k][1], ...levers[k][1]]),
 };
-const source = {readings, joints: ["theta1", "theta2"], places};
+const source = {readings, joints: [{name: "theta1"}, {name: "theta2"}], places};
 const variables = variablesOf(source, {angle: "deg", force: "lbf"}, moments);
 const parts = partsOf({ids: readings.map(({id}) => id), places, unit: {length: "in", angle: "deg"}, leverage});
 
@@ -138,6 +138,24 @@ describe("the plot opens on the variable that the cause lives on", () => {
   it("for a formula, on what it names", () => {
     const law = (k: number) => scaled(levers[k][1], 0.1 * Math.sin(readings[k].joints[0] * radians));
     expect(opened("formula", "theta2 += c*sin(theta1)", law)).toEqual(["theta1", expect.any(String)]);
+  });
+});
+
+describe("variables", () => {
+  it("are those that differ, with the unit of their own joint", () => {
+    const own = variablesOf(
+      {
+        readings: [
+          {id: "1", joints: [1, 5]},
+          {id: "2", joints: [2, 5]},
+        ],
+        joints: [{name: "slide", unit: "mm"}, {name: "turn"}],
+        places: [],
+      },
+      {angle: "deg"},
+    );
+    expect(own.map(variableTitle)).toEqual(["slide, mm", "order of the readings"]);
+    expect(variables.map(({kind}) => kind)).toContain("moment");
   });
 });
 

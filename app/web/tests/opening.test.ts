@@ -7,7 +7,7 @@ import path from "node:path";
 import {afterAll, beforeAll, describe, expect, it} from "vitest";
 import {turnedBy, viewOfCause} from "../source/error/own_variable";
 import {partsOf} from "../source/error/parts";
-import {variablesOf} from "../source/error/variables";
+import {variablesOf} from "../../drawing/variables.js";
 import type {
   CatalogueDocument,
   DiagnoseDocument,
@@ -131,7 +131,7 @@ async function opened(hide: string, cell: string): Promise<{cause: EffectAt; var
   const leverage = await ask<LeverageDocument>(server, `leverage?at=${joints.join(",")}${axis}`);
   const places = document.readings.map((reading) => reading.position);
   const unit = document.units as unknown as Record<string, string>;
-  const variables = variablesOf({readings: document.readings, joints, places}, unit, moments);
+  const variables = variablesOf({readings: document.readings, joints: document.joints, places}, unit, moments);
   const parts = partsOf({ids: document.readings.map(({id}) => id), places, unit: document.units, leverage});
   const did = document.readings.map(({before, explained}): Vector3 | null => {
     const after = explained[index];

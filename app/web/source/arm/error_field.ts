@@ -12,25 +12,24 @@ import {
   Vector3,
 } from "three";
 import type {Palette} from "../drawing/colours";
+import {usualLargest} from "../../../drawing/arrows.js";
 import {roundDown125} from "../../../drawing/scales.js";
 import type {ReadingErrors} from "../error/residuals";
 
-/** Of the picture's reach: how long an error is drawn that nine of ten are not beyond. */
-const LONG = 0.12;
+/** Of the picture's reach: how long an error is drawn that few are beyond. */
+const LONG = 0.16;
 /** Fainter than this, a series is not drawn at all. */
 const FAINTEST = 0.02;
 
 type Place = [number, number, number];
 
-function lengthsOf(errors: (Place | null)[]): number[] {
-  return errors.flatMap((error) => (error ? [Math.hypot(...error)] : []));
-}
-
 /** By how much the errors are drawn larger: one factor for before and after. */
 export function fieldFactor(errors: ReadingErrors, reach: number): number {
-  const lengths = lengthsOf(errors.series.flatMap((series) => series.errors)).sort((a, b) => a - b);
-  const most = lengths[Math.floor(0.9 * (lengths.length - 1))] ?? 0;
-  return most > 0 ? Math.max(1, roundDown125((LONG * reach) / most)) : 1;
+  const lengths = errors.series.flatMap((series) =>
+    series.errors.map((error) => (error ? Math.hypot(...error) : null)),
+  );
+  const largest = usualLargest(lengths);
+  return largest > 0 ? Math.max(1, roundDown125((LONG * reach) / largest)) : 1;
 }
 
 /** Arrows of one series; null where it has none. */

@@ -2,20 +2,26 @@
 // unexplained remainder follows. A choice by hand holds until other errors are shown.
 import {computed, effect, signal} from "@preact/signals";
 import type {Vector3} from "../server/documents";
-import {units} from "../server/workbench";
+import {cell, units} from "../server/workbench";
 import {leverage} from "./leverage";
 import {compare, currentDiagnosis} from "./loop";
 import {moments} from "./moments";
 import {followedShare, viewOfCause, type View} from "./own_variable";
 import {findPart, jointKey, partsOf, type Part} from "./parts";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {findVariable, variablesOf, type Variable} from "./variables";
+import {findVariable, variablesOf, type Variable} from "../../../drawing/variables.js";
 
-export const variables = computed<Variable[]>(() =>
-  readingErrors.value
-    ? variablesOf(readingErrors.value, units.value as unknown as Record<string, string | undefined>, moments.value)
-    : [],
-);
+export const variables = computed<Variable[]>(() => {
+  const errors = readingErrors.value;
+  if (!errors) return [];
+  const joints = errors.joints.map((name, k) => ({name, unit: cell.value?.joints[k]?.unit}));
+  const {readings, places} = errors;
+  return variablesOf(
+    {readings, joints, places},
+    units.value as unknown as Record<string, string | undefined>,
+    moments.value,
+  );
+});
 
 export const parts = computed<Part[]>(() => {
   const errors = readingErrors.value;

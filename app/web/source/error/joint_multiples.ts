@@ -4,7 +4,7 @@ import type {PatternTest} from "../server/documents";
 import {followedShare} from "./own_variable";
 import {jointKey, type Part} from "./parts";
 import type {ReadingErrors} from "./residuals";
-import {findVariable, type Variable} from "./variables";
+import {findVariable, type Variable} from "../../../drawing/variables.js";
 
 export const COLUMNS = ["angle", "direction", "moment", "load"] as const;
 export type ColumnName = (typeof COLUMNS)[number];

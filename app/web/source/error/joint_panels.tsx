@@ -2,6 +2,7 @@
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
 import {chance, isNumber, short} from "../../../drawing/numbers.js";
+import {besideLevel} from "../../../drawing/variables.js";
 import {cell, sceneDocument} from "../server/workbench";
 import {binnedMeans} from "./binned";
 import {chosenPart, chosenVariable, parts, shownView, variables} from "./focus";
@@ -151,7 +152,7 @@ function drawPanel(
         value = error ? part.of(error, i) : null;
       if (!isNumber(x) || !isNumber(value)) continue;
       // Levels are spread a little, so that their points are seen.
-      const beside = variable.kind === "sense" ? (((i * 0.618034) % 1) - 0.5) * 0.2 * inner : 0;
+      const beside = variable.kind === "sense" ? besideLevel(i) * 0.2 * inner : 0;
       const px = at(x) + (x > (low + high) / 2 ? -Math.abs(beside) : Math.abs(beside));
       context.beginPath();
       if (k === 0) {

@@ -2,7 +2,7 @@
 // may hang on, the one that what the cause does at these readings follows most.
 import type {EffectAt, Vector3} from "../server/documents";
 import {jointKey, type Part} from "./parts";
-import type {Variable} from "./variables";
+import type {Variable} from "../../../drawing/variables.js";
 
 const BINS = 12;
 

@@ -9,6 +9,7 @@ import {exact, isNumber, short} from "../../../drawing/numbers.js";
 import {roundTicks, symmetric, widened} from "../../../drawing/scales.js";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
+import {besideLevel, variableTitle} from "../../../drawing/variables.js";
 import {binnedMeans, lawAlong, type Bin} from "./binned";
 import {chosenPart, chosenVariable, doneBy, parts, shownView, variables} from "./focus";
 import type {View} from "./own_variable";
@@ -109,7 +110,7 @@ interface MadePlot {
 
 /** Points of one level are spread a little, so that all of them are seen. */
 function spread(isLevel: boolean, value: number, index: number): number {
-  return isLevel ? value + 0.5 * (((index * 0.618034) % 1) - 0.5) : value;
+  return isLevel ? value + 0.5 * besideLevel(index) : value;
 }
 
 function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot {
@@ -128,7 +129,7 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot
         doneBy(errors).map((error, i) => (error ? part.of(error, i) : null)),
       )
     : [];
-  const name = `${variable.name}${variable.unit ? `, ${variable.unit}` : ""}`;
+  const name = variableTitle(variable);
   const title = `${part.title}, ${part.unit}`;
   return {
     rows,
