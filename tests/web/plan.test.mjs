@@ -133,6 +133,20 @@ describe("the mock-up", () => {
     assert.deepEqual(tab.errors, []);
   });
 
+  it("goes straight from tube to tube where that is asked for", async () => {
+    await tab.fill(".select-box input", "R20C30-39");
+    await tab.keyboard.press("Enter");
+    await tab.waitForSelector(".plan-head .button.first >> text=Plan 10 tubes");
+    await tab.check(".plan-head label:has-text('straight') input");
+    await tab.click(".plan-head .button.first");
+    await tab.waitForSelector(".outcome >> text=/straight \d/", {timeout: 60000});
+    const {travel} = (await ask(server, "results/plan")).body;
+    assert.equal(travel.kind, "line");
+    assert.ok(travel.on_line >= 5 && travel.line_deviation <= 0.002, JSON.stringify(travel));
+    await tab.uncheck(".plan-head label:has-text('straight') input");
+    assert.deepEqual(tab.errors, []);
+  });
+
   it("keeps plan and selection over a reload", async () => {
     await tab.reload();
     await tab.waitForSelector(".tube-rows .tube-row", {timeout: 20000});

@@ -32,6 +32,7 @@ const EXPORTS = [
   ["cell.yaml", "Cell"],
 ] as const;
 const compensation = signal("via-point");
+const isOnLines = signal(false);
 const isParked = signal(false);
 const mode = signal("via_point");
 /** What the tour is coloured by: each way that is scored against the true arm, and what the plan itself expects. */
@@ -226,6 +227,12 @@ function PlanButton() {
         <option value="goal-point">goal point</option>
         <option value="none">no compensation</option>
       </select>
+      {compensation.value === "via-point" ? (
+        <label class="check" title="the tip straight from tube to tube, wherever that is possible and free">
+          <input type="checkbox" checked={isOnLines.value} onChange={() => (isOnLines.value = !isOnLines.value)} />{" "}
+          straight
+        </label>
+      ) : null}
       {cell.value?.has_park ? (
         <label class="check" title="set out from the park posture and come back to it">
           <input type="checkbox" checked={isParked.value} onChange={() => (isParked.value = !isParked.value)} /> park
@@ -238,6 +245,7 @@ function PlanButton() {
           runJob("Plan", "/api/plan", {
             tubes: [...selection.value].sort((a, b) => a - b),
             compensation: compensation.value,
+            travel: isOnLines.value && compensation.value === "via-point" ? "line" : "joints",
             load: 0,
             seed: 1,
             ...(isParked.value && cell.value?.has_park ? {start: "park", end: "park"} : {}),
@@ -271,6 +279,11 @@ function Outcome({document}: {document: PlanDocument}) {
       <span title={document.tightest}>
         clearance <b>{short(document.min_clearance)}</b> {unit}
       </span>
+      {document.travel?.on_line !== undefined ? (
+        <span title={`the tip leaves its line by at most ${short(document.travel.line_deviation)} ${unit}`}>
+          straight <b>{whole(document.travel.on_line)}</b>
+        </span>
+      ) : null}
     </p>
   );
 }

@@ -28,6 +28,8 @@ export interface PlanDocument {
   clearance_required: number;
   tightest: string;
   detours: number;
+  /** How the tool goes from tube to tube; not in what an earlier program left in a project. */
+  travel?: {kind: string; on_line?: number; line_deviation?: number | null};
   counts?: Record<string, number[]>;
   /** The ways of compensation that are scored; as step_words, not in what an earlier program left in a project. */
   modes?: {name: string; words: string; brief: string}[];
