@@ -139,7 +139,7 @@ describe("the mock-up", () => {
     await tab.waitForSelector(".plan-head .button.first >> text=Plan 10 tubes");
     await tab.check(".plan-head label:has-text('straight') input");
     await tab.click(".plan-head .button.first");
-    await tab.waitForSelector(".outcome >> text=/straight \d/", {timeout: 60000});
+    await tab.waitForSelector(".outcome >> text=/straight \\d/", {timeout: 60000});
     const {travel} = (await ask(server, "results/plan")).body;
     assert.equal(travel.kind, "line");
     assert.ok(travel.on_line >= 5 && travel.line_deviation <= 0.002, JSON.stringify(travel));
