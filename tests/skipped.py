@@ -13,7 +13,7 @@ def reasons(log):
             continue
         name = part.split("\n", 1)[0].strip()
         said = re.search(r"Skipped\n(.+)", part) or re.search(r"(?m)^skipped: (.+)", part)
-        yield name, said[1].strip() if said else "no reason given"
+        yield name, said[1].strip().removeprefix("skipped: ") if said else "no reason given"
 
 
 def main():

@@ -25,27 +25,28 @@ void addPictures(const Cell& cell, nlohmann::json& json) {
   }
 }
 
-}  // namespace
-
-std::string comparisonPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures) {
+/// The figures with what the page's head says.
+nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::uint64_t seed,
+                      const nlohmann::json& figures) {
   nlohmann::json page = figures;
-  page.update({{"title", "Comparison of " + input.cell.name},
+  page.update({{"title", what + " of " + input.cell.name},
                {"cell", input.cell.name},
                {"measurements", input.file},
                {"seed", seed},
                {"version", kVersion}});
+  return page;
+}
+
+}  // namespace
+
+std::string comparisonPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures) {
+  nlohmann::json page = pageOf("Comparison", input, seed, figures);
   addPictures(input.cell, page);
   return renderComparisonReport(page);
 }
 
 std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures) {
-  nlohmann::json page = figures;
-  page.update({{"title", "Diagnosis of " + input.cell.name},
-               {"cell", input.cell.name},
-               {"measurements", input.file},
-               {"seed", seed},
-               {"version", kVersion}});
-  return renderDiagnosisReport(page);
+  return renderDiagnosisReport(pageOf("Diagnosis", input, seed, figures));
 }
 
 }  // namespace tubeplan::app

@@ -46,8 +46,8 @@ export function sizeText(effect) {
 /** How much of what an effect does shows in the readings; empty where that is not known. @param {unknown} fraction */
 export function keptText(fraction) {
   if (!isNumber(fraction)) return "";
-  if (fraction > 0.98) return "all of it shows";
-  return `${percent(fraction, fraction < 0.1 ? 1 : 0)} of it shows; the rest hides in the fitted numbers`;
+  if (fraction > 0.98) return "all of it is observable";
+  return `${percent(fraction, fraction < 0.1 ? 1 : 0)} of it is observable; the rest is absorbed by the fitted numbers`;
 }
 
 /** Whether nothing else is needed beside it. @param {{enough?: boolean}} explanation */

@@ -52,5 +52,5 @@ function rankingTable(rows) {
                          barCell(row.shows)]);
   return el(
       "div", {class: "ranking"},
-      table(["effect", "probability", "chi-square falls by", "size", "of it shows"], cells));
+      table(["effect", "probability", "chi-square falls by", "size", "observable"], cells));
 }

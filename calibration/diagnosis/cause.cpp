@@ -43,7 +43,7 @@ std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std
   if (kind.needs.load && !has_load) return "no reading is under a load";
   if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";
-  if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances say it";
+  if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances cover it";
   return "";
 }
 

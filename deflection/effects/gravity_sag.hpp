@@ -28,7 +28,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {
       .name = "gravity-sag",
-      .words = "a joint gives under weights that the arm file does not state",
+      .words = "a joint sags under weights that the arm file does not state",
       .law = "turn of a joint = its moment by unknown weights: own part level along x, along y, and what is at the tip",
       .validity = "linear; the arm's weights need not be stated",
       .source = "Gautier and Khalil 1990, base parameters of gravity",

@@ -23,7 +23,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "hysteresis",
-          .words = "a joint rests elsewhere by the sense of its last motion",
+          .words = "a joint comes to rest elsewhere by the direction of its last motion",
           .law = "true joint value = reading + half_width * sense of the last motion",
           .validity = "the last motion was longer than the lost motion",
           .source = "Coulomb friction; Harmonic Drive catalogues, lost motion",

@@ -23,7 +23,7 @@ inline bool hasPlace(const Arm& arm, int row, int axis) { return !std::isfinite(
 
 inline EffectKind kind() {
   return {.name = "joint-compliance",
-          .words = "a joint axis taken as rigid gives",
+          .words = "a joint axis taken as rigid is compliant",
           .law = "rotation = compliance * moment about an axis taken as rigid",
           .validity = "linear",
           .source = "Calkins 1994, eq. 2.17",

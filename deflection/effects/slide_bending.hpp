@@ -29,7 +29,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "slide-bending",
-          .words = "a slide bends by how far it is out",
+          .words = "a slide bends the more the further it is out",
           .law = "rotation at a slide's end = moment * (linear * s + square * s^2), s how far it is out",
           .validity = "small rotations; the slide's limits are stated",
           .source = "bearings an overlap apart, to second order",

@@ -121,8 +121,8 @@ describe("explanations", () => {
     expect(explanationsOf({})).toEqual([]);
   });
   it("say how much shows", () => {
-    expect(keptText(0.03)).toMatch(/^3\.0\u00a0% of it shows/);
-    expect(keptText(0.99)).toBe("all of it shows");
+    expect(keptText(0.03)).toMatch(/^3\.0\u00a0% of it is observable/);
+    expect(keptText(0.99)).toBe("all of it is observable");
     expect(keptText(null)).toBe("");
   });
 });
