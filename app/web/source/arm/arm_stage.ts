@@ -54,6 +54,7 @@ export class ArmStage {
   private readonly field = new Group();
   private ghost: ArmBodies | null = null;
   private solid: ArmBodies | null = null;
+  private isDisposed = false;
   private isAsked = false;
   private reach = reachOf(null);
   private focus = new Vector3();
@@ -79,6 +80,7 @@ export class ArmStage {
   }
 
   dispose(): void {
+    this.isDisposed = true;
     clearTimeout(this.later);
     disposeAll(this.scene);
     this.controls.dispose();
@@ -104,6 +106,7 @@ export class ArmStage {
   }
 
   private drawNow(isSharp = false): void {
+    if (this.isDisposed) return; // a frame that was asked for before
     this.isAsked = false;
     this.renderer.setPixelRatio(isSharp ? this.fullRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
