@@ -30,6 +30,12 @@ std::vector<int> activeRows(const Arm& arm) {
   return active;
 }
 
+std::vector<std::string> jointNames(const Arm& arm) {
+  std::vector<std::string> names;
+  for (const auto& joint : arm.joints()) names.push_back(joint.name);
+  return names;
+}
+
 std::vector<std::string> rowNames(const Arm& arm) {
   std::vector<std::string> names;
   for (const auto& row : arm.rows) names.push_back(row.name);

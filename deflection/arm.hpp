@@ -179,7 +179,8 @@ using Arm = ArmOf<double>;
 /// Indices of the rows of `joints()`.
 std::vector<int> activeRows(const Arm& arm);
 
-/// The names of its rows, in order, and the row of a name.
+/// The names of its joints and of its rows, in order, and the row of a name.
+std::vector<std::string> jointNames(const Arm& arm);
 std::vector<std::string> rowNames(const Arm& arm);
 std::optional<int> findRow(const Arm& arm, std::string_view name);
 

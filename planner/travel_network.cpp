@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "planner/motion/detour_shaping.hpp"
 #include "planner/motion/side_by_side.hpp"
 #include "planner/reach/compensation.hpp"
 #include "planner/timing/flowing_timing.hpp"
@@ -78,7 +77,8 @@ TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<Tu
   problem_.roadmap = [&roadmap](const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) {
     return roadmap.get().between(q0, q1, checks);
   };
-  if (options.travel == TravelKind::kLine) lines_.emplace(clearance.cell(), speeds_, options.line);
+  if (options.travel == TravelKind::kLine)
+    lines_.emplace(clearance.cell(), speeds_, options.reach.compensation.inverse, options.line);
 }
 
 const Eigen::VectorXd& TravelNetwork::standoff(Stop stop) const {
@@ -92,20 +92,13 @@ TubePosture TravelNetwork::postureOf(Stop stop) const {
   return {reach_[static_cast<std::size_t>(stop.visit)].tube, stop.branch};
 }
 
-/// Not run where no line joins the two, or something is in its way.
+/// Not run where no line joins the two; without a path where something is in its way.
 MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1) {
   MotionPlan plan;
   LineTravel line = lines_->between(q0, q1);
   if (line.status != LineTravelStatus::kOnLine) return plan;
-  const MotionCheckResult check = checkFlow(line.waypoints, problem_, options_.motion.check, plan.checks);
-  if (check.status != MotionCheckStatus::kFree) return plan;
-  plan.status = MotionPlanStatus::kFree;
-  plan.cost = flowTime(line.waypoints, problem_);
-  plan.waypoints = std::move(line.waypoints);
-  plan.flows = true;
+  takeFlow(std::move(line.waypoints), problem_, options_.motion.check, plan);
   plan.line_deviation = line.deviation;
-  plan.proved_margin = check.proved_margin;
-  plan.tightest = check.tightest;
   return plan;
 }
 

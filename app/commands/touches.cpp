@@ -28,7 +28,7 @@ calibration::Optimality optimalityOf(const std::string& name) {
   return name == "V" ? calibration::Optimality::kMeanTip : calibration::Optimality::kDeterminant;
 }
 
-bool isProposed(const std::optional<TouchOutcome::Proposal>& proposal) { return !proposal || proposal->reason.empty(); }
+bool isProposed(const std::optional<TouchProposal>& proposal) { return !proposal || proposal->reason.empty(); }
 
 int run(const TouchesOptions& options) {
   TouchRequest request = options.request;

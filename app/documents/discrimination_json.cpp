@@ -19,12 +19,6 @@ namespace {
 using calibration::Measurement, calibration::ReadingCandidate, calibration::DiscriminatedPair,
     calibration::DiscriminatingMeasurement, calibration::DiscriminatingMeasurements, calibration::DiscriminationStatus;
 
-std::vector<std::string> jointNames(const deflection::Arm& arm) {
-  std::vector<std::string> names;
-  for (const auto& joint : arm.joints()) names.push_back(joint.name);
-  return names;
-}
-
 std::string explanationName(const DiscriminatingMeasurements& result, int index) {
   return calibration::nameOf(result.explanations[static_cast<std::size_t>(index)]);
 }
@@ -34,7 +28,7 @@ nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const
                                  std::size_t number, const Measurement& reading, const deflection::Arm& arm,
                                  const Units& units) {
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
-  const auto names = jointNames(arm);
+  const auto names = deflection::jointNames(arm);
   nlohmann::json json = {{"kind", calibration::kindOf(reading).name},
                          {"posture", nlohmann::json::object()},
                          {"load", rounded(units.toFile(reading.load, dimension::kForce))},

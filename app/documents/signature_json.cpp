@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using deflection::SignatureVariableKind;
+using deflection::EffectVariable;
 using nlohmann::json;
 
 /// A quantity that a signature is drawn against: its name, and the unit of its values.
@@ -22,20 +22,19 @@ struct Variable {
 };
 
 Variable variableOf(const Cell& cell, const deflection::Signature& signature) {
-  switch (signature.kind) {
-    case SignatureVariableKind::kLoad:
+  if (!signature.kind) return {};
+  switch (*signature.kind) {
+    case EffectVariable::kLoad:
       return {"load", {0, 0, 1}};
-    case SignatureVariableKind::kTemperature:
+    case EffectVariable::kTemperature:
       return {"temperature", {0, 0, 0, 1}};
-    case SignatureVariableKind::kTime:
+    case EffectVariable::kTime:
       return {"time", dimension::kTime};
-    case SignatureVariableKind::kNone:
-      return {};
     default:
       break;
   }
   const auto& joint = cell.arm.joint(signature.joint);
-  if (signature.kind == SignatureVariableKind::kDirection) return {"direction of approach of " + joint.name};
+  if (signature.kind == EffectVariable::kDirection) return {"direction of approach of " + joint.name};
   return {joint.name, jointDimension(joint)};
 }
 
@@ -48,7 +47,7 @@ json signatureJson(const Cell& cell, const std::string& effect, const std::strin
   const auto signature = deflection::signatureOf(cell.arm, made.effect, deflection::gravityInBase(cell.arm, cell.X_WB),
                                                  {.most_load = most_load});
   const Variable variable = variableOf(cell, signature);
-  const bool is_temperature = signature.kind == SignatureVariableKind::kTemperature;
+  const bool is_temperature = signature.kind == EffectVariable::kTemperature;
   json values = json::array(), shift = json::array();
   for (std::size_t k = 0; k < signature.at.size(); ++k) {
     values.push_back(is_temperature ? cell.units.temperatureToFile(signature.at[k])

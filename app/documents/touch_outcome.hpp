@@ -35,8 +35,6 @@ struct ReadingNoise {
 };
 
 struct TouchOutcome : TouchProposals {
-  using Proposal = TouchProposal;
-
   Cell cell;                       ///< as known: with what the readings tell
   ReadingNoise noise, base_noise;  ///< of readings for the parameters, and of touches for the base
   std::vector<double> loads;       ///< N

@@ -19,7 +19,6 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::Measurement, calibration::NumberForecast, calibration::TipSigma;
-using Proposal = TouchOutcome::Proposal;
 
 /// A proposed reading with the name it goes by.
 struct NamedReading {
@@ -29,7 +28,7 @@ struct NamedReading {
 };
 
 /// T1, T2, ... for the base, N1, N2, ... for the numbers; touches of one unknown point are N1a, N1b, ... of point N1.
-std::vector<NamedReading> nameReadings(const Proposal& proposal, char letter) {
+std::vector<NamedReading> nameReadings(const TouchProposal& proposal, char letter) {
   std::vector<NamedReading> named;
   for (std::size_t s = 0; s < proposal.next.design.steps.size(); ++s) {
     const auto& readings = proposal.chosen(proposal.next.design.steps[s]).readings;
@@ -53,7 +52,7 @@ nlohmann::json proposedJointsJson(const TouchOutcome& outcome, const Eigen::Vect
   return vectorJson(joints, outcome.cell.units, dimension::kNone);
 }
 
-void appendReadings(const TouchOutcome& outcome, const Proposal& proposal, char letter, const char* goal,
+void appendReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter, const char* goal,
                     nlohmann::json& list) {
   const Units& units = outcome.cell.units;
   for (const auto& named : nameReadings(proposal, letter)) {
@@ -87,7 +86,7 @@ nlohmann::json numberJson(const NumberForecast& number, const Units& units) {
           {"told", {{"now", number.is_identifiable_now}, {"after", number.is_identifiable_after}}}};
 }
 
-nlohmann::json proposalJson(const TouchOutcome& outcome, const Proposal& proposal, const ReadingNoise& noise) {
+nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& proposal, const ReadingNoise& noise) {
   if (!proposal.reason.empty()) return {{"reason", proposal.reason}};
   const auto& next = proposal.next;
   const Units& units = outcome.cell.units;
@@ -113,13 +112,13 @@ std::string proposedJointsText(const TouchOutcome& outcome, const Eigen::VectorX
 }
 
 /// What a reading tells most of.
-std::string tellsText(const Proposal& proposal, std::size_t index) {
+std::string tellsText(const TouchProposal& proposal, std::size_t index) {
   const auto& step = proposal.next.design.steps[index];
   const auto& name = proposal.next.numbers[static_cast<std::size_t>(step.most_helped)].unknown.name;
   return fmt::format("   {} (sigma x {:.2g})", name, step.helped_by);
 }
 
-std::string proposedText(const TouchOutcome& outcome, const Proposal& proposal, char letter) {
+std::string proposedText(const TouchOutcome& outcome, const TouchProposal& proposal, char letter) {
   const Units& units = outcome.cell.units;
   std::string joints, text;
   for (const auto& joint : outcome.cell.arm.joints()) joints += fmt::format(" {:>9}", joint.name);
@@ -150,7 +149,7 @@ bool isPlaced(const calibration::NextReadings& next) {
   });
 }
 
-std::string tipText(const TouchOutcome& outcome, const Proposal& proposal) {
+std::string tipText(const TouchOutcome& outcome, const TouchProposal& proposal) {
   const Units& units = outcome.cell.units;
   const std::size_t count = proposal.next.design.steps.size();
   std::string text =
@@ -169,7 +168,7 @@ std::string noiseText(const ReadingNoise& noise, const Units& units) {
 }
 
 std::string baseText(const TouchOutcome& outcome) {
-  const Proposal& proposal = *outcome.base;
+  const TouchProposal& proposal = *outcome.base;
   if (!proposal.reason.empty()) return "no touches for the base: " + proposal.reason + "\n";
   std::string text = fmt::format("touches that place the base: {} of {} holes that can be touched, {}\n",
                                  proposal.next.design.steps.size(), proposal.next.candidates.size(),
@@ -186,7 +185,7 @@ std::string shareText(double sigma, bool is_told) {
 }
 
 std::string parametersText(const TouchOutcome& outcome) {
-  const Proposal& proposal = *outcome.parameters;
+  const TouchProposal& proposal = *outcome.parameters;
   if (!proposal.reason.empty()) return "no readings for the parameters: " + proposal.reason + "\n";
   std::string text = fmt::format("readings that sharpen the parameters: {} of {} that could be made, {}\n",
                                  proposal.next.design.steps.size(), proposal.next.candidates.size(),
@@ -205,7 +204,7 @@ std::string parametersText(const TouchOutcome& outcome) {
   return text;
 }
 
-void appendRows(const TouchOutcome& outcome, const Proposal& proposal, char letter, std::string& text) {
+void appendRows(const TouchOutcome& outcome, const TouchProposal& proposal, char letter, std::string& text) {
   const Units& units = outcome.cell.units;
   const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, units);
   for (const auto& named : nameReadings(proposal, letter)) {

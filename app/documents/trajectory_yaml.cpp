@@ -27,11 +27,9 @@ std::string timeOf(double seconds) {
 
 std::string trajectoryYaml(const PlanOutcome& outcome) {
   const auto& arm = outcome.model.arm;
-  std::vector<std::string> names;
-  for (const auto& joint : arm.joints()) names.push_back(joint.name);
   std::string text =
       fmt::format("header: {{stamp: {{sec: 0, nanosec: 0}}, frame_id: \"\"}}\njoint_names: [{}]\npoints:\n",
-                  fmt::join(names, ", "));
+                  fmt::join(deflection::jointNames(arm), ", "));
   for (const auto& point : planner::trajectoryOf(outcome.plan, planner::jointSpeedsOf(arm)))
     text += fmt::format("- {{positions: {}, velocities: {}, accelerations: {}, time_from_start: {}}}\n",
                         listOf(point.position), listOf(point.speed), listOf(point.acceleration), timeOf(point.time));

@@ -74,11 +74,7 @@ class PythonCell {
   [[nodiscard]] std::string name() const { return cell_.name; }
   [[nodiscard]] Eigen::Matrix4d base() const { return cell_.X_WB.matrix(); }
 
-  [[nodiscard]] std::vector<std::string> joints() const {
-    std::vector<std::string> names;
-    for (const auto& joint : cell_.arm.joints()) names.push_back(joint.name);
-    return names;
-  }
+  [[nodiscard]] std::vector<std::string> joints() const { return deflection::jointNames(cell_.arm); }
 
   [[nodiscard]] Rows limits() const {
     Rows limits(cell_.arm.jointCount(), 2);

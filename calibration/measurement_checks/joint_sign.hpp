@@ -6,9 +6,7 @@
 namespace tubeplan::calibration::mistakes::joint_sign {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  std::vector<std::string> names;
-  for (const auto& joint : checked.start.arm.joints()) names.push_back(joint.name);
-  return names;
+  return deflection::jointNames(checked.start.arm);
 }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {

@@ -252,8 +252,7 @@ std::vector<NamedSymbol> formulaSymbols(const Arm& arm, const FormulaUnits& unit
 }
 
 std::vector<std::string> formulaTargets(const Arm& arm) {
-  std::vector<std::string> targets;
-  for (const auto& joint : arm.joints()) targets.push_back(joint.name);
+  std::vector<std::string> targets = jointNames(arm);
   targets.insert(targets.end(), std::begin(kFrameTargets), std::end(kFrameTargets));
   return targets;
 }

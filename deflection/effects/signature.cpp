@@ -68,20 +68,17 @@ class Sweeper {
   Signature best() {
     for (int j = 0; j < without_.jointCount(); ++j) {
       const Range range = rangeOf(without_.joint(j));
-      sweep(SignatureVariableKind::kJoint, j, range, [j](Posture& posture, double at) { posture.q[j] = at; });
-      sweep(SignatureVariableKind::kDirection, j, {-1, 1}, [j](Posture& posture, double at) {
+      sweep(EffectVariable::kJoint, j, range, [j](Posture& posture, double at) { posture.q[j] = at; });
+      sweep(EffectVariable::kDirection, j, {-1, 1}, [j](Posture& posture, double at) {
         posture.approach_directions[static_cast<std::size_t>(j)] = static_cast<int>(at);
       });
     }
     if (options_.most_load > 0)
-      sweep(SignatureVariableKind::kLoad, -1, {0, options_.most_load},
-            [](Posture& posture, double at) { posture.load = at; });
+      sweep(EffectVariable::kLoad, -1, {0, options_.most_load}, [](Posture& posture, double at) { posture.load = at; });
     const double reference = without_.reference_temperature;
-    sweep(SignatureVariableKind::kTemperature, -1,
-          {reference - options_.temperatures, reference + options_.temperatures},
+    sweep(EffectVariable::kTemperature, -1, {reference - options_.temperatures, reference + options_.temperatures},
           [](Posture& posture, double at) { posture.temperature = at; });
-    sweep(SignatureVariableKind::kTime, -1, {0, options_.duration},
-          [](Posture& posture, double at) { posture.time = at; });
+    sweep(EffectVariable::kTime, -1, {0, options_.duration}, [](Posture& posture, double at) { posture.time = at; });
     return std::move(best_);
   }
 
@@ -95,8 +92,8 @@ class Sweeper {
   }
 
   template <class Set>
-  void sweep(SignatureVariableKind kind, int joint, Range range, Set set) {
-    const int steps = kind == SignatureVariableKind::kDirection ? 1 : options_.steps;
+  void sweep(EffectVariable kind, int joint, Range range, Set set) {
+    const int steps = kind == EffectVariable::kDirection ? 1 : options_.steps;
     Signature found{kind, joint, {}, {}};
     Matrix3Xd shifts(3, steps + 1);
     for (int k = 0; k <= steps; ++k) {
@@ -109,7 +106,7 @@ class Sweeper {
   }
 
   [[nodiscard]] double weightOf(const Signature& found) const {
-    using enum SignatureVariableKind;
+    using enum EffectVariable;
     if (found.kind == kLoad) return 1;
     if (found.kind != kJoint) return kOfCondition;
     const int row = activeRows(without_)[static_cast<std::size_t>(found.joint)];

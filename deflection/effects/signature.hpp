@@ -2,14 +2,13 @@
 // direction of approach, a step in time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::deflection {
-
-enum class SignatureVariableKind { kNone, kJoint, kDirection, kLoad, kTemperature, kTime };
 
 struct SignatureOptions {
   double most_load = 0;        ///< N, to sweep the load to and, but for that, to hang half of
@@ -19,10 +18,10 @@ struct SignatureOptions {
 };
 
 struct Signature {
-  SignatureVariableKind kind = SignatureVariableKind::kNone;  ///< none: the tip does not move by it
-  int joint = -1;                                             ///< of kJoint and kDirection
-  std::vector<double> at;                                     ///< rad, m, N, K, s, or -1 and 1
-  std::vector<double> shift;  ///< m, along one axis of the tool frame; NaN where the arm does not come to rest
+  std::optional<EffectVariable> kind;  ///< joint, direction, load, temperature or time; none: the tip does not move
+  int joint = -1;                      ///< of kJoint and kDirection
+  std::vector<double> at;              ///< rad, m, N, K, s, or -1 and 1
+  std::vector<double> shift;           ///< m, along one axis of the tool frame; NaN where the arm does not come to rest
 };
 
 /// The effect alone at half of what a real machine may have, on the arm with its other effects as they are, at one

@@ -125,17 +125,9 @@ bool proveStretches(const MotionProblem& problem, const MotionPlannerOptions& op
   return true;
 }
 
-/// Makes a proved flow quick and takes it.
-void takeFlow(Waypoints flow, const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
+void takeQuickest(Waypoints flow, const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   quicken(flow, problem, options.check, plan.checks);
-  const MotionCheckResult check = checkFlow(flow, problem, options.check, plan.checks);
-  plan.status = check.status == MotionCheckStatus::kFree ? MotionPlanStatus::kFree : MotionPlanStatus::kNoPath;
-  plan.reason = check.reason;
-  plan.cost = flowTime(flow, problem);
-  plan.waypoints = std::move(flow);
-  plan.flows = true;
-  plan.proved_margin = check.proved_margin;
-  plan.tightest = check.tightest;
+  takeFlow(std::move(flow), problem, options.check, plan);
 }
 
 /// A way round through one posture, where there is one.
@@ -144,7 +136,7 @@ bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
   if (!problem.speeds) return false;
   Waypoints way = detourByOnePosture(q0, q1, problem, options.check, plan.checks);
   if (way.empty()) return false;
-  takeFlow(std::move(way), problem, options, plan);
+  takeQuickest(std::move(way), problem, options, plan);
   return true;
 }
 
@@ -152,7 +144,7 @@ bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
 void letFlow(const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   if (!problem.speeds || !(flowTime(plan.waypoints, problem) < plan.cost)) return;
   const MotionCheckResult check = checkFlow(plan.waypoints, problem, options.check, plan.checks);
-  if (check.status == MotionCheckStatus::kFree) takeFlow(plan.waypoints, problem, options, plan);
+  if (check.status == MotionCheckStatus::kFree) takeQuickest(plan.waypoints, problem, options, plan);
 }
 
 std::string noPathReason(const MotionSearchResult& search, const MotionCheckResult& straight) {
@@ -191,6 +183,17 @@ bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
 }
 
 }  // namespace
+
+void takeFlow(Waypoints flow, const MotionProblem& problem, const MotionCheckOptions& options, MotionPlan& plan) {
+  const MotionCheckResult check = checkFlow(flow, problem, options, plan.checks);
+  plan.status = check.status == MotionCheckStatus::kFree ? MotionPlanStatus::kFree : MotionPlanStatus::kNoPath;
+  plan.reason = check.reason;
+  plan.cost = flowTime(flow, problem);
+  plan.waypoints = std::move(flow);
+  plan.flows = true;
+  plan.proved_margin = check.proved_margin;
+  plan.tightest = check.tightest;
+}
 
 MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,
                       const MotionPlannerOptions& options) {

@@ -57,6 +57,11 @@ struct MotionPlan {
   long checks = 0;     ///< postures asked about
 };
 
+/// Takes the flow through waypoints for the plan's way, with what is proved of it: no path where a part of it is not
+/// proved free. The problem must have speeds.
+void takeFlow(std::vector<Eigen::VectorXd> flow, const MotionProblem& problem, const MotionCheckOptions& options,
+              MotionPlan& plan);
+
 /// Plans from q0 to q1. Same problem, options and seed: same waypoints, to the bit.
 [[nodiscard]] MotionPlan planMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const MotionProblem& problem,
                                     const MotionPlannerOptions& options = {});

@@ -24,6 +24,10 @@ constexpr std::array kModes{CompensationRow{Compensation::kNone, "none", "no com
                             CompensationRow{Compensation::kGoalPoint, "goal-point", "goal-point compensation"},
                             CompensationRow{Compensation::kViaPoint, "via-point", "via-point compensation"}};
 
+const CompensationRow& rowOf(Compensation mode) {
+  return *std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; });
+}
+
 /// The way up to a branch's goal: its via points at equal heights, from the goal down to the standoff, are made twice
 /// as many until the placer's own tip keeps to the vertical midway between them.
 class Approach {
@@ -219,13 +223,9 @@ class Modes {
 
 }  // namespace
 
-std::string_view nameOf(Compensation mode) {
-  return std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; })->name;
-}
+std::string_view nameOf(Compensation mode) { return rowOf(mode).name; }
 
-std::string_view wordsOf(Compensation mode) {
-  return std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; })->words;
-}
+std::string_view wordsOf(Compensation mode) { return rowOf(mode).words; }
 
 std::optional<Compensation> findCompensation(std::string_view name) {
   for (const auto& row : kModes)

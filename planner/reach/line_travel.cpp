@@ -35,8 +35,9 @@ LineTravel refused(LineTravelStatus status, std::string reason) {
 
 }  // namespace
 
-LineTravels::LineTravels(const Workcell& cell, JointSpeeds speeds, const LineTravelOptions& options)
-    : speeds_(std::move(speeds)), options_(options), placer_(cell, cell.arm, options.inverse) {}
+LineTravels::LineTravels(const Workcell& cell, JointSpeeds speeds, const deflection::InverseKinematicsOptions& inverse,
+                         const LineTravelOptions& options)
+    : speeds_(std::move(speeds)), options_(options), placer_(cell, cell.arm, inverse) {}
 
 /// At the corners' own tips and midway between them.
 double LineTravels::deviationOf(const std::vector<VectorXd>& corners, const Vector3d& from_W, const Vector3d& to_W) {

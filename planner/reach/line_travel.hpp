@@ -14,7 +14,6 @@ namespace tubeplan::planner {
 struct LineTravelOptions {
   double tolerance = 5.08e-5;  ///< m; most the deflected tip may leave the line, cut corners included (0.002 in)
   int most_waypoints = 1025;
-  deflection::InverseKinematicsOptions inverse;
 };
 
 enum class LineTravelStatus { kNotRun, kOnLine, kNotReached, kOtherPosture, kTooManyWaypoints };
@@ -30,7 +29,8 @@ struct LineTravel {
 /// way is clear is not asked.
 class LineTravels {
  public:
-  LineTravels(const Workcell& cell, JointSpeeds speeds, const LineTravelOptions& options = {});
+  LineTravels(const Workcell& cell, JointSpeeds speeds, const deflection::InverseKinematicsOptions& inverse = {},
+              const LineTravelOptions& options = {});
 
   [[nodiscard]] LineTravel between(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
 

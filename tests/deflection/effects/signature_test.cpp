@@ -10,7 +10,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-using Kind = SignatureVariableKind;
+using Kind = EffectVariable;
 
 constexpr double kLoad = 30 * 4.4482216152605;
 
@@ -68,7 +68,7 @@ TEST(Signature, EveryEffectThatMovesTheTipOfTheCobraHasOne) {
     if (kind.parameters.empty() || kind.stage == EffectStage::kMeasurement || kind.at == PlaceRule::kSetup) continue;
     const auto places = placeTexts(arm, kind);
     const bool has_any = std::any_of(places.begin(), places.end(),
-                                     [&](const auto& at) { return signatureAt(kind.name, at).kind != Kind::kNone; });
+                                     [&](const auto& at) { return signatureAt(kind.name, at).kind != std::nullopt; });
     EXPECT_TRUE(has_any || places.empty()) << kind.name;
   }
 }
