@@ -10,6 +10,7 @@
 
 #include "app/files/plan_conditions.hpp"
 #include "app/version.hpp"
+#include "planner/reach/compensation.hpp"
 #include "tubesheets/fingerprint.hpp"
 
 namespace tubeplan::app {
@@ -17,11 +18,11 @@ namespace tubeplan::app {
 namespace {
 
 // What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
-// own part; the tool's steps judge a plan, they do not shape it.
+// own part; of the tool what shapes a plan is the tilt that it allows, a part too.
 constexpr std::array<std::string_view, 8> kOtherKeys{"name", "base",        "identify", "tubesheet", "calibration_tool",
                                                      "park", "model_error", "pair"};
-constexpr std::array<std::string_view, 7> kModelParts{"program",   "arm and scene", "base", "load",
-                                                      "clearance", "compensation",  "sheet"};
+constexpr std::array<std::string_view, 9> kModelParts{"program",      "arm and scene", "base",   "load", "clearance",
+                                                      "compensation", "tilt allowed",  "travel", "sheet"};
 
 /// Values without their places and comments; files by what is in them.
 void append(const YamlNode& node, const std::vector<SceneMesh>& meshes, std::string& text) {
@@ -63,7 +64,7 @@ std::vector<std::string> differencesIn(const PlanKey& before, const PlanKey& now
 }
 
 std::string clearanceText(const PlanKeyInputs& inputs) {
-  const std::string clearance = fmt::format("{:a} m", inputs.model.scene.clearance);
+  const std::string clearance = fmt::format("{} m", inputs.model.scene.clearance);
   return inputs.padding == 0 ? clearance
                              : fmt::format("{} and {} sigmas of {}", clearance, inputs.padding,
                                            numbersFingerprint(inputs.model.base_covariance));
@@ -100,8 +101,9 @@ PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
           {"base", numbersFingerprint(inputs.model.X_WB.matrix())},
           {"load", fmt::format("{} N", inputs.model.load)},
           {"clearance", clearanceText(inputs)},
-          {"compensation", fmt::format("{}, standoff {:a} m{}", inputs.compensation, inputs.standoff,
-                                       inputs.travel == planner::TravelKind::kLine ? ", travel on lines" : "")},
+          {"compensation", fmt::format("{}, standoff {} m", inputs.compensation, inputs.standoff)},
+          {"tilt allowed", fmt::format("{} rad", planner::toleratedTilt(inputs.model.tool))},
+          {"travel", std::string(planner::nameOf(inputs.travel))},
           {"sheet", inputs.model.sheet.fingerprint()},
           {"seed", std::to_string(inputs.seed)},
           {"list of tubes", fmt::format("{} tubes, {}", tubes.size(), fingerprintOf(tubes_text))},

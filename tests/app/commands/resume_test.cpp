@@ -172,5 +172,23 @@ TEST_F(Resume, FromAPlanOfAnotherBaseOnlyTheOrderIsKept) {
   EXPECT_EQ(run("plan mockup.yaml --tubes spread:20 --from nowhere --out new").exit_code, 2);
 }
 
+TEST_F(Resume, FromAPlanOfAToolThatMayLeanMoreNoPostureIsKept) {
+  for (const char* name : {"puma.yaml", "puma-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
+  ASSERT_EQ(run("plan puma.yaml --tubes spread:12 --out old").exit_code, 0);
+  (void)write("puma.yaml", changed(contentOf(folder / "puma.yaml"), "lengths: [0.0127,", "lengths: [0.08,"));
+  const Outcome outcome = run("plan puma.yaml --tubes spread:12 --from old --out new");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expectSays(outcome.err, "only the order is kept of old: another tilt allowed");
+  for (const auto& tube : planOf("new")["tubes"]) EXPECT_LE(tube["tilt"].get<double>(), 1.62) << tube["name"];
+}
+
+TEST_F(Resume, WhatDiffersOfAnotherWayOfTravelIsSaidInWords) {
+  ASSERT_EQ(run(mockupPlan("--tubes spread:4 --travel line --standoff 1.1 --out old")).exit_code, 0);
+  const Outcome outcome = run(mockupPlan("--tubes spread:4 --from old --out new"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expectSays(outcome.err, "another compensation (via-point, standoff 0.02794 m, now via-point, standoff 0.0254 m)");
+  expectSays(outcome.err, "another travel (line, now joints)");
+}
+
 }  // namespace
 }  // namespace tubeplan::app
