@@ -174,7 +174,6 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
 bool linearizeAt(const DiagnosisWork& work, const Placed& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
   at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
-  goOn(work.basis.stop);
   if (!at.residual.ok || !at.residual.r.allFinite() || !at.residual.jacobian.allFinite()) return false;
   const auto fitted = static_cast<Index>(work.basis.unknowns.size()), sizes = static_cast<Index>(placed.sizes.size());
   const auto shapes = static_cast<Index>(placed.shapes.size());

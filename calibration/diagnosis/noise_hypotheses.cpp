@@ -100,14 +100,12 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   const DiagnosisBasis& basis = work.basis;
   block.readings = picked(basis.readings, which);
   auto weights = weighReadings(basis.fitted, block.readings, {}, 0, basis.stop);
-  goOn(basis.stop);
   if (!weights) return false;
   block.weights = std::move(*weights);
   ReadingWeights apart = block.weights;
   apart.points.clear();
   const VectorXd zero = VectorXd::Zero(static_cast<Index>(basis.unknowns.size()));
   auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zero, true, basis.stop);
-  goOn(basis.stop);
   if (!residual.ok) return false;
   block.J = std::move(residual.jacobian);
   block.y = -residual.r;
@@ -145,7 +143,6 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
     goOn(work.basis.stop);
     const auto readings = picked(work.basis.readings, which);
     const auto weights = weighReadings(work.basis.fitted, readings, {}, noise.model_error, work.basis.stop);
-    goOn(work.basis.stop);
     if (!weights) return;
     const MatrixXd columns = work.discrepancy->columnsAt(readings, *weights);
     const MatrixXd principal = columns * noise.principal_terms;

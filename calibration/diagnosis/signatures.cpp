@@ -91,7 +91,6 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
     goOn(stop);
     const VectorXd zero = VectorXd::Zero(static_cast<Index>(layer.unknowns.size()));
     auto residual = whitenedResidual(layer.placed, layer.unknowns, readings, apart, zero, true, stop);
-    goOn(stop);
     if (!residual.ok) return {};
     const auto count = static_cast<Index>(layer.unknowns.size());
     for (Index k = 0; k < count; ++k) residual.jacobian.col(k) *= layer.unknowns[static_cast<std::size_t>(k)].typical;

@@ -109,7 +109,10 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (error) error->resize(weights_.rows);
   const Rows to{&r, jacobian, error};
   bool is_done = false;
-  if (!fillSideBySide(to, is_done) || (!is_done && !fillOneByOne(to))) return false;
+  if (!fillSideBySide(to, is_done) || (!is_done && !fillOneByOne(to))) {
+    goOn(stop_);  // rows that were left out by a stop are no figures
+    return false;
+  }
   takeWhatPointsAbsorb(weights_, r);
   if (jacobian) takeWhatPointsAbsorb(weights_, *jacobian);
   if (error) takeEstimatesOff(weights_, *error);

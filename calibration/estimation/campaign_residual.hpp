@@ -19,7 +19,7 @@ class CampaignResidual {
   /// Whether the unknowns' priors stand as further residuals below those of the readings, one for each unknown.
   enum class Priors { kNone, kAppended };
 
-  /// All of these must outlive this. Asked to stop, an evaluation ends early, as one that is not possible.
+  /// All of these must outlive this. Asked to stop, an evaluation unwinds by WorkStopped.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});

@@ -126,7 +126,6 @@ class Fitting {
   }
 
   bool failed(const char* reason) {
-    goOn(options_.solver.stop);
     fit_.solution.status = LeastSquaresStatus::kFailed;
     fit_.solution.reason = reason;
     return false;

@@ -33,7 +33,12 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
   LeastSquaresProblem asking = problem;
   asking.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
     is_stopped = is_stopped || stop();
-    return !is_stopped && problem.evaluate(x, r, jacobian);
+    try {
+      return !is_stopped && problem.evaluate(x, r, jacobian);
+    } catch (const WorkStopped&) {  // no solver of ours or of others is unwound through
+      is_stopped = true;
+      return false;
+    }
   };
   LeastSquaresResult result = kind.minimize(asking, rest);
   if (is_stopped) {

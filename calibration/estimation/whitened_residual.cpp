@@ -129,7 +129,10 @@ std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::
     weights.rows += rowsOf(reading);
   }
   std::vector<MatrixXd> by_joints;
-  if (!jointSlopes(placed, readings, by_joints, stop)) return std::nullopt;
+  if (!jointSlopes(placed, readings, by_joints, stop)) {
+    goOn(stop);
+    return std::nullopt;
+  }
   weights.noise.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k)
     weights.noise[k] = readingCovariance(placed.arm, readings[k], by_joints[k]);

@@ -37,7 +37,8 @@ struct ReadingWeights {
 };
 
 /// Weights at a state of the arm: the covariance of each reading with its encoders' noise. `factors`, where given, are
-/// the weights of a robust fit, one for each reading. Nothing where the model cannot be evaluated.
+/// the weights of a robust fit, one for each reading. Nothing where the model cannot be evaluated; asked to stop, it
+/// unwinds by WorkStopped.
 [[nodiscard]] std::optional<ReadingWeights> weighReadings(const PlacedArm& placed,
                                                           const std::vector<Measurement>& readings,
                                                           const Eigen::VectorXd& factors = {}, double model_error = 0,
@@ -54,7 +55,7 @@ struct WhitenedResidual {
   Eigen::VectorXd error;     ///< the same in metres, not whitened; of an unknown point: from its estimate
 };
 
-/// The residual at variables x of the unknowns, from the state `start`.
+/// The residual at variables x of the unknowns, from the state `start`; unwinds by WorkStopped.
 [[nodiscard]] WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                                 const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                                 const Eigen::VectorXd& x, bool with_jacobian,

@@ -165,10 +165,7 @@ class Descent {
       }
       VectorXd x = x_ + boundedStep(damped, g), r;
       if (!x.allFinite()) continue;
-      if (!residual_.evaluate(x, r, nullptr) || !r.allFinite()) {
-        goOn(options_.stop);
-        continue;
-      }
+      if (!residual_.evaluate(x, r, nullptr) || !r.allFinite()) continue;
       const double lack_of_fit = loss_.settle(r) + priorLackOfFit(unknowns_, x);
       if (!(lack_of_fit < lack_of_fit_)) continue;
       x_ = x, r_ = r, lack_of_fit_ = lack_of_fit, damping_ /= 10;
@@ -195,7 +192,6 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
   alignBases(start, readings);
   auto unknowns = chooseUnknowns(start, options.free);
   const auto weights = weighReadings(start, readings, {}, 0, options.stop);
-  goOn(options.stop);
   if (!weights) return fit;
   Descent descent(start, unknowns.list, readings, *weights, options);
   if (!descent.run()) return fit;

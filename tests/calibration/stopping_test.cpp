@@ -98,6 +98,41 @@ TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
                  });
 }
 
+/// So many readings that they are looked at in blocks, each of which asks: a stop between two blocks leaves rows that
+/// nobody filled, and no figure may come of those.
+class StoppingBetweenBlocks : public Stopping {
+ protected:
+  const std::vector<Measurement> many = benchReadings(cell, "hysteresis", "theta4", {0.001}, 1100, 6);
+  const PlacedArm placed = benchStart(cell, many);
+
+  /// Every one of the first questions, then ever fewer.
+  template <class Work, class IsStopped>
+  void stopAtAll(Work work, IsStopped isStopped, int first, double growth) {
+    Watch whole;
+    EXPECT_FALSE(isStopped(work(whole.hooks())));
+    for (int moment = 1; moment <= whole.asked();
+         moment = std::max(moment + 1, moment < first ? 0 : static_cast<int>(growth * moment))) {
+      Watch watch(moment);
+      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.asked();
+    }
+  }
+};
+
+TEST_F(StoppingBetweenBlocks, IdentificationGivesNoFigure) {
+  stopAtAll([&](const WorkHooks& hooks) { return identify(placed, many, identification(hooks)); },
+            [](const Identification& result) { return result.status == IdentificationStatus::kStopped; }, 100, 1.1);
+}
+
+TEST_F(StoppingBetweenBlocks, DiagnosisGivesNoFigure) {
+  stopAtAll([&](const WorkHooks& hooks) { return diagnose(placed, many, diagnosis(hooks)); },
+            [](const Diagnosis& result) { return result.verdict == Verdict::kStopped; }, 5, 1.4);
+}
+
+TEST_F(StoppingBetweenBlocks, ComparisonGivesNoFigure) {
+  stopAtAll([&](const WorkHooks& hooks) { return compare(placed, many, comparison(hooks)); },
+            [](const Comparison& result) { return result.status == ComparisonStatus::kStopped; }, 5, 1.4);
+}
+
 TEST_F(Stopping, EverySolverStops) {
   for (const auto& kind : leastSquaresMethods()) {
     Watch watch(5);

@@ -59,16 +59,19 @@ def interrupted(program, words, inputs, after, kind):
         sent = time.monotonic()
         process.send_signal(kind)
         try:
-            process.communicate(timeout=60)
+            said = process.communicate(timeout=60)[1]
         except subprocess.TimeoutExpired:
             process.kill()
-            process.communicate()
+            said = process.communicate()[1]
         took = time.monotonic() - sent
         problems = [f"left {name}" for name in sorted(outputs(folder) - before - KEPT)]
         if process.returncode in (130, -kind) and words[0] not in TELLS_SO_FAR:
             problems += [f"{name} is another" for name in before if (folder / name).read_text() != OLD]
         if process.returncode in (0, 1):
             return process.returncode, 0, []  # it was done already
+        # Before a command begins its work the signal ends it as it does any program.
+        if process.returncode not in {130, -kind}:
+            problems.append(f"exit code {process.returncode}: {said.decode(errors='replace')[-300:].strip()}")
         return process.returncode, took, problems
 
 
@@ -97,9 +100,6 @@ def main():
                 kind = (signal.SIGINT, signal.SIGTERM)[k % 2]
                 after = options.seconds * (k + 0.3) / options.instants
                 code, took, problems = interrupted(program, COMMANDS[command].split(), inputs, after, kind)
-                # Before a command begins its work the signal ends it as it does any program.
-                if took > 0 and code not in {130, -kind}:
-                    problems.append(f"exit code {code}")
                 if took > options.most:
                     problems.append(f"ends after {took:.1f} s")
                 failures += bool(problems)
