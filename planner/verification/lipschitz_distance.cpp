@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "planner/scene/separation.hpp"
+
 namespace tubeplan::planner {
 
 namespace {
@@ -15,7 +17,9 @@ struct CapsuleStretch {
   double bound(double length) const { return (distance_from + distance_to - (to - from) * length) / 2; }
 };
 
-const Capsule& capsuleAround(const Body& body) { return static_cast<const Solid&>(*body.shape).around(); }
+const Solid& solidOf(const Body& body) { return static_cast<const Solid&>(*body.shape); }
+
+const Capsule& capsuleAround(const Body& body) { return solidOf(body).around(); }
 
 Capsule placed(const Eigen::Isometry3d& X, const Capsule& capsule) {
   return {X * capsule.from, X * capsule.to, capsule.radius};
@@ -76,6 +80,16 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   return {&pair, capsule, &other, padding, middle - half_length - capsule.radius - padding};
 }
 
+/// Of a body that its capsule only contains. Supporting planes on both sides of the gap prove it, wherever they are
+/// put.
+double LipschitzMargins::gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const {
+  const auto frameOf = [&](const Body& body) { return X_WL[static_cast<std::size_t>(body.frame_index)]; };
+  const Body& body = scene_.bodies[look.pair->body];
+  if (!look.pair->with_body) return look.other->separationFrom(frameOf(body), solidOf(body)).distance;
+  const Body& other = scene_.bodies[look.pair->other];
+  return separation(frameOf(body), solidOf(body), frameOf(other), solidOf(other)).distance;
+}
+
 double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
                             std::string* names) {
   looks_.clear();
@@ -86,7 +100,9 @@ double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accu
   for (const Look& look : looks_) {
     if (look.bound >= enough) break;
     const LipschitzOptions options{accuracy, share, scene_.clearance + look.padding, enough + look.padding};
-    const double distance = lipschitzDistance(look.capsule, *look.other, options) - look.padding;
+    double distance = lipschitzDistance(look.capsule, *look.other, options) - look.padding;
+    if (distance < enough && !solidOf(scene_.bodies[look.pair->body]).isCapsule())
+      distance = std::max(distance, gapOf(look, X_WL) - look.padding);
     if (distance >= enough) continue;
     enough = distance;
     nearest = look.pair;

@@ -2,7 +2,8 @@
 //
 // A point that moves by h changes its distance by at most h, so the least distance along a capsule's axis is found to
 // any accuracy by halving the axis where it could still be less (Piyavskii 1972). Short and without special cases: for
-// checking.
+// checking. What the arm carries of boxes and other solids is first taken for the capsule around it; only where that is
+// not clear is the solid itself asked for, as far as two planes prove it to be apart.
 #pragma once
 
 #include <limits>
@@ -52,6 +53,7 @@ class LipschitzMargins {
   };
 
   [[nodiscard]] Look lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const;
+  [[nodiscard]] double gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const;
 
   const Scene& scene_;
   BasePadding padding_;

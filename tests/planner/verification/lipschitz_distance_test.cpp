@@ -133,6 +133,52 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
   EXPECT_LT(apart, compared);
 }
 
+/// Boxes and cylinders for capsules: each other body is a box about its capsule's axis, each third a cylinder.
+Workcell withOtherSolids(Workcell cell) {
+  for (std::size_t k = 0; k < cell.scene.bodies.size(); ++k) {
+    Body& body = cell.scene.bodies[k];
+    const Capsule& capsule = static_cast<const Solid&>(*body.shape).around();
+    const Eigen::Vector3d middle = (capsule.from + capsule.to) / 2,
+                          size = (capsule.to - capsule.from).cwiseAbs().array() + 1.6 * capsule.radius;
+    if (k % 2 == 0)
+      body.shape = shape("box", {middle.x(), middle.y(), middle.z(), size.x(), size.y(), size.z(), 0, 0, 0});
+    else if (k % 3 == 0)
+      body.shape = shape("cylinder", {capsule.from.x(), capsule.from.y(), capsule.from.z(), capsule.to.x(),
+                                      capsule.to.y(), capsule.to.z(), capsule.radius});
+  }
+  return cell;
+}
+
+/// A solid that is no capsule is no nearer than it is: the capsule around it would be.
+TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
+  const Workcell cell = withOtherSolids(mockup());
+  const CollisionWorld world(cell.scene);
+  std::mt19937_64 generator(static_cast<std::uint64_t>(GetParam()) + 200);
+  constexpr double kAccuracy = 1e-6;
+  int free = 0, saved = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const auto frames = bodyFrames(cell, testing::randomPosture(cell.arm, generator), nullptr);
+    const Clearance known = world.closest(frames);
+    const double found = lipschitzMargin(cell.scene, frames, kAccuracy, 0, nullptr);
+    if (known.distance <= 0) {
+      EXPECT_LE(found, -cell.scene.clearance + 1e-8);
+      continue;
+    }
+    ++free;
+    EXPECT_LE(found, known.margin + 1e-8);
+    EXPECT_GE(found, known.margin - kAccuracy - 1e-8);
+    Scene rounded = cell.scene;
+    for (Body& body : rounded.bodies) {
+      const Capsule& around = static_cast<const Solid&>(*body.shape).around();
+      body.shape = shape("capsule", {around.from.x(), around.from.y(), around.from.z(), around.to.x(), around.to.y(),
+                                     around.to.z(), around.radius});
+    }
+    saved += lipschitzMargin(rounded, frames, kAccuracy, 0, nullptr) < found - 0.001;
+  }
+  EXPECT_GT(free, 50);
+  EXPECT_GT(saved, 20);
+}
+
 TEST_P(ByOtherMeans, TheLeastMarginAndItsPairAreTheCollisionWorlds) {
   const Workcell cell = mockup();
   const CollisionWorld world(cell.scene);
