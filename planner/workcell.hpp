@@ -17,12 +17,18 @@ struct Workcell {
   tubesheets::Sheet sheet;
   tubesheets::SteppedTool tool;
   Scene scene;
-  double load = 0;  ///< N, hung on the tip
+  double load = 0;       ///< N, hung on the tip
+  double insertion = 0;  ///< m, how far past the face the tip goes into a tube
 };
 
 inline const Eigen::Vector3d kHoleAxis_W = Eigen::Vector3d::UnitZ();
 
 /// The hole's centre on the sheet's lower face.
 inline Eigen::Vector3d holeCentre(const tubesheets::Tube& tube) { return {tube.x, tube.y, 0}; }
+
+/// Where a visit brings the tip: the hole's centre, or as far above it as the cell's insertion says.
+inline Eigen::Vector3d visitPlace(const Workcell& cell, const tubesheets::Tube& tube) {
+  return holeCentre(tube) + cell.insertion * kHoleAxis_W;
+}
 
 }  // namespace tubeplan::planner

@@ -164,6 +164,19 @@ double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset, cons
   return probabilityOfBand(half, offset->wide_mean, offset->wide_sigma);
 }
 
+double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean, double depth) {
+  constexpr double kAtFace = 1e-6;  // m: a step that ends at the face is not followed in by rounding
+  double least = std::numeric_limits<double>::infinity(), from = 0;
+  for (std::size_t k = 0; k < tool.steps.size() && from + kAtFace < depth; ++k) {
+    const bool is_last = tool.lengths.empty() || k + 1 == tool.steps.size();
+    const double to = is_last ? depth : std::min(depth, from + tool.lengths[k]);
+    for (const double below : {from, to})  // a distance from a line is largest at an end
+      least = std::min(least, tool.steps[k].tolerance - (offset - below * lean).norm());
+    from = to;
+  }
+  return least;
+}
+
 std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vector2d& mean_offset,
                                        const Eigen::Matrix2d& covariance, const Eigen::Vector2d& lean) {
   const double size = lean.norm();

@@ -38,6 +38,13 @@ struct SteppedTool {
 /// lean; a step enters where both its ends keep its tolerance. A tool without lengths counts as all tip.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean);
 
+/// The least play that any part of the tool has in a tube that its tip is `depth` [m] deep in, `offset` and `lean` as
+/// above [m]: a step's tolerance less how far that part is off the axis. Behind its last length, and where it has none,
+/// the tool is as thick as that step, and the first. Negative where it would touch; infinite at no depth (1 um is
+/// none).
+[[nodiscard]] double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean,
+                                double depth);
+
 /// The probability that exactly 0, 1, ..., n steps enter when the tip's offset from the hole's axis is normal with that
 /// mean [m] and covariance [m^2] (singular ones too: a line, a point), the tool leaning as said. Good to 1e-10, to 1e-6
 /// for a tool that leans. All NaN when the mean or covariance is not finite or the covariance has a negative variance.

@@ -116,6 +116,9 @@ Run configurePlan(CLI::App& cli) {
       ->capture_default_str();
   cli.add_option("--standoff", request.standoff,
                  "how far below a hole its approach begins, in the cell's unit of length (1 in; padding comes on top)");
+  cli.add_option("--insertion", request.insertion,
+                 "how far past a hole's face the tip goes into the tube, in the cell's unit of length")
+      ->capture_default_str();
   cli.add_option("--seed", request.seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
       ->required();

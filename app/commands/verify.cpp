@@ -41,6 +41,7 @@ planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const P
   planner::Workcell work = workcellOf(cell, "verify a plan on it");
   work.X_WB = planned.X_WB;
   work.load = files.load;
+  work.insertion = files.insertion;
   if (planned.base_covariance) work.base_covariance = *planned.base_covariance;
   return work;
 }
@@ -53,6 +54,8 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
           {"path_rows", check.rows},
           {"worst_centring", check.worst_centring / units.factor(dimension::kLength)},
           {"worst_approach_deviation", lengthOf(check.worst_approach, units)},
+          {"least_play_in_tube",
+           std::isfinite(check.least_play) ? nlohmann::json(lengthOf(check.least_play, units)) : nlohmann::json()},
           {"worst_statics_difference", lengthOf(check.worst_statics, units)},
           {"statics_not_covered", check.statics_not_covered},
           {"worst_speed_share", check.worst_speed_share},
@@ -75,6 +78,8 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
                check.worst_statics / length, units.length().name);
   else
     fmt::print("no second opinion on the statics: {}\n", check.statics_not_covered);
+  if (std::isfinite(check.least_play))
+    fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
   fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n",
              check.worst_speed_share, check.worst_acceleration_share, check.least_margin / length, units.length().name);
   for (const auto& finding : check.findings) fmt::print("  {}\n", finding);

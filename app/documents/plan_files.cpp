@@ -81,6 +81,7 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
                                                              : likeliestSteps(outcome.chances.by_posture[k])},
                 {"approach_deviation", lengthOf(visit.branch.path_deviation, units)},
                 {"probability_by_steps", chancesJson(outcome, k)}};
+  if (!outcome.play.empty()) entry["play_in_tube"] = lengthOf(outcome.play[k], units);
   if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;
   if (!outcome.zones.empty()) entry["zone"] = outcome.zones[k] + 1;
   if (!outcome.scores.empty()) entry["scored"] = modesJson(outcome.scores[k], units);
@@ -166,6 +167,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"cell", outcome.cell.name},
                  {"compensation", planner::nameOf(outcome.compensation)},
                  {"load", outcome.cell.units.toFile(outcome.model.load, dimension::kForce)},
+                 {"insertion", outcome.cell.units.toFile(outcome.model.insertion, dimension::kLength)},
                  {"units", unitsJson(outcome.cell.units)},
                  {"sheet", sheetJson(outcome)},
                  {"tubes", tubes},
@@ -298,6 +300,9 @@ std::string planText(const PlanOutcome& outcome) {
                                                         outcome.padding / units.factor(dimension::kLength))
                                           : "",
                       tightestText(outcome));
+  if (!outcome.play.empty())
+    text += fmt::format("{} past the face; the tool's play in a tube at least {}\n",
+                        lengthText(outcome.model.insertion, units), lengthText(std::ranges::min(outcome.play), units));
   text += stepChancesText(outcome.chances, units);
   if (outcome.scores.empty() && outcome.chances.by_posture.empty()) return text;
   text += stepsHeading(outcome) + expectedText(outcome);

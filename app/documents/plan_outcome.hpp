@@ -23,10 +23,11 @@ struct PlanRequest {
   std::string truth;  ///< file; empty: nothing is scored
   std::string compensation = "via-point";
   std::string travel = "joints";  ///< or line: see planner::TravelKind
-  double load = 0;  ///< in the cell's unit of force
+  double load = 0;                ///< in the cell's unit of force
   ConditionsRequest conditions;
   double padding = 0;              ///< of the base's standard deviations, kept beyond the scene's clearance
   std::optional<double> standoff;  ///< below a hole, where approaches begin; in the cell's unit of length
+  double insertion = 0;            ///< past a hole's face, where approaches end; in the cell's unit of length
   std::uint64_t seed = 1;
 };
 
@@ -44,6 +45,7 @@ struct PlanOutcome {
   planner::VisitPlan plan;
   int tubes_added = 0, tubes_removed = 0;    ///< against the plan begun from, of those visited
   std::vector<planner::Centring> predicted;  ///< by the model itself, per visit
+  std::vector<double> play;                  ///< m, of the tool in the tube, per visit; empty without insertion
   StepChances chances;                       ///< of steps, per visit
   std::vector<ModeScores> scores;            ///< per visit; empty without truth
 };

@@ -153,6 +153,8 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   files.leg = valueAt<std::string>(sheet, "leg", path);
   files.viewed_from = valueAt<std::string>(sheet, "viewed_from", path);
   files.load = valueAt<double>(document, "load", path) * cell.units.factor(dimension::kForce);
+  if (document.contains("insertion"))
+    files.insertion = valueAt<double>(document, "insertion", path) * cell.units.factor(dimension::kLength);
   readPath((folder / "path.csv").string(), cell, files);
   if (document.contains("path_fingerprint"))
     files.stated_path = valueAt<std::string>(document, "path_fingerprint", path);

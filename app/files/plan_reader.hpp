@@ -22,6 +22,7 @@ struct PlanFiles {
   std::string leg, viewed_from;
   double padding_sigmas = 0;           ///< kept beyond the scene's clearance
   double load = 0;                     ///< N
+  double insertion = 0;                ///< m, past the face
   std::vector<std::string> tube_legs;  ///< of plan.tubes; empty in a plan without
   std::vector<TubeEcho> path_echoes;   ///< of plan.path; empty in a plan without
   std::string path_fingerprint;        ///< of the numbers that path.csv has ...

@@ -78,7 +78,7 @@ void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   outcome.tubes_removed = static_cast<int>(old.size()) - kept;
 }
 
-constexpr double kMostStandoff = 1;  // m
+constexpr double kMostStandoff = 1;  // m, and most insertion
 
 double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!request.standoff) return planner::CompensationOptions{}.standoff;
@@ -89,6 +89,14 @@ double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
         "a length above zero, at most " +
             fmt::format("{:.3g} {}", lengthOf(kMostStandoff, outcome.cell.units), outcome.cell.units.length().name));
   return standoff;
+}
+
+double insertionOf(const PlanRequest& request, const Units& units) {
+  const double insertion = units.toInternal(request.insertion, dimension::kLength);
+  if (!(insertion >= 0 && insertion <= kMostStandoff))
+    throw InputError("--insertion", fmt::format("{}", request.insertion),
+                     fmt::format("a depth from 0 to {:.3g} {}", lengthOf(kMostStandoff, units), units.length().name));
+  return insertion;
 }
 
 planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutcome& outcome) {
@@ -119,6 +127,7 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   outcome.compensation = compensationOf(request.compensation);
   outcome.nominal = workcellOf(outcome.cell, "plan tube visits");
   outcome.nominal.load = parseLoad(request.load, outcome.cell.units);
+  outcome.nominal.insertion = insertionOf(request, outcome.cell.units);
   outcome.model = outcome.nominal;
   return outcome;
 }
@@ -126,6 +135,7 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
 void addTruth(const Cell& truth, const std::string& file, PlanOutcome& outcome) {
   outcome.truth = workcellOf(truth, "score against it");
   outcome.truth->load = outcome.nominal.load;
+  outcome.truth->insertion = outcome.nominal.insertion;
   requireSameSheet(outcome.nominal, *outcome.truth, file);
 }
 
@@ -157,6 +167,7 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   countChanges(order_before, outcome);
   if (request.padding > 0) outcome.padding = paddingAtHoles(outcome.model, outcome.plan, request.padding);
   outcome.predicted = predictVisits(outcome.model, outcome.plan);
+  if (outcome.model.insertion > 0) outcome.play = playInTubes(outcome.model, outcome.plan);
   outcome.chances =
       stepChances({outcome.cell, outcome.model, outcome.touches, visitPostures(outcome.plan), outcome.predicted});
   if (outcome.truth)

@@ -116,6 +116,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   asked.seed = seedOf(body);
   asked.conditions = {textOf(body, "start"), textOf(body, "end"), {}, numberOf(body, "dwell", 0)};
   asked.padding = numberOf(body, "padding", 0);
+  asked.insertion = numberOf(body, "insertion", 0);
   if (body.contains("standoff") && !body["standoff"].is_null()) asked.standoff = numberOf(body, "standoff", 0);
   if (body.contains("first"))
     for (const auto& zone : textsOf(body, "first")) {

@@ -4,13 +4,14 @@
 #include <cassert>
 
 #include "planner/motion/side_by_side.hpp"
+#include "planner/reach/insertion.hpp"
 
 namespace tubeplan::planner {
 
 namespace {
 
 /// How far a branch came before it failed; the furthest failure is the telling one.
-enum class Hurdle { kNone, kKinematics, kStandoff, kApproach };
+enum class Hurdle { kNone, kKinematics, kStandoff, kApproach, kTube };
 
 struct BranchVerdict {
   Hurdle failed = Hurdle::kNone;
@@ -33,7 +34,8 @@ std::string inTheWay(const Clearance& clearance) {
   return clearance.body + " comes too near " + clearance.other;
 }
 
-BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, const TubeReachOptions& options) {
+BranchVerdict judge(const ArmClearance& clearance, const Eigen::Vector3d& hole_W, const TubeBranch& branch,
+                    const TubeReachOptions& options) {
   if (branch.status != deflection::BranchStatus::kConverged) return {Hurdle::kKinematics, branch.reason, {}};
   const Clearance at_standoff = clearance.withSpare(branch.approach.front(), ContactRule::kTravel, options.spare);
   if (!(at_standoff.margin >= 0))
@@ -45,6 +47,8 @@ BranchVerdict judge(const ArmClearance& clearance, const TubeBranch& branch, con
     if (check.status != MotionCheckStatus::kFree)
       return {Hurdle::kApproach, "approach blocked: " + inTheWay(check.tightest), check.tightest};
   }
+  if (!(playInTube(clearance.cell(), hole_W, branch.approach) >= 0))
+    return {Hurdle::kTube, "the tool would touch the tube before it is in so deep: it leans, or is off, too far", {}};
   return {};
 }
 
@@ -57,11 +61,12 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   reach.status = ReachStatus::kUnreachable;
   reach.reason = "the place is out of the arm's reach";
   Hurdle furthest = Hurdle::kNone;
-  const Eigen::Vector3d hole_W = holeCentre(clearance.cell().sheet.tubes.at(tube));
-  CompensationOptions compensation = options.compensation;
-  compensation.standoff += clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
-  for (auto& branch : compensate(clearance.cell(), hole_W, compensation)) {
-    const BranchVerdict verdict = judge(clearance, branch, options);
+  const Workcell& cell = clearance.cell();
+  const Eigen::Vector3d hole_W = holeCentre(cell.sheet.tubes.at(tube));
+  CompensationOptions compensation = options.compensation;  // whose standoff is below the face, not below the goal
+  compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
+  for (auto& branch : compensate(cell, visitPlace(cell, cell.sheet.tubes.at(tube)), compensation)) {
+    const BranchVerdict verdict = judge(clearance, hole_W, branch, options);
     if (verdict.failed == Hurdle::kNone) {
       reach.branches.push_back(std::move(branch));
     } else if (verdict.failed > furthest) {
@@ -71,7 +76,7 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
     }
   }
   if (reach.branches.empty()) return reach;
-  keepUpright(clearance.cell().arm, reach.branches);
+  keepUpright(cell.arm, reach.branches);
   reach.status = ReachStatus::kReachable;
   reach.reason.clear();
   return reach;

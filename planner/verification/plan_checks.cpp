@@ -84,10 +84,11 @@ class Checker {
         find(name + ": the stated hole is not where the sheet has it");
       if (tube.q.size() != cell_.arm.jointCount()) continue;
       const Vector3d tip = tipAt(tube.q);
-      const double off = (tip - holeCentre(*hole)).norm();
+      const double off = (tip - visitPlace(cell_, *hole)).norm();
       result_.worst_centring = std::max(result_.worst_centring, off);
       if (!(off <= options_.centring_tolerance))
-        find(fmt::format("{}: the deflected tip is {:.3g} m off the hole's centre", name, off));
+        find(fmt::format("{}: the deflected tip is {:.3g} m off {}", name, off,
+                         cell_.insertion > 0 ? "its place in the tube" : "the hole's centre"));
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
@@ -224,10 +225,24 @@ class Checker {
       if (k > 0 && plan_.path[k - 1].kind == SegmentKind::kTravel)
         off = std::max(offAxis(plan_.path[k - 1].q, plan_.tubes[tube]), off);
       result_.worst_approach = std::max(result_.worst_approach, off);
+      checkPlay(k, row.q, plan_.tubes[tube]);
+      if (k > 0) checkPlay(k, (plan_.path[k - 1].q + row.q) / 2, plan_.tubes[tube]);
       if (options_.via_points && !(off <= options_.approach_tolerance))
         find(fmt::format("path row {}: the tip leaves the axis of {}", k + 1,
                          tubesheets::tubeName(plan_.tubes[tube].row, plan_.tubes[tube].column)));
     }
+  }
+
+  /// What of the tool is in a tube keeps off it.
+  void checkPlay(std::size_t k, const VectorXd& q, const StatedTube& tube) {
+    if (!(cell_.insertion > 0)) return;
+    const Vector3d off = tipAt(q) - tube.hole_W;
+    const Vector3d axis = cell_.X_WB.linear() * (arm_.X_BD().R * cell_.arm.tool_axis_L);
+    const double play = tubesheets::playInTube(cell_.tool, off.head<2>(), axis.head<2>() / axis.z(), off.z());
+    result_.least_play = std::fmin(result_.least_play, play);
+    if (!(play >= -options_.stated_tolerance))
+      find(fmt::format("path row {}: the tool touches the tube of {}", k + 1,
+                       tubesheets::tubeName(tube.row, tube.column)));
   }
 
   /// Infinite where the shape does not converge.

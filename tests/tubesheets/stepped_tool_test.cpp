@@ -43,6 +43,37 @@ TEST(StepsInserted, FollowsTable57) {
   EXPECT_EQ(stepsInserted(tool, std::numeric_limits<double>::infinity()), 0);
 }
 
+TEST(PlayInTube, IsAStepsToleranceLessHowFarItIsOff) {
+  const SteppedTool tool = thesisTool();
+  const Eigen::Vector2d off(0.003 * kInch, 0.004 * kInch), upright(0, 0);
+  EXPECT_EQ(playInTube(tool, off, upright, 0), std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(playInTube(tool, off, upright, 0.3 * kInch), 0.084 * kInch, 1e-15);
+  EXPECT_NEAR(playInTube(tool, off, upright, 0.5 * kInch + 1e-9), 0.084 * kInch, 1e-15);  // no part of the next
+  EXPECT_NEAR(playInTube(tool, off, upright, 0.6 * kInch), 0.053 * kInch, 1e-15);
+  EXPECT_NEAR(playInTube(tool, off, upright, 9 * kInch), 0.005 * kInch, 1e-15);  // as thick as its last step
+  SteppedTool without = tool;
+  without.lengths.clear();
+  EXPECT_NEAR(playInTube(without, off, upright, 9 * kInch), 0.084 * kInch, 1e-15);
+}
+
+TEST(PlayInTube, ALeanCountsAtTheFarthestEndThatIsIn) {
+  const SteppedTool tool = thesisTool();
+  const Eigen::Vector2d lean(0.05, 0), centred(0, 0);
+  EXPECT_NEAR(playInTube(tool, centred, lean, 0.4 * kInch), (0.089 - 0.02) * kInch, 1e-15);
+  EXPECT_NEAR(playInTube(tool, centred, lean, 0.8 * kInch), (0.058 - 0.04) * kInch, 1e-15);
+  EXPECT_LT(playInTube(tool, centred, lean, 1.2 * kInch), 0);
+  // By closely spaced places along the tool.
+  const Eigen::Vector2d off(-0.01 * kInch, 0.006 * kInch), askew(0.02, -0.03);
+  const double depth = 0.93 * kInch;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= 10000; ++k) {
+    const double below = depth * k / 10000;
+    const auto& step = tool.steps[below <= 0.5 * kInch ? 0 : 1];
+    least = std::min(least, step.tolerance - (off - below * askew).norm());
+  }
+  EXPECT_NEAR(playInTube(tool, off, askew, depth), least, 1e-6);
+}
+
 TEST(StepWords, SayHowManyOfTheToolsSteps) {
   EXPECT_EQ(stepWords(thesisTool()), (std::vector<std::string>{"no step enters", "one step enters", "two steps enter",
                                                                "all three steps enter"}));

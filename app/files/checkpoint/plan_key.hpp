@@ -20,7 +20,7 @@ inline constexpr const char* kEndsPart = "start and end";
 
 struct PlanKeyInputs {
   const Cell& cell;
-  const planner::Workcell& model;  ///< as planned with: base as calibrated, load
+  const planner::Workcell& model;  ///< as planned with: base as calibrated, load, insertion
   const planner::VisitConditions& conditions;
   std::string compensation;
   double standoff = 0;  ///< m

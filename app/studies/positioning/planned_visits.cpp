@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/collision/padding.hpp"
+#include "planner/reach/insertion.hpp"
 
 namespace tubeplan::app {
 
@@ -18,7 +19,7 @@ std::vector<planner::Centring> predictVisits(const planner::Workcell& model, con
   planner::TipPrediction tips(model);
   std::vector<planner::Centring> predicted;
   for (const auto& visit : plan.visits) {
-    const auto hole = planner::holeCentre(model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
+    const auto hole = planner::visitPlace(model, model.sheet.tubes[static_cast<std::size_t>(visit.tube)]);
     predicted.push_back(planner::scoreVisit(tips, model, hole, visit.branch));
   }
   return predicted;
@@ -31,6 +32,15 @@ std::vector<ModeScores> scoreVisitModes(const ScoringModels& models, const plann
     scores[k] = scoreModes(models, {visit.tube, visit.branch.q});
   });
   return scores;
+}
+
+std::vector<double> playInTubes(const planner::Workcell& model, const planner::VisitPlan& plan) {
+  std::vector<double> play;
+  for (const auto& visit : plan.visits) {
+    const auto& tube = model.sheet.tubes[static_cast<std::size_t>(visit.tube)];
+    play.push_back(planner::playInTube(model, planner::holeCentre(tube), visit.branch.approach));
+  }
+  return play;
 }
 
 double paddingAtHoles(const planner::Workcell& model, const planner::VisitPlan& plan, double sigmas) {

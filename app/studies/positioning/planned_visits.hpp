@@ -18,6 +18,9 @@ namespace tubeplan::app {
 /// Each visit by every way of steering, on all cores.
 [[nodiscard]] std::vector<ModeScores> scoreVisitModes(const ScoringModels& models, const planner::VisitPlan& plan);
 
+/// The least play of the tool in the tube of each visit [m].
+[[nodiscard]] std::vector<double> playInTubes(const planner::Workcell& model, const planner::VisitPlan& plan);
+
 /// The most that a tip at a visited hole is padded by [m], for `sigmas` of the base.
 [[nodiscard]] double paddingAtHoles(const planner::Workcell& model, const planner::VisitPlan& plan, double sigmas);
 

@@ -36,7 +36,7 @@ std::vector<std::optional<planner::Centring>> centringsAt(const PlacedModel& mod
 ModeScores scoreModes(const ScoringModels& models, const TubeToScore& tube, bool with_approach) {
   ModeScores scores;
   planner::TipPrediction tips(models.truth);
-  const auto hole = planner::holeCentre(models.truth.sheet.tubes.at(static_cast<std::size_t>(tube.tube)));
+  const auto hole = planner::visitPlace(models.truth, models.truth.sheet.tubes.at(static_cast<std::size_t>(tube.tube)));
   planner::CompensationOptions options;
   options.with_approach = with_approach;
   for (std::size_t k = 0; k < kCompensations.size(); ++k) {
