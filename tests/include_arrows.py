@@ -33,7 +33,7 @@ ARROWS = {
     'planner/order': 'planner/timing',
     'planner': 'planner/order planner/reach planner/motion planner/collision planner/timing planner/workcell '
                'planner/visit_conditions planner/scene',
-    'planner/verification': 'planner planner/collision planner/workcell',
+    'planner/verification': 'planner planner/collision planner/scene planner/workcell',
     'app/report': '',
     'app/studies': 'LIBRARIES',
     'app/studies/measurements': 'app/studies LIBRARIES',

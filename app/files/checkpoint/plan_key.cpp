@@ -18,11 +18,13 @@ namespace tubeplan::app {
 namespace {
 
 // What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
-// own part; of the tool what shapes a plan is the tilt that it allows, a part too.
+// own part; of the tool what shapes a plan is the tilt that it allows and, where it enters tubes, its play there: parts
+// too.
 constexpr std::array<std::string_view, 8> kOtherKeys{"name", "base",        "identify", "tubesheet", "calibration_tool",
                                                      "park", "model_error", "pair"};
-constexpr std::array<std::string_view, 9> kModelParts{"program",      "arm and scene", "base",   "load", "clearance",
-                                                      "compensation", "tilt allowed",  "travel", "sheet"};
+constexpr std::array<std::string_view, 10> kModelParts{"program",   "arm and scene", "base",      "load",
+                                                       "clearance", "compensation",  "insertion", "tilt allowed",
+                                                       "travel",    "sheet"};
 
 /// Values without their places and comments; files by what is in them.
 void append(const YamlNode& node, const std::vector<SceneMesh>& meshes, std::string& text) {
@@ -93,6 +95,16 @@ std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers)
   return fingerprintOf(text);
 }
 
+/// The depth, and what of the tool says whether it has play there.
+std::string insertionText(const planner::Workcell& model) {
+  if (!(model.insertion > 0)) return "none";
+  std::string text = fmt::format("{} m by steps of", model.insertion);
+  for (const auto& step : model.tool.steps) text += fmt::format(" {}", step.tolerance);
+  text += " m over";
+  for (const double length : model.tool.lengths) text += fmt::format(" {}", length);
+  return text + " m";
+}
+
 PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
   std::string tubes_text;
   for (const int tube : tubes) tubes_text += fmt::format("{} ", tube);
@@ -101,8 +113,8 @@ PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
           {"base", numbersFingerprint(inputs.model.X_WB.matrix())},
           {"load", fmt::format("{} N", inputs.model.load)},
           {"clearance", clearanceText(inputs)},
-          {"compensation", fmt::format("{}, standoff {} m, insertion {} m", inputs.compensation, inputs.standoff,
-                                       inputs.model.insertion)},
+          {"compensation", fmt::format("{}, standoff {} m", inputs.compensation, inputs.standoff)},
+          {"insertion", insertionText(inputs.model)},
           {"tilt allowed", fmt::format("{} rad", planner::toleratedTilt(inputs.model.tool))},
           {"travel", std::string(planner::nameOf(inputs.travel))},
           {"sheet", inputs.model.sheet.fingerprint()},

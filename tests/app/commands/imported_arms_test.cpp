@@ -18,6 +18,7 @@ struct Robot {
   const char* name;
   double ahead, below;  ///< m, where the sheet is seen from the base
 };
+void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
 
 constexpr double kTool = 0.15;  // m
 

@@ -99,6 +99,14 @@ TEST_F(InsertionCommand, APlanOfAnotherDepthIsNotKept) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_NE(again.out.find("the reach of 0 of 6"), std::string::npos) << again.out;
   EXPECT_EQ(run("verify mockup.yaml deeper").exit_code, 0);
+  // Nor one of another tool, once the tool is in the tubes.
+  std::string cell = contentOf(folder / "mockup.yaml");
+  write("longer.yaml", cell.replace(cell.find("lengths: [0.5"), 13, "lengths: [0.3"));
+  const Outcome longer = run("plan longer.yaml --tubes R20C30-35 --insertion 0.5 --from deeper --out longer");
+  ASSERT_EQ(longer.exit_code, 0) << longer.err;
+  EXPECT_NE(longer.out.find("the reach of 0 of 6"), std::string::npos) << longer.out;
+  EXPECT_NE(longer.err.find("another insertion"), std::string::npos) << longer.err;
+  EXPECT_EQ(run("verify longer.yaml longer").exit_code, 0);
 }
 
 }  // namespace

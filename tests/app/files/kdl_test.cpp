@@ -27,6 +27,7 @@ struct KdlRobot {
   const char* name;
   int joints;
 };
+void PrintTo(const KdlRobot& robot, std::ostream* out) { *out << robot.name; }
 
 class BesideKdl : public testing::TestWithParam<KdlRobot> {
  protected:
