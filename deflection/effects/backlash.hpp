@@ -2,8 +2,8 @@
 //
 // Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
 // Symbols: g gap [rad].
-// Validity: at rest, without friction; about axes that give, and about any axis of a turning row: its bearings
-// have play across as well.
+// Validity: at rest, without friction; about axes that give, about any axis of a turning row (its bearings have play
+// across as well) and about both axes across a slide (it tips in its guide).
 // Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
 #pragma once
 
@@ -23,7 +23,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline bool hasPlace(const Arm& arm, int row, int axis) {
   const Row<double>& r = arm.rows[row];
-  return std::isfinite(r.joint_stiffness[axis]) || r.joint.type == JointType::kRevolute;
+  return std::isfinite(r.joint_stiffness[axis]) || r.joint.type == JointType::kRevolute ||
+         (r.joint.type == JointType::kPrismatic && axis < 2);
 }
 
 inline EffectKind kind() {

@@ -1,10 +1,11 @@
 // A slide that gives the more the farther it is out: less of it overlaps its bearing.
 //
-// Law: rotation = M (c1 s + c2 s^2) about the axis, at the slide's end; M the moment there.
-// Symbols: s how far the slide is out of its lower limit [m], over its range; c1, c2 [rad/(N m)] at full range; M
-// moment about the axis of the shape without deflection [N m].
-// Validity: small rotations; a range that is stated.
-// Source: two bearings an overlap L apart give by 1 / L^2 under a moment, taken to second order in s.
+// Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the slide's end; M the moment there.
+// Symbols: s how far the slide is out: above its lower limit, over its range, where limits are stated; its reading in
+// metres where not; c1 to c3 [rad/(N m)] at s = 1; M moment about the axis of the shape without deflection [N m].
+// Validity: small rotations; readings that grow as the slide comes out. What it gives at s = 0 is joint-compliance.
+// Source: two bearings an overlap L - s apart give by 1 / (L - s)^2 under a moment, whose series in s / L has no
+// negative term; taken to third order.
 #pragma once
 
 #include "deflection/effects/places.hpp"
@@ -12,27 +13,32 @@
 namespace tubeplan::deflection::slide_bending {
 
 inline bool hasPlace(const Arm& arm, int row, int axis) {
-  const auto& joint = arm.rows[row].joint;
-  return joint.type == JointType::kPrismatic && axis < 2 && std::isfinite(joint.upper - joint.lower) &&
-         joint.upper > joint.lower;
+  return arm.rows[row].joint.type == JointType::kPrismatic && axis < 2;
+}
+
+template <class S>
+bool hasRange(const Joint<S>& joint) {
+  return std::isfinite(joint.upper - joint.lower) && joint.upper > joint.lower;
 }
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int row = effect.place.row;
   const auto& joint = context.given.rows[row].joint;
-  const S out = (context.asked.q[jointIndexOf(context.given, row)] - S(joint.lower)) / S(joint.upper - joint.lower);
+  const S reading = context.asked.q[jointIndexOf(context.given, row)];
+  const S along = hasRange(joint) ? S((reading - S(joint.lower)) / S(joint.upper - joint.lower)) : reading;
+  const S out = along > S(0) ? along : S(0);  // fully in: nothing gives yet
   EffectTerms<S>& effect_terms = effectTermsOf(context, row);
   effect_terms.joint_is_compliant = true;
-  effect_terms.compliance[effect.place.axis] += effect.values[0] * out + effect.values[1] * out * out;
+  effect_terms.compliance[effect.place.axis] += out * (effect.values[0] + out * (effect.values[1] + out * effect.values[2]));
 }
 
 inline EffectKind kind() {
   return {.name = "slide-bending",
           .words = "a slide bends the more the further it is out",
-          .law = "rotation at a slide's end = moment * (linear * s + square * s^2), s how far it is out",
-          .validity = "small rotations; the slide's limits are stated",
-          .source = "bearings an overlap apart, to second order",
+          .law = "rotation at a slide's end = moment * (linear * s + square * s^2 + cube * s^3), s how far it is out",
+          .validity = "small rotations; s over the range of the limits, or in metres where none are stated",
+          .source = "bearings an overlap apart, to third order",
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,
           .odds = 1,
@@ -40,7 +46,8 @@ inline EffectKind kind() {
           .varies_with = {EffectVariable::kMoment, EffectVariable::kJoint},
           .needs = {.moments = true},
           .parameters = {{"linear", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
-                         {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
+                         {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
+                         {"cube", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
           .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
           .apply = apply<double>,
           .applyDual = apply<Dual>};

@@ -340,15 +340,23 @@ void cableStretch() {
   }
 }
 
-void slideBending() {
-  const double out = 0.4, linear = 2e-6, square = 1e-6;
-  const Arm arm = mastArm();
+void slideBendsBy(const Arm& arm, double reading, double out) {
+  const double linear = 2e-6, square = 1e-6, cube = 3e-6;
   Arm soft = arm;
-  soft.rows[3].joint_stiffness[0] = 1 / (linear * out + square * out * out);
-  const auto& slide = arm.rows[3].joint;
-  const Posture posture =
-      at({0.2, 0.3, -0.4, slide.lower + out * (slide.upper - slide.lower)}, kLoad, -Vector3d::UnitZ());
-  expectSame(withEffect(arm, "slide-bending", "slider.x", {linear, square}), posture, soft, posture);
+  soft.rows[3].joint_stiffness[0] = 1 / (linear * out + square * out * out + cube * out * out * out);
+  const Posture posture = at({0.2, 0.3, -0.4, reading}, kLoad, -Vector3d::UnitZ());
+  expectSame(withEffect(arm, "slide-bending", "slider.x", {linear, square, cube}), posture, soft, posture);
+}
+
+void slideBending() {
+  Arm arm = mastArm();
+  Joint<double>& slide = arm.rows[3].joint;
+  const double out = 0.4;
+  slideBendsBy(arm, slide.lower + out * (slide.upper - slide.lower), out);
+  slide.lower = -std::numeric_limits<double>::infinity();
+  slideBendsBy(arm, 0.7, 0.7);  // metres of the reading where no limits are stated
+  const Posture in = at({0.2, 0.3, -0.4, -0.1}, kLoad, -Vector3d::UnitZ());
+  expectSame(withEffect(arm, "slide-bending", "slider.x", {2e-6, 1e-6, 3e-6}), in, arm, in);
 }
 
 const std::map<std::string, void (*)()>& closedForms() {
