@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-SegmentProof proofOf(const ArmClearance& clearance, const VisitPlanOptions& options, const JointSpeeds& speeds,
-                     const PathSegment& segment) {
-  MotionCheckOptions check = options.motion.check;
-  check.accuracy = options.report_accuracy;
+SegmentProof proofOf(const PlanContext& context, const PathSegment& segment) {
+  const ArmClearance& clearance = context.clearance;
+  MotionCheckOptions check = context.options.motion.check;
+  check.accuracy = context.options.report_accuracy;
   const ContactRule rule = segment.kind == SegmentKind::kTravel ? ContactRule::kTravel : ContactRule::kApproach;
   const PostureClearance margin = sideBySide(clearance, rule, 0);
   SegmentProof proof{kUnbounded, {}};
-  const std::vector<Eigen::VectorXd> corners = cornersOf(segment, speeds);
+  const std::vector<Eigen::VectorXd> corners = cornersOf(segment, context.speeds);
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     const MotionCheckResult result = checkMotion(corners[k], corners[k + 1], margin, clearance.travel(), check);
     const double proved = result.status == MotionCheckStatus::kFree ? result.proved_margin : -kUnbounded;
@@ -43,33 +43,32 @@ void fillIn(const std::vector<MotionEnds>& ends, const PlanCache& cache, VisitPl
 
 }  // namespace
 
-bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options, const std::vector<MotionEnds>& ends,
-              const PlanHooks& hooks, PlanCache& cache, VisitPlan& plan) {
+bool proveAll(const PlanContext& context, const std::vector<MotionEnds>& ends, VisitPlan& plan) {
+  auto& proofs = context.cache.proofs;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
     if (plan.segments[k].kind == SegmentKind::kRetreat) continue;
-    if (cache.proofs.contains(ends[k]))
+    if (proofs.contains(ends[k]))
       ++plan.kept.proofs;
     else
       open.push_back(k);
   }
-  const JointSpeeds speeds = jointSpeedsOf(clearance.cell().arm);
   std::mutex telling;
   std::size_t done = 0;
   bool stopped = false;
   oneapi::tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
-    if (shouldStop(hooks)) {
+    if (context.isStopped()) {
       const std::lock_guard lock(telling);
       stopped = true;
       return;
     }
-    const SegmentProof proof = proofOf(clearance, options, speeds, plan.segments[open[k]]);
+    const SegmentProof proof = proofOf(context, plan.segments[open[k]]);
     const std::lock_guard lock(telling);
-    cache.proofs[ends[open[k]]] = proof;
-    tell(hooks, "proof", ++done, open.size());
-    keep(hooks, cache);
+    proofs[ends[open[k]]] = proof;
+    context.showProgress("proof", ++done, open.size());
+    context.keepCache();
   });
-  if (!stopped) fillIn(ends, cache, plan);
+  if (!stopped) fillIn(ends, context.cache, plan);
   return !stopped;
 }
 

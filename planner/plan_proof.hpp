@@ -1,15 +1,12 @@
 // The proof of a laid-out plan, segment by segment. Internal to the planning of visits.
 #pragma once
 
-#include "planner/visit_plan.hpp"
+#include "planner/plan_context.hpp"
 
 namespace tubeplan::planner {
 
 /// Proves every segment to the accuracy that is reported, in parallel, and fills in margins and what is tightest.
-/// `ends` has one entry per segment: what the memory keeps its proof by. False when the hooks asked to stop before the
-/// end.
-[[nodiscard]] bool proveAll(const ArmClearance& clearance, const VisitPlanOptions& options,
-                            const std::vector<MotionEnds>& ends, const PlanHooks& hooks, PlanCache& cache,
-                            VisitPlan& plan);
+/// `ends` has one entry per segment: what the memory keeps its proof by. False where it was stopped before the end.
+[[nodiscard]] bool proveAll(const PlanContext& context, const std::vector<MotionEnds>& ends, VisitPlan& plan);
 
 }  // namespace tubeplan::planner

@@ -37,19 +37,19 @@ struct Priced {
 };
 
 /// Plans the moves that an order chose and puts their extra time into the table.
-Priced priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const JointSpeeds& speeds,
-                  EdgePenalties& penalties, const PlanHooks& hooks, const PlanCache& cache) {
+Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, TravelNetwork& network,
+                  EdgePenalties& penalties) {
   Priced priced;
-  for (std::size_t k = 0; k + 1 < stops.size() && !shouldStop(hooks); ++k) {
+  for (std::size_t k = 0; k + 1 < stops.size() && !context.isStopped(); ++k) {
     const Stop a = stops[k], b = stops[k + 1];
-    tell(hooks, "travel", k + 1, stops.size() - 1);
+    context.showProgress("travel", k + 1, stops.size() - 1);
     const MotionPlan& travel = network.between(a, b);
     const double time = network.timeOf(travel);
-    keep(hooks, cache);
+    context.keepCache();
     if (travel.apart && !priced.is_parted) priced.between = travel.tightest;
     priced.is_parted |= travel.apart;
     priced.time += std::min(time, kForbiddenTime);
-    const double extra = time - moveDuration(network.standoff(a), network.standoff(b), speeds);
+    const double extra = time - moveDuration(network.standoff(a), network.standoff(b), context.speeds);
     if (extra <= 1e-9 || penalties(a.visit, a.branch, b.visit, b.branch) > 0) continue;
     penalties.set(a.visit, a.branch, b.visit, b.branch, extra);
     priced.learnt = true;
@@ -59,17 +59,18 @@ Priced priceOrder(const std::vector<Stop>& stops, TravelNetwork& network, const 
 
 /// The order of one round, from the memory where it has it. An order kept from another list that cannot avoid a
 /// forbidden move is found anew.
-VisitOrder orderOfRound(const Route& route, const std::vector<int>& zones, std::size_t round,
-                        VisitOrderOptions& ordering, const PlanHooks& hooks, PlanCache& cache) {
-  if (round < cache.orders.size()) return cache.orders[round];
+VisitOrder orderOfRound(const PlanContext& context, const Route& route, const std::vector<int>& zones,
+                        std::size_t round, VisitOrderOptions& ordering) {
+  auto& known = context.cache.orders;
+  if (round < known.size()) return known[round];
   VisitOrder order = orderByZones(route, zones, ordering);
   if (order.status == VisitOrderStatus::kForbiddenMove && !ordering.start.empty()) {
     ordering.start.clear();
     order = orderByZones(route, zones, ordering);
   }
-  if (shouldStop(hooks)) return order;
-  cache.orders.push_back(order);
-  keep(hooks, cache);
+  if (context.isStopped()) return order;
+  known.push_back(order);
+  context.keepCache();
   return order;
 }
 
@@ -222,25 +223,24 @@ std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roa
   return left_out;
 }
 
-RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, const VisitPlanOptions& options,
-                             bool gives_up_if_parted, const PlanHooks& hooks, PlanCache& cache,
-                             std::size_t& rounds_done) {
+RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choice, TravelNetwork& network,
+                             bool gives_up_if_parted, std::size_t& rounds_done) {
   RealOrder best;
-  const JointSpeeds speeds = jointSpeedsOf(network.arm());
-  Route route = routeOf(choice, speeds, options.conditions);
+  const VisitPlanOptions& options = context.options;
+  Route route = routeOf(choice, context.speeds, options.conditions);
   const std::vector<int> zones = zonesOf(choice.tubes(), options.conditions);
   VisitOrderOptions ordering = options.order;
   ordering.seed = options.seed;
-  ordering.stop = hooks.stop;
-  ordering.start = keptOrder(route, choice.tubes(), cache.visiting_order);
+  ordering.stop = context.hooks.stop;
+  ordering.start = keptOrder(route, choice.tubes(), context.cache.visiting_order);
   EdgePenalties penalties;
   double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < options.reprice_rounds && !shouldStop(hooks); ++round) {
+  for (int round = 0; round < options.reprice_rounds && !context.isStopped(); ++round) {
     if (penalties.size())
       route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
         return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
       };
-    const VisitOrder order = orderOfRound(route, zones, rounds_done++, ordering, hooks, cache);
+    const VisitOrder order = orderOfRound(context, route, zones, rounds_done++, ordering);
     if (round == 0) {
       best.lower_bound = order.lower_bound;
       ordering.with_bound = false;
@@ -253,7 +253,7 @@ RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network, 
     }
     std::vector<Stop> stops = stopsOf(order, choice, options.conditions);
     (ordering.start.empty() ? ordering.hint : ordering.start) = order.order;
-    const Priced priced = priceOrder(stops, network, speeds, penalties, hooks, cache);
+    const Priced priced = priceOrder(context, stops, network, penalties);
     if (priced.is_parted && !best.is_parted) best.between = priced.between;
     best.is_parted |= priced.is_parted;
     if (priced.time < least || best.stops.empty()) best.stops = std::move(stops);

@@ -37,9 +37,8 @@ struct RealOrder {
 
 /// Orders on the metric, plans the chosen moves, puts in what they really cost, and orders again until no move
 /// surprises; of all rounds the quickest. `rounds_done` counts the orders that the memory keeps.
-[[nodiscard]] RealOrder orderWithRealMoves(const VisitChoice& choice, TravelNetwork& network,
-                                           const VisitPlanOptions& options, bool gives_up_if_parted,
-                                           const PlanHooks& hooks, PlanCache& cache, std::size_t& rounds_done);
+[[nodiscard]] RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choice,
+                                           TravelNetwork& network, bool gives_up_if_parted, std::size_t& rounds_done);
 
 /// Where no travel was found between two stops: the longest stretch and what can be joined to it. The other tubes are
 /// added to `left_out`.

@@ -1,6 +1,7 @@
 #include "planner/travel_network.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "planner/motion/side_by_side.hpp"
 #include "planner/reach/compensation.hpp"
@@ -33,19 +34,19 @@ std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
 
 }  // namespace
 
-MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOptions& options) {
+MotionProblem travelProblemOf(const PlanContext& context) {
   MotionProblem problem;
-  const auto& arm = clearance.cell().arm;
+  const auto& arm = context.cell.arm;
   problem.lower.resize(arm.jointCount());
   problem.upper.resize(problem.lower.size());
   for (int k = 0; k < problem.lower.size(); ++k) {
     problem.lower[k] = arm.joint(k).lower;
     problem.upper[k] = arm.joint(k).upper;
   }
-  problem.clearance_of = sideBySide(clearance, ContactRule::kTravel, options.reach.spare);
-  problem.travel = clearance.travel();
-  problem.speeds = jointSpeedsOf(arm);
-  problem.cost = [speeds = *problem.speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  problem.clearance_of = sideBySide(context.clearance, ContactRule::kTravel, context.options.reach.spare);
+  problem.travel = context.clearance.travel();
+  problem.speeds = context.speeds;
+  problem.cost = [speeds = context.speeds](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return straightMoveDuration(a, b, speeds);
   };
   return problem;
@@ -53,37 +54,32 @@ MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOpti
 
 const Roadmap& TravelRoadmap::get() {
   if (roadmap_) return *roadmap_;
-  const auto& tubes = clearance_.cell().sheet.tubes;
-  const std::size_t wanted = roadmapTubes(clearance_.cell().arm, options_.reach.compensation.inverse);
+  const auto& [cell, asked] = std::tie(context_.cell, context_.options.reach.compensation);
+  const auto& tubes = cell.sheet.tubes;
+  const std::size_t wanted = roadmapTubes(cell.arm, asked.inverse);
   const std::size_t step = std::max<std::size_t>(1, tubes.size() / wanted);
   std::vector<Eigen::VectorXd> postures;
   for (std::size_t tube = 0; tube < tubes.size(); tube += step)
-    for (const auto& branch : compensate(clearance_.cell(), holeCentre(tubes[tube]), options_.reach.compensation))
+    for (const auto& branch : compensate(cell, holeCentre(tubes[tube]), asked))
       if (branch.status == deflection::BranchStatus::kConverged) postures.push_back(branch.approach.front());
   RoadmapOptions options;
-  options.seed = options_.seed;
-  options.check = options_.motion.check;
-  return roadmap_.emplace(travelProblemOf(clearance_, options_), std::move(postures), options);
+  options.seed = context_.options.seed;
+  options.check = context_.options.motion.check;
+  return roadmap_.emplace(travelProblemOf(context_), std::move(postures), options);
 }
 
-TravelNetwork::TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap,
-                             const VisitPlanOptions& options, PlanCache& cache)
-    : clearance_(clearance),
-      reach_(reach),
-      speeds_(jointSpeedsOf(clearance.cell().arm)),
-      options_(options),
-      cache_(cache),
-      problem_(travelProblemOf(clearance, options)) {
+TravelNetwork::TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap)
+    : context_(context), reach_(reach), problem_(travelProblemOf(context)) {
   problem_.roadmap = [&roadmap](const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) {
     return roadmap.get().between(q0, q1, checks);
   };
-  if (options.travel == TravelKind::kLine)
-    lines_.emplace(clearance.cell(), speeds_, options.reach.compensation.inverse, options.line);
+  if (const auto& options = context.options; options.travel == TravelKind::kLine)
+    lines_.emplace(context.cell, context.speeds, options.reach.compensation.inverse, options.line);
 }
 
 const Eigen::VectorXd& TravelNetwork::standoff(Stop stop) const {
-  if (stop.visit == kStartPosture) return *options_.conditions.start;
-  if (stop.visit == kEndPosture) return *options_.conditions.end;
+  if (stop.visit == kStartPosture) return *context_.options.conditions.start;
+  if (stop.visit == kEndPosture) return *context_.options.conditions.end;
   return reach_[static_cast<std::size_t>(stop.visit)].branches[static_cast<std::size_t>(stop.branch)].approach.front();
 }
 
@@ -97,7 +93,7 @@ MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorX
   MotionPlan plan;
   LineTravel line = lines_->between(q0, q1);
   if (line.status != LineTravelStatus::kOnLine) return plan;
-  takeFlow(std::move(line.waypoints), problem_, options_.motion.check, plan);
+  takeFlow(std::move(line.waypoints), problem_, context_.options.motion.check, plan);
   plan.line_deviation = line.deviation;
   return plan;
 }
@@ -105,8 +101,8 @@ MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorX
 MotionPlan TravelNetwork::planned(Stop a, Stop b) {
   if (lines_ && a.visit >= 0 && b.visit >= 0)
     if (MotionPlan line = onLine(standoff(a), standoff(b)); line.status == MotionPlanStatus::kFree) return line;
-  MotionPlannerOptions motion = options_.motion;
-  motion.seed = pairSeed(options_.seed, postureOf(a), postureOf(b));
+  MotionPlannerOptions motion = context_.options.motion;
+  motion.seed = pairSeed(context_.options.seed, postureOf(a), postureOf(b));
   return planMotion(standoff(a), standoff(b), problem_, motion);
 }
 
@@ -114,9 +110,9 @@ const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
   const bool is_backward = postureOf(b) < postureOf(a);
   if (is_backward) std::swap(a, b);
   const TubePosture first = postureOf(a), second = postureOf(b);
-  auto known = cache_.travels.find({first, second});
-  if (known == cache_.travels.end()) {
-    known = cache_.travels.emplace(MotionEnds{first, second}, planned(a, b)).first;
+  auto known = context_.cache.travels.find({first, second});
+  if (known == context_.cache.travels.end()) {
+    known = context_.cache.travels.emplace(MotionEnds{first, second}, planned(a, b)).first;
   }
   if (!is_backward) return known->second;
   const auto backward = backward_.find({second, first});
@@ -126,7 +122,7 @@ const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
 
 double TravelNetwork::timeOf(const MotionPlan& plan) const {
   if (plan.status != MotionPlanStatus::kFree) return std::numeric_limits<double>::infinity();
-  return plan.flows ? timeFlow(plan.waypoints, speeds_).duration : timePolyline(plan.waypoints, speeds_).duration;
+  return plan.flows ? timeFlow(plan.waypoints, context_.speeds).duration : timePolyline(plan.waypoints, context_.speeds).duration;
 }
 
 }  // namespace tubeplan::planner

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "planner/motion/roadmap.hpp"
-#include "planner/visit_plan.hpp"
+#include "planner/plan_context.hpp"
 
 namespace tubeplan::planner {
 
@@ -16,26 +16,23 @@ struct Stop {
 };
 
 /// What a travel through a cell is asked of.
-[[nodiscard]] MotionProblem travelProblemOf(const ArmClearance& clearance, const VisitPlanOptions& options);
+[[nodiscard]] MotionProblem travelProblemOf(const PlanContext& context);
 
 /// The cell's roadmap, made when it is first asked for. Its postures are where tubes all over the sheet are approached
 /// from, whatever the list, and random ones.
 class TravelRoadmap {
  public:
-  TravelRoadmap(const ArmClearance& clearance, const VisitPlanOptions& options)
-      : clearance_(clearance), options_(options) {}
+  explicit TravelRoadmap(const PlanContext& context) : context_(context) {}
   const Roadmap& get();
 
  private:
-  const ArmClearance& clearance_;
-  const VisitPlanOptions& options_;
+  const PlanContext& context_;
   std::optional<Roadmap> roadmap_;
 };
 
 class TravelNetwork {
  public:
-  TravelNetwork(const ArmClearance& clearance, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap,
-                const VisitPlanOptions& options, PlanCache& cache);
+  TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap);
 
   /// The travel from one stop to another, planned the first time it is asked for (or its reverse).
   const MotionPlan& between(Stop a, Stop b);
@@ -43,17 +40,13 @@ class TravelNetwork {
   [[nodiscard]] TubePosture postureOf(Stop stop) const;
   [[nodiscard]] const Eigen::VectorXd& standoff(Stop stop) const;
   [[nodiscard]] double timeOf(const MotionPlan& plan) const;
-  [[nodiscard]] const deflection::Arm& arm() const { return clearance_.cell().arm; }
 
  private:
   [[nodiscard]] MotionPlan onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
   [[nodiscard]] MotionPlan planned(Stop a, Stop b);
 
-  const ArmClearance& clearance_;
+  const PlanContext& context_;
   const std::vector<TubeReach>& reach_;
-  const JointSpeeds speeds_;
-  const VisitPlanOptions& options_;
-  PlanCache& cache_;
   MotionProblem problem_;
   std::optional<LineTravels> lines_;           ///< where the tool is to go straight
   std::map<MotionEnds, MotionPlan> backward_;  ///< the greater end first

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <mutex>
 #include <set>
+#include <tuple>
 
 #include "planner/order/zoned_order.hpp"
+#include "planner/plan_context.hpp"
 #include "planner/plan_proof.hpp"
 #include "planner/real_order.hpp"
 
@@ -18,13 +19,12 @@ namespace tubeplan::planner {
 namespace {
 
 /// Every tube on its own, so in parallel; results stand in the order of the list.
-std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector<int>& tubes,
-                                const TubeReachOptions& options, const PlanHooks& hooks, PlanCache& cache,
-                                VisitPlan& plan) {
+std::vector<TubeReach> reachAll(const PlanContext& context, const std::vector<int>& tubes, VisitPlan& plan) {
+  auto& cached = context.cache.reach;
   std::vector<TubeReach> reach(tubes.size());
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < tubes.size(); ++k) {
-    if (const auto known = cache.reach.find(tubes[k]); known != cache.reach.end())
+    if (const auto known = cached.find(tubes[k]); known != cached.end())
       reach[k] = known->second;
     else
       open.push_back(k);
@@ -33,13 +33,13 @@ std::vector<TubeReach> reachAll(const ArmClearance& clearance, const std::vector
   std::mutex telling;
   std::size_t done = tubes.size() - open.size();
   oneapi::tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
-    if (shouldStop(hooks)) return;
+    if (context.isStopped()) return;
     TubeReach& found = reach[open[k]];
-    found = reachTube(clearance, tubes[open[k]], options);
+    found = reachTube(context.clearance, tubes[open[k]], context.options.reach);
     const std::lock_guard lock(telling);
-    cache.reach[found.tube] = found;
-    tell(hooks, "reach", ++done, tubes.size());
-    keep(hooks, cache);
+    cached[found.tube] = found;
+    context.showProgress("reach", ++done, tubes.size());
+    context.keepCache();
   });
   return reach;
 }
@@ -53,8 +53,8 @@ PathSegment segmentOf(SegmentKind kind, int visit, std::vector<Eigen::VectorXd> 
 }
 
 /// Lays the segments out along stops that can all be travelled between; gives the ends of each.
-std::vector<MotionEnds> laySegments(const std::vector<Stop>& stops, const VisitChoice& choice,
-                                    const VisitConditions& conditions, TravelNetwork& network, VisitPlan& plan) {
+std::vector<MotionEnds> laySegments(const PlanContext& context, const std::vector<Stop>& stops,
+                                    const VisitChoice& choice, TravelNetwork& network, VisitPlan& plan) {
   std::vector<MotionEnds> ends;
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const bool is_visit = stops[k].visit >= 0;
@@ -74,7 +74,7 @@ std::vector<MotionEnds> laySegments(const std::vector<Stop>& stops, const VisitC
     if (!is_visit) continue;
     const auto& tube = choice.reach[static_cast<std::size_t>(stops[k].visit)];
     const auto& branch = tube.branches[static_cast<std::size_t>(stops[k].branch)];
-    plan.visits.push_back({tube.tube, branch, conditions.dwellAt(tube.tube)});
+    plan.visits.push_back({tube.tube, branch, context.options.conditions.dwellAt(tube.tube)});
     plan.segments.push_back(segmentOf(SegmentKind::kApproach, visit, branch.approach));
     plan.segments.push_back(
         segmentOf(SegmentKind::kRetreat, visit, {branch.approach.rbegin(), branch.approach.rend()}));
@@ -84,19 +84,20 @@ std::vector<MotionEnds> laySegments(const std::vector<Stop>& stops, const VisitC
 }
 
 /// The figures to compare with, of the visits that are in the plan.
-void compareTimes(const Workcell& cell, const std::vector<Stop>& stops, const VisitChoice& choice,
-                  const JointSpeeds& speeds, const VisitConditions& conditions, VisitPlan& plan) {
+void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, const VisitChoice& choice,
+                  VisitPlan& plan) {
+  const VisitConditions& conditions = context.options.conditions;
   VisitChoice kept;
   std::vector<int> rows, columns;
   for (const Stop& stop : stops) {
     if (stop.visit < 0) continue;
     kept.reach.push_back(choice.reach[static_cast<std::size_t>(stop.visit)]);
     kept.branches.push_back(choice.branches[static_cast<std::size_t>(stop.visit)]);
-    const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(kept.reach.back().tube)];
+    const auto& tube = context.cell.sheet.tubes[static_cast<std::size_t>(kept.reach.back().tube)];
     rows.push_back(tube.row);
     columns.push_back(tube.column);
   }
-  const Route route = routeOf(kept, speeds, conditions);
+  const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
   if (kept.reach.size() < choice.reach.size()) plan.lower_bound = zonedBound(route, zones);
   plan.row_by_row_time = rowByRowTime(route, zones, rows, columns);
@@ -114,19 +115,35 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
 }
 
 /// What speaks against resting in the start or the end posture; empty where nothing does.
-std::string findEndProblem(const ArmClearance& clearance, const VisitPlanOptions& options) {
+std::string findEndProblem(const PlanContext& context) {
   const auto problemAt = [&](const std::string& name, const Eigen::VectorXd& q) -> std::string {
     for (int j = 0; j < q.size(); ++j) {
-      const auto& joint = clearance.cell().arm.joint(j);
+      const auto& joint = context.cell.arm.joint(j);
       if (!(q[j] >= joint.lower && q[j] <= joint.upper)) return name + ": " + joint.name + " is past its limit";
     }
-    const Clearance there = clearance.withSpare(q, ContactRule::kTravel, options.reach.spare);
+    const Clearance there = context.clearance.withSpare(q, ContactRule::kTravel, context.options.reach.spare);
     return there.margin >= 0 ? "" : name + ": " + describe(there);
   };
+  const auto& [start, end] = std::tie(context.options.conditions.start, context.options.conditions.end);
   std::string problem;
-  if (options.conditions.start) problem = problemAt("the start posture", *options.conditions.start);
-  if (problem.empty() && options.conditions.end) problem = problemAt("the end posture", *options.conditions.end);
+  if (start) problem = problemAt("the start posture", *start);
+  if (problem.empty() && end) problem = problemAt("the end posture", *end);
   return problem;
+}
+
+/// The order of visits. Where no order avoids a move that cannot be made, what cannot be joined is taken out of the
+/// choice, and the rest ordered anew.
+RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, VisitChoice& choice, VisitPlan& plan) {
+  std::size_t rounds = 0;
+  {
+    TravelNetwork network(context, choice.reach, roadmap);
+    RealOrder order = orderWithRealMoves(context, choice, network, true, rounds);
+    if (!order.is_parted || context.isStopped()) return order;
+    const auto left_out = keepOnePart(choice, roadmap.get(), context.options.conditions, order.between);
+    plan.unreachable.insert(plan.unreachable.end(), left_out.begin(), left_out.end());
+  }
+  TravelNetwork network(context, choice.reach, roadmap);
+  return orderWithRealMoves(context, choice, network, false, rounds);
 }
 
 /// Whether the stops still begin and end where they must.
@@ -185,11 +202,10 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
 
 VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                      const PlanHooks& hooks, PlanCache& cache) {
+  const PlanContext context{cell, options, hooks, cache};
   VisitPlan plan;
-  const ArmClearance clearance(cell, options.reach.padding);
-  const JointSpeeds speeds = jointSpeedsOf(cell.arm);
-  std::vector<TubeReach> reach = reachAll(clearance, tubes, options.reach, hooks, cache, plan);
-  if (shouldStop(hooks)) return stopped(plan);
+  std::vector<TubeReach> reach = reachAll(context, tubes, plan);
+  if (context.isStopped()) return stopped(plan);
   for (const auto& tube : reach)
     if (tube.status == ReachStatus::kUnreachable) plan.unreachable.push_back({tube.tube, tube.reason, tube.blocking});
   std::erase_if(reach, [](const TubeReach& tube) { return tube.status != ReachStatus::kReachable; });
@@ -198,33 +214,24 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
     plan.reason = "none of the tubes can be reached";
     return plan;
   }
-  const VisitConditions& conditions = options.conditions;
-  if (std::string problem = findEndProblem(clearance, options); !problem.empty())
+  if (std::string problem = findEndProblem(context); !problem.empty())
     return withoutOrder(std::move(plan), std::move(problem));
   const std::set<MotionEnds> travels_before = keysOf(cache.travels);
   VisitChoice choice = allBranches(std::move(reach));
-  TravelRoadmap roadmap(clearance, options);
-  auto network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, cache);
-  std::size_t rounds = 0;
-  RealOrder order = orderWithRealMoves(choice, *network, options, true, hooks, cache, rounds);
-  if (order.is_parted && !shouldStop(hooks)) {
-    // No order avoids a move that cannot be made: what cannot be joined is left out, and the rest ordered anew.
-    const auto left_out = keepOnePart(choice, roadmap.get(), conditions, order.between);
-    plan.unreachable.insert(plan.unreachable.end(), left_out.begin(), left_out.end());
-    network = std::make_unique<TravelNetwork>(clearance, choice.reach, roadmap, options, cache);
-    order = orderWithRealMoves(choice, *network, options, false, hooks, cache, rounds);
-  }
-  if (shouldStop(hooks)) return stopped(plan);
+  TravelRoadmap roadmap(context);
+  const RealOrder order = orderInOnePart(context, roadmap, choice, plan);
+  if (context.isStopped()) return stopped(plan);
   if (order.stops.empty()) return withoutOrder(std::move(plan), order.reason);
   plan.lower_bound = order.lower_bound;
-  const std::vector<Stop> stops = joinRuns(order.stops, choice, *network, conditions, plan.unreachable);
-  if (!keepsEnds(stops, conditions))
+  TravelNetwork network(context, choice.reach, roadmap);
+  const std::vector<Stop> stops = joinRuns(order.stops, choice, network, options.conditions, plan.unreachable);
+  if (!keepsEnds(stops, options.conditions))
     return withoutOrder(std::move(plan), "no path was found between the start or end posture and the tubes");
-  const std::vector<MotionEnds> ends = laySegments(stops, choice, conditions, *network, plan);
+  const std::vector<MotionEnds> ends = laySegments(context, stops, choice, network, plan);
   for (const auto& [a, b] : ends) plan.kept.travels += a != b && travels_before.contains(std::minmax(a, b));
-  if (!proveAll(clearance, options, ends, hooks, cache, plan) || shouldStop(hooks)) return stopped(plan);
-  timeSegments(speeds, plan);
-  compareTimes(cell, stops, choice, speeds, conditions, plan);
+  if (!proveAll(context, ends, plan) || context.isStopped()) return stopped(plan);
+  timeSegments(context.speeds, plan);
+  compareTimes(context, stops, choice, plan);
   cache.visiting_order.clear();
   for (const auto& visit : plan.visits) cache.visiting_order.push_back(visit.tube);
   plan.status = VisitPlanStatus::kPlanned;

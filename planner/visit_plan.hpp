@@ -46,13 +46,6 @@ struct PlanHooks {
   std::function<bool()> stop;
   std::function<void(const PlanCache& cache)> keep;
 };
-inline bool shouldStop(const PlanHooks& hooks) { return hooks.stop && hooks.stop(); }
-inline void tell(const PlanHooks& hooks, std::string_view stage, std::size_t done, std::size_t total) {
-  if (hooks.progress) hooks.progress(stage, done, total);
-}
-inline void keep(const PlanHooks& hooks, const PlanCache& cache) {
-  if (hooks.keep) hooks.keep(cache);
-}
 
 /// How the tool goes from tube to tube.
 enum class TravelKind {

@@ -274,14 +274,15 @@ TEST(PlanVisits, StopsWhenAskedAndTellsHowFarItIs) {
 
 TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
   const Workcell cell = mockup();
-  const ArmClearance clearance(cell);
-  std::vector<TubeReach> reach;
-  for (int tube : testing::tubesOf(cell, "R10C20,R30C40,R10C95")) reach.push_back(reachTube(clearance, tube));
   const VisitPlanOptions options;
-  TravelRoadmap roadmap(clearance, options);
+  const PlanHooks hooks;
   PlanCache cache, other_cache;
-  TravelNetwork network(clearance, reach, roadmap, options, cache);
-  TravelNetwork other(clearance, reach, roadmap, options, other_cache);
+  const PlanContext context{cell, options, hooks, cache}, other_context{cell, options, hooks, other_cache};
+  std::vector<TubeReach> reach;
+  for (int tube : testing::tubesOf(cell, "R10C20,R30C40,R10C95")) reach.push_back(reachTube(context.clearance, tube));
+  TravelRoadmap roadmap(context);
+  TravelNetwork network(context, reach, roadmap);
+  TravelNetwork other(other_context, reach, roadmap);
   const Stop a{0, 0}, b{2, 0}, c{1, 0};
   const MotionPlan forth = network.between(a, b);
   ASSERT_EQ(forth.status, MotionPlanStatus::kFree) << forth.reason;

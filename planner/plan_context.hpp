@@ -1,0 +1,30 @@
+// What every stage of the planning of visits works with. Internal to it.
+#pragma once
+
+#include <string_view>
+
+#include "planner/collision/arm_clearance.hpp"
+#include "planner/visit_plan.hpp"
+
+namespace tubeplan::planner {
+
+/// The cell and what is asked of it; the hooks of whoever waits for the plan; the cache, which each stage reads first
+/// and then adds to.
+struct PlanContext {
+  const Workcell& cell;
+  const VisitPlanOptions& options;
+  const PlanHooks& hooks;
+  PlanCache& cache;
+  const ArmClearance clearance{cell, options.reach.padding};
+  const JointSpeeds speeds = jointSpeedsOf(cell.arm);
+
+  [[nodiscard]] bool isStopped() const { return hooks.stop && hooks.stop(); }
+  void showProgress(std::string_view stage, std::size_t done, std::size_t total) const {
+    if (hooks.progress) hooks.progress(stage, done, total);
+  }
+  void keepCache() const {
+    if (hooks.keep) hooks.keep(cache);
+  }
+};
+
+}  // namespace tubeplan::planner
