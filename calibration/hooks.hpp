@@ -26,7 +26,7 @@ struct WorkHooks {
 struct WorkStopped {};
 
 /// Of a status that says so.
-inline constexpr const char* kStoppedReason = "it was asked to stop";
+inline constexpr const char* kStoppedReason = "stopped on request";
 
 inline void goOn(const StopQuestion& stop) {
   if (shouldStop(stop)) throw WorkStopped{};

@@ -65,7 +65,8 @@ void checkFollower(const Arm& arm, const Row<double>& row, std::vector<ArmProble
   const std::string path = row.name + ".joint.follows";
   for (const auto& followed : row.joint.follows) {
     if (followed.row < 0 || arm.rows.at(static_cast<std::size_t>(followed.row)).joint.type != JointType::kRevolute)
-      out.push_back({path, "a joint that does not turn by a reading of its own", "revolute joints with readings"});
+      out.push_back(
+          {path, "a joint without an encoder reading of its own, or not revolute", "revolute joints with readings"});
     if (!std::isfinite(followed.ratio)) out.push_back({path, text(followed.ratio), "a finite number"});
   }
 }
@@ -114,7 +115,7 @@ void checkSideChains(const Arm& arm, std::set<std::string>& rows, std::set<std::
     }
     if (!chain.rows.empty() && weight == 0)
       out.push_back(
-          {chain.rows.front().name, "a side chain without any weight", "weights: a side chain does nothing else"});
+          {chain.rows.front().name, "a side chain without weight", "weights: a side chain has no other influence"});
   }
 }
 

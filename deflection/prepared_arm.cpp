@@ -218,7 +218,7 @@ void PreparedArm::undefine() {
 std::string PreparedArm::reason() const {
   if (status_ == KinematicsStatus::kUndefined) return context_->undefined;
   if (status_ == KinematicsStatus::kNotConverged)
-    return "the deflected shape does not converge: the arm is too soft for its load";
+    return "the deflected shape does not converge: the arm is too compliant for its load";
   return "";
 }
 

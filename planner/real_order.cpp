@@ -140,9 +140,9 @@ std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice
 }
 
 std::string apartReason(const Clearance& between) {
-  std::string reason = "no path to it: it lies in a part of the free space apart from the tubes that are visited";
+  std::string reason = "no path to it: it lies in a part of the free space that is not connected to the visited tubes";
   if (!between.body.empty())
-    reason += "; on the straight way between, " + between.body + " comes too near " + between.other;
+    reason += "; on the straight motion between them, " + between.body + " comes too near " + between.other;
   return reason;
 }
 

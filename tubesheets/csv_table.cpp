@@ -53,7 +53,7 @@ void addLine(CsvTable& table, std::string_view text, int line) {
   if (text.find('\0') != std::string_view::npos) {
     table.problem = Problem{"text", "a zero byte", "comma-separated text", "save the table as CSV", line};
   } else if (!fields) {
-    table.problem = Problem{"text", "a quote that is not closed", "quotes in pairs around a field", "", line};
+    table.problem = Problem{"text", "an unclosed quote", "quotes in pairs around a field", "", line};
   } else if (table.columns.empty()) {
     table.columns = std::move(*fields);
     table.header_line = line;
@@ -107,7 +107,7 @@ CsvTable parseCsv(std::string_view text) {
     if (!content.empty() && content.front() != '#') addLine(table, content, line);
   }
   if (!table.problem && table.columns.empty())
-    table.problem = Problem{"text", "nothing in it", "a header line with the columns' names", "", 0};
+    table.problem = Problem{"text", "an empty file", "a header line with the columns' names", "", 0};
   return table;
 }
 

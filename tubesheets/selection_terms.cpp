@@ -64,7 +64,7 @@ TermChoice chooseZone(const Sheet& sheet, const std::vector<int>& candidates, st
   const auto zone = parseZone(argument);
   if (!zone) return refuseTerm("expected zone:X0:X1:Y0:Y1 and a unit, as in zone:-10:10:20:40in (in, mm or m)");
   const double x0 = (*zone)[0], x1 = (*zone)[1], y0 = (*zone)[2], y1 = (*zone)[3];
-  if (x0 > x1 || y0 > y1) return refuseTerm("the zone runs backwards: expected the smaller number first");
+  if (x0 > x1 || y0 > y1) return refuseTerm("the zone's limits are reversed: expected the smaller number first");
   TermChoice choice = keepIf(candidates, [&](int tube) {
     const Tube& hole = sheet.tubes[tube];
     return hole.x >= x0 && hole.x <= x1 && hole.y >= y0 && hole.y <= y1;
@@ -126,7 +126,7 @@ bool takeSpan(std::string_view& text, char letter, std::optional<Span>& span) {
 }
 
 std::string explainSpan(std::string_view name, const Span& span, int last) {
-  if (span.last < span.first) return fmt::format("{} {} to {} runs backwards", name, span.first, span.last);
+  if (span.last < span.first) return fmt::format("{} {} to {}: reversed limits", name, span.first, span.last);
   if (span.last > last) return fmt::format("{0} {1} is not on this sheet: {0}s 1 to {2}", name, span.last, last);
   return "";
 }

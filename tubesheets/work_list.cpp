@@ -67,12 +67,12 @@ std::vector<Item> splitItems(std::string_view request) {
 // What is wrong with an item before any tube is looked at; empty when nothing is.
 std::string findItemFault(const Item& item) {
   if (item.text.empty()) return "nothing here; expected one of " + knownForms();
-  if (item.is_minus && item.role() != TermRole::kSource) return "only tubes can be taken away with a minus";
+  if (item.is_minus && item.role() != TermRole::kSource) return "only tubes can be excluded with a minus";
   if (item.term != nullptr && item.term->takes_argument == item.argument.empty())
     return fmt::format("expected {}", item.term->form);
   const bool is_range = item.text.find_first_of("Rr") == 0 || item.text.find_first_of("Cc") == 0;
   if (item.term == nullptr && !findTubeState(item.text) && !is_range)
-    return "not understood; expected one of " + knownForms();
+    return "not recognised; expected one of " + knownForms();
   return "";
 }
 
@@ -161,7 +161,7 @@ std::string leftOutText(const Sheet& sheet, const Selection& selection) {
       parts.push_back(fmt::format("{} {}", count, tubeStateName(state)));
     else
       by_list += count;
-  if (by_list > 0) parts.push_back(fmt::format("{} plugged by the list's word", by_list));
+  if (by_list > 0) parts.push_back(fmt::format("{} plugged according to the list", by_list));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -69,7 +69,7 @@ int import(const ArmOptions& options) {
   static const Units kUrdfUnits(
       parseYaml("units: {length: m, angle: deg, force: N, temperature: degC, time: s}", "units").at("units"));
   const std::string text =
-      fmt::format("# From {}: rigid; add joint_stiffness and beam where it gives.\n{}",
+      fmt::format("# From {}: rigid; add joint_stiffness and beam where it is compliant.\n{}",
                   std::filesystem::path(options.file).filename().string(), armYaml(read.arm, kUrdfUnits));
   const auto folder = std::filesystem::absolute(options.cell.empty() ? "." : options.cell).parent_path();
   const auto beside = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
@@ -113,7 +113,7 @@ Run configureArm(CLI::App& cli) {
       ->check(CLI::IsMember({"import", "export", "show"}));
   cli.add_option("FILE", options->file, "a URDF file, an arm file or a cell")->required();
   cli.add_option("--out", options->out, "the arm file that import writes, the URDF file that export writes");
-  cli.add_option("--tip", options->tip, "import: the link at the tool's tip, where chains end in several");
+  cli.add_option("--tip", options->tip, "import: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
   cli.add_option("--json", options->json, "show: write the figures as JSON to this file, or - for standard output");

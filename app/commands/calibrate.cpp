@@ -53,8 +53,9 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
-  cli.add_option("--sigma", options->sigma,
-                 "noise of a coordinate where neither file nor tool states one, in the cell's length unit");
+  cli.add_option(
+      "--sigma", options->sigma,
+      "standard deviation of a coordinate where neither file nor tool states one, in the cell's length unit");
   addAssumeOption(cli, options->assume);
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

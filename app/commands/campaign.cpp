@@ -46,7 +46,7 @@ class CampaignDesk {
       : options_(options), campaign_(campaign), runs_(static_cast<std::uint64_t>(options.runs)) {
     checkJsonTarget(options.json);
     if (options.resume && options.out.empty())
-      throw InputError("--resume", "no folder to go on in", "--out DIR", "name the folder of the stopped campaign");
+      throw InputError("--resume", "no folder to continue in", "--out DIR", "name the folder of the stopped campaign");
     RunSet done;
     noteStopSignals();  // from the first folder on, so that none is left behind
     if (!options.out.empty()) {
@@ -54,8 +54,8 @@ class CampaignDesk {
       keeper_.emplace(folder_->path(), options.resume);
       if (const auto kept = keeper_->begin(campaign.question, runs_)) {
         if (!campaign.experiment->add(kept->total))
-          throw InputError(keeper_->path().string(), "a tally of another shape", "one of this question",
-                           "remove it to begin anew");
+          throw InputError(keeper_->path().string(), "a tally of another format", "one of this campaign",
+                           "remove it to start again");
         done = kept->done;
       }
     }
@@ -83,7 +83,7 @@ class CampaignDesk {
 
   int explainStop() {
     keep(true);
-    fmt::print(stderr, "stopped; {} of {} runs are kept in {}: the same command goes on from there\n",
+    fmt::print(stderr, "stopped; {} of {} runs are kept in {}: the same command continues from there\n",
                schedule_->done().size(), runs_, keeper_->path().string());
     return kStoppedExitCode;
   }
@@ -148,7 +148,7 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     // mpirun ends all ranks at the first exit code that is not 0: it must be of the one that has said why.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
-    throw InputError("campaign", "another question on one of the machines, or none",
+    throw InputError("campaign", "different options on one of the machines, or none",
                      "the same program and the same files on each", "copy them to every machine");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
@@ -180,30 +180,33 @@ std::string choiceHelp() {
 
 void configureCentring(CLI::App& cli, CampaignRequest& request) {
   const char* group = "Of kind centre, in the cell's units";
-  cli.add_option("--truth", request.truth, "the cell about which true arms are drawn; else CELL itself")->group(group);
+  cli.add_option("--truth", request.truth, "the cell about which true arms are drawn (default: CELL)")->group(group);
   cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan")
       ->capture_default_str()
       ->group(group);
-  cli.add_option("--holes", request.holes, "how many of them a run visits")->capture_default_str()->group(group);
-  cli.add_option("--touches", request.touches, "how many holes are touched; a list compares: 3,4,6,12")
+  cli.add_option("--holes", request.holes, "how many of them each run visits")->capture_default_str()->group(group);
+  cli.add_option("--touches", request.touches, "number of touched holes; a list compares several: 3,4,6,12")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group(group);
   cli.add_option("--choice", request.choices, choiceHelp())->delimiter(',')->allow_extra_args(false)->group(group);
   cli.add_option("--touch-sigma", request.touch_sigmas,
-                 "centring noise of each coordinate of a touch; a list compares. Else half of what the last step lets "
-                 "through")
+                 "standard deviation of each coordinate of a touch; a list compares several. Default: half the radial "
+                 "clearance of the last step")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group(group);
-  cli.add_option("--base-shift", request.base_shift, "sigma of the true base's place, per coordinate (0.5 in)")
+  cli.add_option("--base-shift", request.base_shift,
+                 "standard deviation of the true base's position, per coordinate (0.5 in)")
       ->group(group);
-  cli.add_option("--base-turn", request.base_turn, "sigma of the true base's turn, per axis (0.5 deg)")->group(group);
-  cli.add_option("--stiffness", request.stiffness, "relative sigma of the true arm's stiffnesses (0.02)")->group(group);
+  cli.add_option("--base-turn", request.base_turn, "standard deviation of the true base's rotation, per axis (0.5 deg)")
+      ->group(group);
+  cli.add_option("--stiffness", request.stiffness, "relative standard deviation of the true arm's stiffnesses (0.02)")
+      ->group(group);
   cli.add_option("--unmodelled", request.unmodelled,
-                 "sigma of what the true arm does beyond its model, per coordinate (0.0197 in)")
+                 "standard deviation of the true arm's unmodelled error, per coordinate (0.0197 in)")
       ->group(group);
-  cli.add_option("--encoder-sigma", request.encoder_sigma, "noise of a joint's reading; else the arm file's")
+  cli.add_option("--encoder-sigma", request.encoder_sigma, "encoder noise of a joint (default: that of the arm file)")
       ->group(group);
 }
 
@@ -212,8 +215,8 @@ void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
   cli.add_option("--design", request.design, "the design of the readings, as for simulate")
       ->capture_default_str()
       ->group(group);
-  cli.add_option("--readings", request.readings, "how many in a run")->capture_default_str()->group(group);
-  cli.add_option("--nothing", request.nothing, "share of the runs in which nothing is hidden")
+  cli.add_option("--readings", request.readings, "readings of each run")->capture_default_str()->group(group);
+  cli.add_option("--nothing", request.nothing, "fraction of the runs without a hidden effect")
       ->capture_default_str()
       ->group(group);
   cli.add_option("--hide", request.hide,
@@ -232,20 +235,17 @@ Run configureCampaign(CLI::App& cli) {
   cli.add_option("CELL", options->request.cell, "the cell file")->required();
   cli.add_option("--runs", options->runs, "how many, up to 1000000000")->required();
   cli.add_option("--kind", options->kind, kindHelp())->capture_default_str();
-  cli.add_option("--seed", options->request.seed, "of everything random")
+  cli.add_option("--seed", options->request.seed, "seed of the random numbers")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  cli.add_option("--jobs", options->jobs,
-                 isBuiltForRanks()
-                     ? "workers on this machine, else one for each core; more machines: mpirun -n N tubeplan "
-                       "campaign ..."
-                     : "workers, else one for each core; this program was built without MPI, so on one "
-                       "machine only");
   cli.add_option(
-      "--out", options->out,
-      "the folder for the results, and for what is done when stopped: the same command goes on, also to more "
-      "runs");
-  cli.add_flag("--resume", options->resume, "go on in the folder, and refuse where it was asked otherwise");
+      "--jobs", options->jobs,
+      isBuiltForRanks()
+          ? "workers on this machine (default: one for each core); several machines: mpirun -n N tubeplan campaign ..."
+          : "workers (default: one for each core); this program was built without MPI, so on one machine only");
+  cli.add_option("--out", options->out,
+                 "the folder for results and checkpoint: after a stop the same command continues, also with more runs");
+  cli.add_flag("--resume", options->resume, "continue the campaign in the folder; refuse if its options differ");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   configureCentring(cli, options->request);
   configureDiagnosis(cli, options->request);

@@ -49,7 +49,7 @@ Run configureCompare(CLI::App& cli) {
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--report", options->report, "write a page with maps and curves of the error to this file (HTML)");
+  cli.add_option("--report", options->report, "write a report with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
   cli.add_option("--seed", options->request.seed, "seed of the folds");

@@ -67,14 +67,14 @@ Run configureDiagnose(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
   cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(CLI::Range(1, 4));
   cli.add_option("--next", options->request.next,
-                 "how many further readings to propose where the verdict leaves something open")
+                 "how many further readings to propose where the verdict is not conclusive")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
   addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
   cli.add_option("--run-sheet", options->run_sheet,
                  "write the proposed readings (CSV), to be filled in and given back after the readings");
-  cli.add_option("--report", options->report, "write a self-contained page about it (HTML) to this file");
+  cli.add_option("--report", options->report, "write a self-contained report (HTML) to this file");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

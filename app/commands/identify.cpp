@@ -65,27 +65,27 @@ Run configureIdentify(CLI::App& cli) {
                  "parameters to free instead of the cell's `identify`: dotted paths into the arm file "
                  "(tool.joint_stiffness.z), tool.tip, geometry")
       ->delimiter(',');
-  cli.add_option("--out", options->out, "write the cell with what was found to this file, its arm beside it");
+  cli.add_option("--out", options->out, "write the identified cell to this file, its arm file beside it");
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--robust", options->request.robust, "loss that weakens outliers")
+  cli.add_option("--robust", options->request.robust, "robust loss function")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;
   for (const auto& method : calibration::leastSquaresMethods()) methods.emplace_back(method.name);
-  cli.add_option("--method", options->request.method, "how to minimise; the last two are there for comparison")
+  cli.add_option("--method", options->request.method, "least-squares method; the last two are for comparison")
       ->check(CLI::IsMember(methods))
       ->capture_default_str();
   cli.add_option("--stage", options->request.stages,
-                 "NAMES[:SETUP]: free these numbers on that set-up's readings, those of the stages before held; repeat "
-                 "for each stage")
+                 "NAMES[:SETUP]: identify these parameters from that set-up's readings, those of earlier stages held "
+                 "fixed; repeat for each stage")
       ->allow_extra_args(false);
-  cli.add_option("--starts", options->request.starts, "starts, the others drawn around the given one")
+  cli.add_option("--starts", options->request.starts,
+                 "number of initial values; all but the first are drawn around the given one")
       ->check(CLI::Range(1, 1000));
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
-  cli.add_option("--drop", options->request.drop,
-                 "give up parameters that the readings do not need at this level (0.05)")
+  cli.add_option("--drop", options->request.drop, "drop parameters that are not significant at this level (0.05)")
       ->check(CLI::Range(0., 0.5));
-  cli.add_option("--seed", options->request.seed, "seed of drawn starts and folds");
+  cli.add_option("--seed", options->request.seed, "seed of the initial values and the folds");
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

@@ -63,13 +63,13 @@ int run(const LadderOptions& options) {
 Run configureLadder(CLI::App& cli) {
   const auto options = std::make_shared<LadderOptions>();
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
-  cli.add_option("CELL", options->cells, "models, one cell file each, in the order of the ladder")->required();
+  cli.add_option("CELL", options->cells, "models, one cell file each, in the order of comparison")->required();
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--report", options->report, "write the ladder as a page to this file (HTML)");
-  cli.add_flag("--rigid", options->with_rigid, "begin with the first model's arm taken as rigid");
+  cli.add_option("--report", options->report, "write a report to this file (HTML)");
+  cli.add_flag("--rigid", options->with_rigid, "begin with the first model as a rigid arm");
   cli.add_option("--truth", options->request.truth,
-                 "the cell that stands for the real arm in the step table (else the best model of the ladder, with an "
-                 "unmodelled error as large as the noise floor)");
+                 "the cell of the true arm for the step table (default: the best of the models, with an unmodelled "
+                 "error as large as the noise floor)");
   cli.add_option("--sheet", options->request.sheet,
                  "a cell whose tube sheet and calibration tool the step table is for");
   cli.add_option("--holes", options->request.holes, "random holes of the step table")

@@ -27,11 +27,11 @@ struct PlanOptions {
 int explainStop(PlanCheckpoint& checkpoint, const OutputFolder& folder) {
   const std::string summary = checkpoint.summary();
   if (summary.empty()) {
-    fmt::print(stderr, "stopped before there was anything to keep\n");
+    fmt::print(stderr, "stopped before anything was planned\n");
     return kStoppedExitCode;
   }
   checkpoint.save();
-  fmt::print(stderr, "stopped; {} are kept in {}: the same command goes on from there\n", summary,
+  fmt::print(stderr, "stopped; {} are kept in {}: the same command continues from there\n", summary,
              (folder.path() / kProgressFile).string());
   return kStoppedExitCode;
 }
@@ -95,7 +95,7 @@ Run configurePlan(CLI::App& cli) {
                  "stabilised ones only by name: all,plugged")
       ->capture_default_str();
   cli.add_option("--touches", request.touches,
-                 "touched holes (CSV) that place the base, or auto: the true arm touches three");
+                 "touched holes (CSV) to calibrate the base with, or auto: the true arm touches three");
   cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
   cli.add_option("--travel", request.travel,
@@ -105,27 +105,30 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
   auto& conditions = request.conditions;
   cli.add_option("--start", conditions.start,
-                 "the posture to set out from: `park` (the cell's) or joint readings, --start=A,B,...");
-  cli.add_option("--end", conditions.end, "the posture to come to rest in, in the same way");
+                 "the posture to start from: `park` (the cell's) or joint readings, --start=A,B,...");
+  cli.add_option("--end", conditions.end, "the posture to end in, likewise");
   cli.add_option("--first", conditions.first,
-                 "tubes to visit before all others, as --tubes says them; given again, the zone that comes next");
-  cli.add_option("--dwell", conditions.dwell, "seconds to stay at each hole, but for those of a work list's dwell_s")
+                 "tubes to visit before all others, as for --tubes; repeat for the next zone");
+  cli.add_option("--dwell", conditions.dwell,
+                 "dwell time at each hole in seconds, unless a work list's dwell_s says otherwise")
       ->capture_default_str();
-  cli.add_option("--padding", request.padding,
-                 "keep so many standard deviations of the base's place beyond the scene's clearance")
+  cli.add_option("--padding", request.padding, "extra clearance, in standard deviations of the base pose")
       ->capture_default_str();
-  cli.add_option("--standoff", request.standoff,
-                 "how far below a hole its approach begins, in the cell's unit of length (1 in; padding comes on top)");
+  cli.add_option(
+      "--standoff", request.standoff,
+      "distance below a hole at which its approach begins, in the cell's unit of length (1 in; padding comes on top)");
   cli.add_option("--insertion", request.insertion,
-                 "how far past a hole's face the tip goes into the tube, in the cell's unit of length")
+                 "insertion depth of the tip past a hole's face, in the cell's unit of length")
       ->capture_default_str();
-  cli.add_option("--seed", request.seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
+  cli.add_option("--seed", request.seed, "seed of the random numbers")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
       ->required();
   cli.add_flag("--resume", options->resume,
-               "go on with the plan that was stopped in the folder, and refuse where it was asked otherwise");
+               "continue the plan that was stopped in the folder; refuse if its options differ");
   cli.add_option("--from", options->from,
-                 "the folder of an earlier plan: keep what still holds of it, and plan anew around what changed");
+                 "the folder of an earlier plan: reuse what is still valid of it and plan the rest anew");
   cli.add_flag("--trajectory", options->trajectory, "write trajectory.yaml too, a ROS 2 JointTrajectory");
   return [options] { return run(*options); };
 }

@@ -44,7 +44,7 @@ void checkPath(const PlanFiles& files, std::vector<std::string>& problems) {
     const TubeEcho planned{files.leg, files.plan.tubes[visit].row, files.plan.tubes[visit].column};
     if (files.path_echoes[k] == planned) continue;
     ++found;
-    problems.push_back(fmt::format("path row {}: goes to {} where the plan has {}", k + 1,
+    problems.push_back(fmt::format("path row {}: approaches {}, but the plan visits {} there", k + 1,
                                    echoText(files.path_echoes[k]), echoText(planned)));
   }
 }
@@ -62,14 +62,14 @@ std::vector<std::string> findIdentityProblems(const PlanFiles& files, const tube
   checkSheet(files, sheet, problems);
   for (std::size_t k = 0; k < files.tube_legs.size(); ++k)
     if (files.tube_legs[k] != files.leg)
-      problems.push_back(fmt::format("{} is said to be in the {} leg, the plan in the {} leg",
+      problems.push_back(fmt::format("{} is stated to be in the {} leg, the plan in the {} leg",
                                      tubeName(files.plan.tubes[k].row, files.plan.tubes[k].column), files.tube_legs[k],
                                      files.leg));
   checkPath(files, problems);
   if (!files.stated_path.empty() && files.stated_path != files.path_fingerprint)
     problems.push_back(
-        fmt::format("path.csv has not the numbers that plan.json was written with (fingerprint {}, stated {}): a row "
-                    "was altered, or it is another plan's",
+        fmt::format("path.csv differs from the path that plan.json was written with (fingerprint {}, stated {}): a row "
+                    "was altered, or it belongs to another plan",
                     files.path_fingerprint, files.stated_path));
   return problems;
 }

@@ -104,8 +104,9 @@ int run(const PoseOptions& options) {
   print("rigid", poseFiguresOf(shape.X_BT), cell.units);
   print("flexible", poseFiguresOf(shape.X_BD), cell.units);
   print("change", change, cell.units);
-  fmt::print("sag {:.4f} {}, settled in {} passes\n", change.position.norm() / cell.units.factor(dimension::kLength),
-             cell.units.length().name, shape.iterations);
+  fmt::print("deflection {:.4f} {}, converged in {} iterations\n",
+             change.position.norm() / cell.units.factor(dimension::kLength), cell.units.length().name,
+             shape.iterations);
   if (const std::string warning = json["segments"]["warning"]; !warning.empty()) fmt::print("warning: {}\n", warning);
   return kDone;
 }
@@ -116,8 +117,7 @@ Run configurePose(CLI::App& cli) {
   const auto options = std::make_shared<PoseOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("--joints", options->joints, "joint readings A,B,C,D in the cell's unit of angle")->required();
-  cli.add_option("--side-joints", options->side_joints,
-                 "the same of the joints of the arm's side chains; without them they stand at zero");
+  cli.add_option("--side-joints", options->side_joints, "joint readings of the arm's side chains (default: zero)");
   cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force");
   cli.add_option("--force", options->force,
                  "X,Y,Z: a force on the tip beside the load, in the world's axes and the cell's unit of force")

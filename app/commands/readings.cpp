@@ -72,14 +72,14 @@ Run configureReadings(CLI::App& cli) {
   const auto options = std::make_shared<ReadingsOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("FILES", options->files,
-                 "tables (CSV, or text with tabs or blanks): with joints and places together, or a "
-                 "log of the joints and a tracker's points");
+                 "tables (CSV, or text with tabs or blanks): joints and positions together, or a joint log and a "
+                 "tracker's points");
   cli.add_option("--column", options->columns,
-                 "NAME=COLUMN: which column one is, where its heading does not say so (x_mm=X, theta1=log.csv:J1)")
+                 "NAME=COLUMN: assigns a column whose heading does not say what it is (x_mm=X, theta1=log.csv:J1)")
       ->take_all();
   cli.add_option("--units", options->units, "units of columns that state none: mm,deg,N")->delimiter(',');
   cli.add_option("--kind", options->kind,
-                 "what the readings are, where no column says so; else position, or touch without coordinates")
+                 "kind of the readings, where no column states it (default: position, or touch without coordinates)")
       ->check(CLI::IsMember(calibration::measurementKindNames()));
   cli.add_option("--out", options->out, "write the measurement table to this file, else to standard output");
   cli.add_flag("--template", options->is_template, "an empty table for this arm, to be filled in");

@@ -64,11 +64,11 @@ int run(const ReportOptions& options) {
 Run configureReport(CLI::App& cli) {
   const auto options = std::make_shared<ReportOptions>();
   cli.add_option("PROJECT", options->project, "a project that the workbench has saved")->required();
-  cli.add_option("--out", options->out, "write the page to this file (the project's name, .html)");
+  cli.add_option("--out", options->out, "write the report to this file (the project's name, .html)");
   cli.add_option("--pdf", options->pdf, "print it to this file too, by headless Chromium");
   cli.add_option("--files", options->files,
                  "write the readings in use and every model into this folder, as the report's command lines take them");
-  cli.add_option("--json", options->json, "write what the page shows as JSON to this file, or - for standard output");
+  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }
 

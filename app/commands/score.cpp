@@ -159,7 +159,7 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
   const double unit = units.factor(dimension::kLength);
   fmt::print("{} runs of three calibration holes and ten test holes ({} refused{})\n", experiment.runs,
              experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
-  fmt::print("mean error that a fit leaves at 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit,
+  fmt::print("mean residual of a fit to 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit,
              units.length().name);
   fmt::print("of ten holes, steps inserted       0     1     2     3   mean error, {}\n", units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
@@ -168,7 +168,8 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
     fmt::print("   {:.4f}\n", experiment.mean_error[mode] / unit);
   }
   fmt::print(
-      "goal-point and via-point share the posture at the hole: they differ on the way up, not in these counts\n");
+      "goal-point and via-point compensation share the posture at the hole: they differ during the approach, not in "
+      "these counts\n");
   for (int row = 0; row < 2; ++row)
     fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0],
                kThesisCounts[row][1], kThesisCounts[row][2], kThesisCounts[row][3]);
@@ -217,14 +218,17 @@ Run configureScore(CLI::App& cli) {
   cli.add_option("--truth", options->truth, "the cell of the true arm")->required();
   cli.add_option("--tubes", options->tubes, "which tubes, as for plan")->capture_default_str();
   cli.add_option("--runs", options->runs,
-                 "repeat the thesis's experiment so often, with a true arm drawn about the given one")
+                 "repeat the thesis's experiment N times, each with a true arm drawn about the given one")
       ->check(CLI::Range(0, 1000000));
   cli.add_option("--unmodelled", options->unmodelled,
-                 "with --runs: sigma of what the true arm does beyond its model, per coordinate")
+                 "with --runs: standard deviation of the true arm's unmodelled error, per coordinate")
       ->check(CLI::NonNegativeNumber);
-  cli.add_option("--stiffness", options->stiffness, "with --runs: relative sigma of the true arm's stiffnesses")
+  cli.add_option("--stiffness", options->stiffness,
+                 "with --runs: relative standard deviation of the true arm's stiffnesses")
       ->check(CLI::NonNegativeNumber);
-  cli.add_option("--seed", options->seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
+  cli.add_option("--seed", options->seed, "seed of the random numbers")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

@@ -147,16 +147,18 @@ int run(const SensitivityOptions& options) {
 Run configureSensitivity(CLI::App& cli) {
   const auto options = std::make_shared<SensitivityOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("--tubes", options->tubes, "where accuracy counts, as for plan (spread:60)");
+  cli.add_option("--tubes", options->tubes, "tubes at which the accuracy is wanted, as for plan (spread:60)");
   cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
-  cli.add_option(
-      "--readings", options->readings,
-      "readings (CSV) that determine the parameters listed under `identify`: errors are then of one sigma of each");
+  cli.add_option("--readings", options->readings,
+                 "readings (CSV) that determine the parameters listed under `identify`: errors are then those of one "
+                 "standard deviation of each");
   addAssumeOption(cli, options->assume);
-  cli.add_option("--postures", options->postures, "random postures to work in, where there is no tube sheet")
+  cli.add_option("--postures", options->postures, "number of random postures, where there is no tube sheet")
       ->check(CLI::Range(3, 10000))
       ->capture_default_str();
-  cli.add_option("--seed", options->seed, "of random postures")->check(CLI::NonNegativeNumber)->capture_default_str();
+  cli.add_option("--seed", options->seed, "seed of the random postures")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
   return [options] { return run(*options); };
 }

@@ -89,15 +89,16 @@ Run configureServe(CLI::App& cli) {
   cli.add_option("--port", options->door.port, "where to listen; 0 takes any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
-  cli.add_option("--host", options->door.host, "the address to listen at; any but loopback demands --token")
+  cli.add_option("--host", options->door.host, "the address to listen at; any but loopback requires --token")
       ->capture_default_str();
-  cli.add_option("--token", options->door.token, "what a browser must show, 12 or more letters, digits, - and _");
+  cli.add_option("--token", options->door.token,
+                 "the access token that a browser must send, 12 or more letters, digits, - and _");
   cli.add_option("--folder", options->workbench.folder,
                  "the folder whose files the page may open and write (the cell's)");
-  cli.add_option("--state", options->workbench.state, "the folder that keeps the session, to be taken up again")
+  cli.add_option("--state", options->workbench.state, "the folder in which the session is kept, to be resumed later")
       ->default_str("$XDG_STATE_HOME/tubeplan");
-  cli.add_flag("--fresh", options->workbench.fresh, "begin anew; what is kept of this cell stays under Open, Recent");
-  cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, to touch holes with");
+  cli.add_flag("--fresh", options->workbench.fresh, "start a new session; the old one stays under Open, Recent");
+  cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, for simulated touches");
   cli.add_option("--watch", options->watch,
                  "follow this file (CSV): readings that are added to it, or joint readings of a running arm");
   cli.add_option("--lines", options->lines,

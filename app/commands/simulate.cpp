@@ -68,20 +68,21 @@ Run configureSimulate(CLI::App& cli) {
   const auto options = std::make_shared<SimulateOptions>();
   cli.add_option("CELL", options->cell, "the cell file")->required();
   cli.add_option("--design", options->request.design, designHelp())->required();
-  cli.add_option("--readings", options->request.readings, "how many; a design file may say `postures` instead");
-  cli.add_option("--seed", options->request.seed, "of everything random")
+  cli.add_option("--readings", options->request.readings,
+                 "number of readings; a design file may state `postures` instead");
+  cli.add_option("--seed", options->request.seed, "seed of the random numbers")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   cli.add_option("--out", options->out, "the folder for measurements.csv and truth.yaml")->required();
-  cli.add_option("--loads", options->request.loads, "hung on the tip in turn, in the cell's unit of force: 0,20,40")
+  cli.add_option("--loads", options->request.loads, "loads hung on the tip, in the cell's unit of force: 0,20,40")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--push", options->request.push,
                  "a force of any direction up to this size on the tip as well, in the cell's unit of force");
-  cli.add_option("--sigma", options->request.sigma, "noise of a coordinate, in the cell's unit of length");
+  cli.add_option("--sigma", options->request.sigma, "standard deviation of a coordinate, in the cell's unit of length");
   cli.add_option("--spread", options->request.spread,
-                 "how far the true stiffnesses under `identify` are off: 0.1 is 10 %");
-  cli.add_option("--base-error", options->request.base_error, "LENGTH,ANGLE: how far a base that is not known is off")
+                 "relative error of the true stiffnesses under `identify`: 0.1 is 10 %");
+  cli.add_option("--base-error", options->request.base_error, "LENGTH,ANGLE: error of a base pose that is not known")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--hide", options->request.hide,
@@ -90,7 +91,7 @@ Run configureSimulate(CLI::App& cli) {
                  "c=0.1'; may be "
                  "repeated")
       ->allow_extra_args(false);
-  cli.add_option("--held-out", options->request.held_out, "share of the points or postures kept from the fit: 0.3");
+  cli.add_option("--held-out", options->request.held_out, "fraction of the points or postures held out: 0.3");
   return [options] { return run(*options); };
 }
 

@@ -54,16 +54,17 @@ Run configureTouches(CLI::App& cli) {
   const auto options = std::make_shared<TouchesOptions>();
   auto& request = options->request;
   cli.add_option("CELL", request.cell, "the cell file")->required();
-  cli.add_option("--readings", request.readings, "readings made already (CSV): proposals complement them");
+  cli.add_option("--readings", request.readings, "existing readings (CSV), which the proposals complement");
   addAssumeOption(cli, request.assume);
-  cli.add_option("--free", request.free,
-                 "parameters to sharpen instead of the cell's `identify`: dotted paths into the arm file, tool.tip, "
-                 "geometry")
+  cli.add_option(
+         "--free", request.free,
+         "parameters to determine instead of the cell's `identify`: dotted paths into the arm file, tool.tip, geometry")
       ->delimiter(',');
   cli.add_option("--goal", request.goal,
-                 "base: holes that place it; parameters: readings that sharpen them; left out: what the cell allows")
+                 "base: holes for its calibration; parameters: readings for their identification; default: whatever "
+                 "the cell allows")
       ->check(CLI::IsMember({"base", "parameters", "both"}));
-  cli.add_option("--tubes", request.tubes, "where the tip must be known, as for plan (spread:60)");
+  cli.add_option("--tubes", request.tubes, "tubes at which the tip position must be known, as for plan (spread:60)");
   cli.add_option("--count", request.count, "readings to propose for each goal (3 touches, 10 readings)")
       ->check(CLI::Range(1, 500));
   cli.add_option("--loads", request.loads,
@@ -71,17 +72,18 @@ Run configureTouches(CLI::App& cli) {
       ->delimiter(',');
   cli.add_option("--kind", request.kind, "touch or position (touch under a sheet, else position)")
       ->check(CLI::IsMember({"touch", "position"}));
-  cli.add_option(
-         "--optimal", options->optimality,
-         "for the parameters: D, least doubt in all; G, least sigma of the tip at the worst place; V, on average")
+  cli.add_option("--optimal", options->optimality,
+                 "optimality criterion for the parameters: D, determinant of the covariance; G, largest standard "
+                 "deviation of the tip; V, its average")
       ->check(CLI::IsMember({"D", "G", "V"}))
       ->capture_default_str();
-  cli.add_option("--candidates", request.candidates, "holes or postures to choose from (60 holes, 600 postures)")
+  cli.add_option("--candidates", request.candidates, "number of candidate holes or postures (60 holes, 600 postures)")
       ->check(CLI::Range(3, 100000));
   cli.add_option("--sigma", request.sigma,
-                 "noise of a coordinate, in the cell's unit of length (that of the readings, or of the tool)");
+                 "standard deviation of a coordinate, in the cell's unit of length (default: that of the readings, or "
+                 "of the tool)");
   cli.add_option("--csv", options->csv, "write the proposals as a measurement table, its coordinates to be filled in");
-  cli.add_option("--seed", request.seed, "of random postures and draws")
+  cli.add_option("--seed", request.seed, "seed of the random postures and draws")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");

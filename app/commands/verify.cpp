@@ -27,8 +27,7 @@ struct VerifyOptions {
 /// Differences between the arm of the cell and the arm that the plan was made with.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
-  if (now.size() != then.size())
-    return {"the cell's arm is another one than the plan's: other rows or other flexible axes"};
+  if (now.size() != then.size()) return {"the cell's arm is not the plan's: its rows or flexible axes differ"};
   std::vector<std::string> differences;
   for (std::size_t k = 0; k < now.size(); ++k)
     if (now[k].name != then[k].name || now[k].value != then[k].value)
@@ -71,13 +70,13 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
   for (const auto& warning : cell.warnings) fmt::print("warning: {}\n", warning);
   const double length = units.factor(dimension::kLength);
   fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
-  fmt::print("tip off a hole's centre by at most {:.1e} {}, off its axis on an approach by {:.5f} {}\n",
+  fmt::print("largest centring error {:.1e} {}, largest deviation from a hole's axis during an approach {:.5f} {}\n",
              check.worst_centring / length, units.length().name, check.worst_approach / length, units.length().name);
   if (check.statics_not_covered.empty())
-    fmt::print("by members cut into pieces, statics of their own: the tip within {:.5f} {} of that\n",
+    fmt::print("independent statics on finely segmented members: the tip within {:.5f} {} of that\n",
                check.worst_statics / length, units.length().name);
   else
-    fmt::print("no second opinion on the statics: {}\n", check.statics_not_covered);
+    fmt::print("statics not checked independently: {}\n", check.statics_not_covered);
   if (std::isfinite(check.least_play))
     fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
   fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n",

@@ -24,17 +24,16 @@ constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can 
 void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
   verdict.fit_is_off = calibration::isFitRefused(base);
   if (verdict.fit_is_off) {
-    verdict.warnings.push_back(
-        fmt::format("the touches do not fit: their misfit is {:.0f} times what their stated noise leaves (p = {:.1g})",
-                    std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
+    verdict.warnings.push_back(fmt::format(
+        "the touches do not fit: their lack of fit is {:.0f} times what their stated noise explains (p = {:.1g})",
+        std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
-          "touch a fourth hole, far from the others, and calibrate again: it distinguishes a touch that is off from a "
-          "model "
-          "that "
-          "is off");
+          "touch a fourth hole, far from the others, and calibrate again: it distinguishes a wrong touch from a wrong "
+          "model");
     verdict.to_do.emplace_back(
-        "`tubeplan compare CELL TOUCHES` shows what the misfit follows; `identify` finds the numbers that are off");
+        "`tubeplan compare CELL TOUCHES` shows what the error depends on; `identify` finds the parameters that are "
+        "wrong");
   }
   if (base.degrees_of_freedom > 0 && 1 - base.p_value < kTooGood)
     verdict.warnings.emplace_back(
@@ -52,17 +51,18 @@ void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verd
     verdict.is_implausible = true;
     const double left = (shift.head<2>() - whole * cell.sheet->pitch).norm();
     verdict.warnings.push_back(fmt::format(
-        "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: were every touched hole misnamed by "
-        "{:+.0f} and {:+.0f} holes, the touches would fit as well, and the base stand {:.3g} {} from nominal",
+        "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by "
+        "{:+.0f} and {:+.0f} holes, the touches would fit as well, and the base would stand {:.3g} {} from nominal",
         verdict.pitches.x(), verdict.pitches.y(), whole.x(), whole.y(), lengthOf(left, units), units.length().name));
     verdict.to_do.emplace_back(
-        "count one touched hole anew, from an edge of the sheet: a hole one column off looks like this");
+        "count the position of one touched hole again, from an edge of the sheet: a name one column off looks like "
+        "this");
   }
   const double most = kMostSigmas * cell.base_prior.shift;
   if (!(shift.cwiseAbs().maxCoeff() <= most)) {
     verdict.is_implausible = true;
     verdict.warnings.push_back(fmt::format(
-        "the base stands {:.4g} {} from nominal, and {:.3g} {} along an axis is the most to be expected",
+        "the base stands {:.4g} {} from nominal, and {:.3g} {} along an axis is the most expected",
         lengthOf(verdict.distance, units), units.length().name, lengthOf(most, units), units.length().name));
   }
 }
@@ -73,10 +73,10 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
   const double most = kMostSigmas * cell.base_prior.turn;
   if (base.from_start.tail<3>().cwiseAbs().maxCoeff() <= most) return;
   verdict.is_implausible = true;
-  verdict.warnings.push_back(fmt::format(
-      "the base is turned by {:.4g} {} from nominal, and {:.3g} {} about an axis is the most to be expected: columns "
-      "counted from the other side, or a joint read with the other sign, look like this",
-      angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
+  verdict.warnings.push_back(
+      fmt::format("the base is turned by {:.4g} {} from nominal, and {:.3g} {} about an axis is the most expected: "
+                  "columns counted from the other side, or a joint read with the other sign, look like this",
+                  angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
 /// Of the base's place and turn, in all directions together.
@@ -99,7 +99,7 @@ BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
   judgeTurn(base, cell, verdict);
   if (verdict.is_implausible)
     verdict.to_do.emplace_back(
-        "if the base was meant to stand there, write it into `base` of the cell, or say how far it may be off: "
+        "if the base is meant to stand there, write that pose into `base` of the cell, or state how far it may be off: "
         "base: {prior: {shift: ..., turn: ...}}");
   return verdict;
 }

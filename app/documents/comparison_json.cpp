@@ -153,11 +153,11 @@ std::string noiseSentence(const Comparison& result) {
   const auto& repeats = result.after_refit.repeats;
   if (repeats.groups == 0) return "No reading was repeated: the stated noise is taken as it is.";
   if (!result.noise_disagrees)
-    return fmt::format("Repeated readings scatter {:.2f} times as much as stated, which chance allows.",
+    return fmt::format("Repeated readings scatter {:.2f} times as much as stated, within what chance allows.",
                        repeats.noise_ratio);
   return fmt::format(
-      "The stated noise disagrees with the repeated readings: they scatter {:.2f} times as much "
-      "({}); misfit is judged by them.",
+      "The stated noise disagrees with the repeated readings: they scatter {:.2f} times as much ({}); lack of fit is "
+      "judged by that scatter.",
       repeats.noise_ratio, chanceText(repeats.noise_p_value));
 }
 
@@ -188,7 +188,7 @@ std::string equivalentsText(const Comparison& result, const Units& units) {
 std::string comparisonSentence(const Comparison& result, const Units& units) {
   const auto& after = result.after_refit;
   const std::string sizes =
-      fmt::format("the error is {} as the model stands and {} after the refit; noise alone leaves {}",
+      fmt::format("the error is {} as given and {} after the refit; noise alone explains {}",
                   lengthText(result.as_it_stands.errors.rms, units, 3), lengthText(after.errors.rms, units, 3),
                   lengthText(after.noise_floor, units, 3));
   if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", sizes);
@@ -219,9 +219,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                    {"heldout_before", lengthJson(refit.heldout_before.rms, units)},
                    {"heldout_after", lengthJson(refit.heldout.rms, units)}};
   report["ladder"] = {
-      {{"name", "as the model stands"},
-       {"rms", report["rms"]["before"]},
-       {"heldout_rms", report["rms"]["heldout_before"]}},
+      {{"name", "as given"}, {"rms", report["rms"]["before"]}, {"heldout_rms", report["rms"]["heldout_before"]}},
       {{"name", "refitted"}, {"rms", report["rms"]["after"]}, {"heldout_rms", report["rms"]["heldout_after"]}}};
   report["refit"] =
       refit.status == calibration::IdentificationStatus::kNotRun ? json() : identificationJson(refit, readings, units);
@@ -245,13 +243,13 @@ std::string comparisonText(const Comparison& result, const std::vector<Measureme
   text += lackOfFitLine("as it stands", result.as_it_stands, units);
   text += lackOfFitLine("after the refit", result.after_refit, units);
   if (result.refit.heldout.readings > 0)
-    text += fmt::format("  held out: rms {} with only the base placed, {} after the refit\n",
+    text += fmt::format("  held out: rms {} with only the base fitted, {} after the refit\n",
                         lengthText(result.refit.heldout_before.rms, units, 3),
                         lengthText(result.refit.heldout.rms, units, 3));
   text += noiseSentence(result) + "\n";
   for (const auto& test : result.patterns.findings)
     text += "  " + patternSentence(test, units) +
-            (test.goes_with.empty() ? "\n" : " It goes with " + test.goes_with + ".\n");
+            (test.goes_with.empty() ? "\n" : " It correlates with " + test.goes_with + ".\n");
   text +=
       fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
   for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {

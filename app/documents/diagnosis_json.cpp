@@ -124,7 +124,7 @@ std::string remainderText(const Diagnosis& result, const Units& units) {
   const auto& remainder = result.remainder;
   if (!std::isfinite(remainder.size)) return "";
   if (remainder.follows.empty())
-    return lengthText(remainder.size, units) + " remains that follows nothing that the readings state";
+    return lengthText(remainder.size, units) + " remains that depends on nothing recorded in the readings";
   return fmt::format("{} remains that no known effect explains{}", lengthText(remainder.size, units),
                      followsText(remainder));
 }
@@ -132,11 +132,11 @@ std::string remainderText(const Diagnosis& result, const Units& units) {
 std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
   if (result.isScatterAlone())
     return fmt::format(
-        "The readings scatter by {} beyond their stated noise, and it follows nothing that they state: sigma is stated "
-        "too small, the arm does not repeat, or it heeds something unrecorded.",
+        "The readings scatter by {} beyond their stated noise, and this scatter depends on nothing that they record: "
+        "sigma is too small, the arm does not repeat, or something unrecorded acts on it.",
         lengthText(result.remainder.size, units));
   const std::string rest = remainderText(result, units);
-  return fmt::format("Something is missing, and no known effect is sure to be part of it{}.",
+  return fmt::format("Something is missing, and no known effect is certain to be part of it{}.",
                      rest.empty() ? "" : ": " + rest);
 }
 
@@ -144,14 +144,16 @@ std::string ambiguousSentence(const Diagnosis& result) {
   if (result.alternatives.size() == 1)
     return fmt::format("Most likely {} is missing, but it may be something unknown (probability {:.0f} %).",
                        namesText(result.alternatives.front()), 100 * result.unknown_probability);
-  return fmt::format("One of {} explanations is missing, which these readings cannot tell apart; first {}.",
-                     result.alternatives.size(), namesText(result.alternatives.front()));
+  return fmt::format(
+      "One of {} explanations is missing, which these readings cannot distinguish; the most probable is {}.",
+      result.alternatives.size(), namesText(result.alternatives.front()));
 }
 
 std::string inconclusiveSentence(const Diagnosis& result) {
   if (!result.reason.empty()) return "No verdict is possible: " + result.reason + ".";
-  return fmt::format("The readings hint at something missing (probability {:.0f} %), but not enough to say what.",
-                     100 * (1 - result.nothing_probability));
+  return fmt::format(
+      "The readings suggest that something is missing (probability {:.0f} %), but not enough to say what.",
+      100 * (1 - result.nothing_probability));
 }
 
 nlohmann::json effectsJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
@@ -191,10 +193,10 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
     case Verdict::kStopped:
       return "Not diagnosed: " + result.reason + ".";
     case Verdict::kAdequate:
-      return fmt::format("Nothing is missing: the error of {} is what noise leaves ({}).",
+      return fmt::format("Nothing is missing: the error of {} is explained by noise ({}).",
                          lengthText(result.before.rms, units), lengthText(result.noise_floor, units));
     case Verdict::kExplained:
-      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; noise alone leaves {}.", first,
+      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; the noise floor is {}.", first,
                          lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
                          lengthText(result.noise_floor, units));
     case Verdict::kPartlyExplained:
@@ -281,7 +283,7 @@ std::string alternativeText(const Explanation& alternative, const Units& units) 
                           fmt::join(also, ", "));
     for (const auto& number : effect.numbers)
       if (number.is_beyond_usual)
-        text += fmt::format("         {} of {}@{} is larger than real machines have\n", number.name, effect.effect,
+        text += fmt::format("         {} of {}@{} is larger than in real machines\n", number.name, effect.effect,
                             effect.at);
   }
   return text;
@@ -300,15 +302,15 @@ std::string detectableText(const Diagnosis& result, const Units& units) {
         std::make_pair(entry.is_beyond_plausible, entry.size) < std::make_pair(kept->is_beyond_plausible, kept->size))
       kept = &entry;
   }
-  std::string text = least.empty() ? "" : "  the least that would have been seen, four times in five:\n";
+  std::string text = least.empty() ? "" : "  smallest size that would be detected with a power of 80 %:\n";
   for (const auto& [effect, entry] : least) {
     const Dimension unit = dimensionOf(entry->quantity);
     if (!std::isfinite(entry->size)) {
-      text += fmt::format("    {:<24} {:<22} at no size: it moves none of these readings\n", effect, entry->at);
+      text += fmt::format("    {:<24} {:<22} not detectable: it moves none of these readings\n", effect, entry->at);
       continue;
     }
     text += fmt::format("    {:<24} {:<22} {:>9.3g} {}{}\n", effect, entry->at, entry->size / units.factor(unit),
-                        units.nameOf(unit), entry->is_beyond_plausible ? " (more than real machines have)" : "");
+                        units.nameOf(unit), entry->is_beyond_plausible ? " (more than in real machines)" : "");
   }
   return text;
 }
@@ -330,11 +332,11 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
   if (std::isfinite(result.nothing_probability))
     text += fmt::format("nothing missing has probability {:.3g}\n", result.nothing_probability);
   if (result.model_error > 0)
-    text += fmt::format("about {} in each coordinate beyond the stated noise is no function of the readings\n",
+    text += fmt::format("about {} in each coordinate beyond the stated noise depends on nothing recorded\n",
                         lengthText(result.model_error, units));
   for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
   if (!result.ranking.empty())
-    text += "  effect                                  probability   chi-square falls by   size\n";
+    text += "  effect                                  probability  chi-square reduction   size\n";
   for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
     const auto& entry = result.ranking[k];
     text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,

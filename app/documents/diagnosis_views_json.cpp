@@ -103,8 +103,8 @@ json modelComparisonJson(const Diagnosis& result, const Units& units) {
   const auto& base_poses = result.baseline.fitted.base_poses;
   const bool is_placed =
       std::all_of(base_poses.begin(), base_poses.end(), [](const auto& base_pose) { return base_pose.is_known; });
-  json ladder = {is_placed ? rung("as the model stands", result.baseline.before.rms, kNone)
-                           : rung("as the model stands, only its base fitted", result.baseline.after_base.rms, kNone),
+  json ladder = {is_placed ? rung("as given", result.baseline.before.rms, kNone)
+                           : rung("as given, only its base fitted", result.baseline.after_base.rms, kNone),
                  rung("refitted", result.before.rms, result.heldout_before.rms)};
   for (const auto& explanation : calibration::explanationsShown(result))
     ladder.push_back(rung("with " + explanationText(explanation), explanation.after.rms, explanation.heldout.rms));

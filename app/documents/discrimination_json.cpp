@@ -91,17 +91,17 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
   const std::size_t count = result.readings.size();
   const std::string what = result.never.empty() ? "them" : "the others";
   if (result.times == 1)
-    advice = fmt::format("{} further readings would separate {} (probability {:.0f} %).", count, what,
+    advice = fmt::format("{} further readings would discriminate between {} (probability {:.0f} %).", count, what,
                          100 * result.probability);
   else if (result.times > 1)
-    advice = fmt::format("It takes about {} further readings to separate {}, the best {} of them listed.",
+    advice = fmt::format("It takes about {} further readings to discriminate between {}; the best {} are listed.",
                          static_cast<std::size_t>(result.times) * count, what, count);
   if (!result.never.empty())
-    advice = fmt::format("No posture can split {}; what would: {}.{}{}", neverText(result), firstMeans(result),
-                         advice.empty() ? "" : " ", advice);
+    advice = fmt::format("No posture discriminates between {}; what would: {}.{}{}", neverText(result),
+                         firstMeans(result), advice.empty() ? "" : " ", advice);
   else if (result.times == 0 && !result.alternative_measurements.empty())
     advice =
-        fmt::format("No further reading of this kind can be made; what would separate them: {}.", firstMeans(result));
+        fmt::format("No further reading of this kind can be made; what would discriminate: {}.", firstMeans(result));
   for (const auto& column : result.columns) advice += fmt::format("{}Also {}.", advice.empty() ? "" : " ", column);
   return advice;
 }
@@ -168,7 +168,7 @@ std::string discriminationText(const DiscriminatingMeasurements& result,
   if (result.times == 0) return text;
   text += fmt::format("  {:<10} {:>8}", "point", units.force().name);
   for (const auto& name : jointNames(arm)) text += fmt::format(" {:>10}", name);
-  text += "   splits, by so many sigmas\n";
+  text += "   discriminates, by so many standard deviations\n";
   for (std::size_t k = 0; k < result.readings.size(); ++k)
     for (const auto& reading : readingsOf(candidates, result.readings[k]))
       text += fmt::format("  {:<10} {:8.4g}{}   {} from {}: {:.1f}\n",

@@ -50,7 +50,7 @@ std::string betterText(const EffectWarning& warning, const Units& units) {
   for (const auto& number : warning.better.numbers)
     values += fmt::format("{}{}={:.4g}", values.empty() ? "" : ",", number.name,
                           inFile(number.value, number.quantity, units));
-  return fmt::format("{}: the readings need it with other numbers than it has, {} (better by {:.0f} in BIC): add it so",
+  return fmt::format("{}: it fits the readings better with other parameters, {} (by {:.0f} in BIC): add it with those",
                      own, values, warning.by);
 }
 
@@ -65,14 +65,15 @@ std::string warningText(const EffectWarning& warning, const Units& units) {
     case EffectWarningKind::kBetterExplainedBy:
       return betterText(warning, units);
     case EffectWarningKind::kBeyondPlausible:
-      return fmt::format("{}: {} is {:.3g} {}, more than any machine has ({:.3g}): it stands in for something else",
-                         own, warning.number.name, inFile(warning.number.value, warning.number.quantity, units),
-                         units.nameOf(dimensionOf(warning.number.quantity)),
-                         inFile(warning.plausible, warning.number.quantity, units));
+      return fmt::format(
+          "{}: {} is {:.3g} {}, more than any real machine has ({:.3g}): it compensates for something else", own,
+          warning.number.name, inFile(warning.number.value, warning.number.quantity, units),
+          units.nameOf(dimensionOf(warning.number.quantity)),
+          inFile(warning.plausible, warning.number.quantity, units));
     case EffectWarningKind::kLackOfFitRemains:
       return fmt::format(
-          "{}: it does not bring the error to the floor (p = {:.2g}): something else is missing, run diagnose", own,
-          warning.p_value);
+          "{}: it does not reduce the error to the noise floor (p = {:.2g}): something else is missing, run diagnose",
+          own, warning.p_value);
   }
   return "";
 }

@@ -51,7 +51,7 @@ nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
   const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
   return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)
                                   : finiteJson(unknown.prior_sigma / units.factor(dimensionOf(unknown.quantity)))},
-          {"of", is_compliance ? "compliance, as a share of that at the start" : "value"}};
+          {"of", is_compliance ? "compliance relative to its initial value" : "value"}};
 }
 
 nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
@@ -157,21 +157,21 @@ std::string identificationText(const Identification& result, const std::vector<c
   std::string text;
   if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
   text += fmt::format("errors of {} readings\n", result.used.size());
-  text += sizeText("as the model stands", result.before, units);
-  text += sizeText("with the base placed", result.after_base, units);
+  text += sizeText("as given", result.before, units);
+  text += sizeText("with the base fitted", result.after_base, units);
   text += sizeText("identified", result.after, units);
-  text += sizeText("held out, with the base placed", result.heldout_before, units);
+  text += sizeText("held out, with the base fitted", result.heldout_before, units);
   text += sizeText("held out, identified", result.heldout, units);
   if (result.numbers.empty()) return text;
   text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthFigure(result.noise_floor, units));
   text += fmt::format("chi-square {:.1f} for {} degrees of freedom", result.chi2, result.degrees_of_freedom);
   text += result.degrees_of_freedom > 0
               ? fmt::format(" ({:.2f} each, p = {:.3g})\n", result.chi2 / result.degrees_of_freedom, result.p_value)
-              : std::string(": nothing is left to judge the fit by\n");
+              : std::string(": the fit cannot be tested\n");
   if (result.model_error > 0)
     text += fmt::format(
-        "lack of fit: beyond the stated noise the model is off by {} {} in each coordinate (one standard deviation); "
-        "sigmas and intervals count it as noise\n",
+        "lack of fit: the model error is {} {} in each coordinate beyond the stated noise (one standard deviation); "
+        "standard deviations and intervals include it\n",
         lengthFigure(result.model_error, units), units.length().name);
   text += "parameters\n";
   for (const auto& number : result.numbers)

@@ -45,11 +45,12 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
     case ImprovementReason::kNothingMissing:
       return "nothing is missing";
     case ImprovementReason::kScatter:
-      return fmt::format("what is left, {} beyond the stated noise, follows nothing that the readings state", first);
+      return fmt::format("the remainder, {} beyond the stated noise, depends on nothing recorded in the readings",
+                         first);
     case ImprovementReason::kSure:
-      return "sure, and it predicts the farthest poses";
+      return "certain, and it predicts the farthest poses";
     case ImprovementReason::kSureInAll:
-      return "sure in every alternative, and it predicts the farthest poses";
+      return "part of every alternative, and it predicts the farthest poses";
     case ImprovementReason::kAlternativesClose:
       return fmt::format(
           "the alternatives differ by {} over the arm's range, less than the {} that is gained; this "
@@ -57,23 +58,23 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
           first, second);
     case ImprovementReason::kAlternativesApart:
       return fmt::format(
-          "the alternatives differ by {} over the arm's range, more than the {} that is gained: take "
-          "the readings that `diagnose` proposes, which separate them",
+          "the alternatives differ by {} over the arm's range, more than the {} that is gained: take the readings that "
+          "`diagnose` proposes, which discriminate between them",
           first, second);
     case ImprovementReason::kUnsureButLower:
-      return "not sure, but it lowers the error of readings kept out and of the farthest poses";
+      return "not certain, but it lowers the error of held-out readings and of the farthest poses";
     case ImprovementReason::kNoneLower:
-      return "no cause is sure, and none lowers the error of readings kept out and of the farthest poses by 5 %";
+      return "no cause is certain, and none lowers the error of held-out readings and of the farthest poses by 5 %";
     case ImprovementReason::kFarthestWorse:
       return fmt::format(
-          "by a fit to the nearer poses it makes the farthest worse, {} from {}: readings there are needed", first,
-          second);
+          "fitted to the nearer poses it extrapolates worse to the farthest, {} from {}: readings there are needed",
+          first, second);
     case ImprovementReason::kNotLowerTogether:
-      return "fitted with everything else it does not lower the error of readings kept out: it is left out";
+      return "fitted with everything else it does not lower the held-out error: it is not added";
     case ImprovementReason::kMistakeExplains:
       return "a mistake with the readings explains the error: nothing is added to the model";
     case ImprovementReason::kNoVerdict:
-      return step.diagnosis.reason.empty() ? "the readings hint at something missing, but not at what"
+      return step.diagnosis.reason.empty() ? "the readings suggest that something is missing, but not what"
                                            : step.diagnosis.reason;
   }
   return "";

@@ -33,7 +33,7 @@ nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, con
 
 std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
   if (!steps.reason.empty()) return "no step table: " + steps.reason + "\n";
-  std::string text = fmt::format("for the real arm stands {}", steps.real.name);
+  std::string text = fmt::format("true arm: {}", steps.real.name);
   if (steps.real.unmodelled > 0)
     text +=
         fmt::format(" (sigma {:.3g} {} of a coordinate)", lengthOf(steps.real.unmodelled, units), units.length().name);
@@ -43,8 +43,8 @@ std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
 
 std::string ladderPage(const nlohmann::json& figures, const std::string& measurements, std::uint64_t seed) {
   nlohmann::json page = {
-      {"title", "Ladder of models"}, {"measurements", measurements}, {"seed", seed},
-      {"version", kVersion},         {"units", figures["units"]},    {"models", nlohmann::json::array()}};
+      {"title", "Comparison of models"}, {"measurements", measurements},     {"seed", seed}, {"version", kVersion},
+      {"units", figures["units"]},       {"models", nlohmann::json::array()}};
   for (const auto& compared : figures["rungs"]) {
     page["noise_floor"] = compared["rms"]["noise_floor"];
     page["models"].push_back({{"name", compared["name"]},

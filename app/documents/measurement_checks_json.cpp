@@ -38,10 +38,10 @@ void addChecks(const MeasurementChecks& checks, const Units& units, nlohmann::js
 std::string checkText(const MeasurementCheck& check, const Units& units) {
   std::string text = check.sentence;
   if (std::isfinite(check.error_as_is) && std::isfinite(check.error_if_mended))
-    text += fmt::format("; mended, the error falls from {} to {}", lengthText(check.error_as_is, units),
+    text += fmt::format("; corrected, the error falls from {} to {}", lengthText(check.error_as_is, units),
                         lengthText(check.error_if_mended, units));
   if (!check.assume.empty()) text += fmt::format(" (--assume {})", check.assume);
-  if (!check.equally.empty()) text += fmt::format(", or as well --assume {}", fmt::join(check.equally, ", "));
+  if (!check.equally.empty()) text += fmt::format(", or equally --assume {}", fmt::join(check.equally, ", "));
   return text;
 }
 

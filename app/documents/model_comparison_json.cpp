@@ -29,8 +29,7 @@ std::string stepsText(const std::vector<ModelComparisonRow>& comparison, const U
   }
   if (text.empty()) return "";
   return fmt::format(
-             "{:<34} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   steps of the tool that go in, by holes; centring error in "
-             "{}\n",
+             "{:<34} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   holes by number of inserted steps; centring error in {}\n",
              "model", "0 steps", "1", "2", "3", "median", "95 %", units.length().name) +
          text;
 }

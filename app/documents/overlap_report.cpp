@@ -29,8 +29,9 @@ nlohmann::json overlapJson(const std::vector<calibration::FormulaOverlap>& overl
 std::string overlapText(const std::vector<calibration::FormulaOverlap>& overlaps) {
   std::string text;
   for (const auto& overlap : overlaps) {
-    text += fmt::format("{}: {:.0f} % of what it does to these readings the other fitted numbers can do\n",
-                        overlap.formula, 100 * overlap.absorbed);
+    text +=
+        fmt::format("{}: {:.0f} % of its effect on these readings can be reproduced by the other fitted parameters\n",
+                    overlap.formula, 100 * overlap.absorbed);
     for (std::size_t k = 0; k < std::min(kMostNamed, overlap.shares.size()); ++k) {
       const auto& share = overlap.shares[k];
       if (share.share >= kWorthSaying)

@@ -75,8 +75,8 @@ std::string patternSentence(const PatternTest& test, const Units& units) {
   if (test.component < 0) return "";
   const std::string where = componentText(test.frame, test.component);
   const std::string chance =
-      fmt::format("{:.0f} % of the misfit, {} over all tests", 100 * test.share, chanceText(test.p_corrected));
-  const std::string verb = test.is_finding ? "follows" : "is not shown to follow";
+      fmt::format("{:.0f} % of the error, {} over all tests", 100 * test.share, chanceText(test.p_corrected));
+  const std::string verb = test.is_finding ? "follows" : "does not significantly follow";
   if (test.trend.size() == 1)
     return fmt::format("{} of the error {} the same everywhere: {} {} beside what the fit absorbs ({}).",
                        test.is_finding ? "A part" : "No part", test.is_finding ? "is" : "is shown to be",

@@ -242,7 +242,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
 namespace {
 
 std::string stepsHeading(const PlanOutcome& outcome) {
-  std::string text = fmt::format("{:<58}", "tubes by steps of the calibration tool that go in");
+  std::string text = fmt::format("{:<58}", "tubes by number of inserted steps of the calibration tool");
   for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:7}", k);
   return text + "\n";
 }
@@ -272,7 +272,7 @@ std::string planText(const PlanOutcome& outcome) {
   }
   for (const auto& warning : outcome.cell.warnings) text += "warning: " + warning + "\n";
   if (!outcome.calibration && !outcome.cell.base_known)
-    text += "the base is taken where the cell has it; it was not found by touching (--touches)\n";
+    text += "the base pose is the cell's; it was not calibrated by touching (--touches)\n";
   text += fmt::format(
       "tubes {} planned, {} unreachable; model tip within {:.1e} {} of each centre, tilt at most {:.2f} {}\n",
       plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), unit,
@@ -287,11 +287,11 @@ std::string planText(const PlanOutcome& outcome) {
   if (plan.unreachable.size() > 5)
     text += fmt::format("  and {} more, each with its reason in plan.json\n", plan.unreachable.size() - 5);
   text += fmt::format(
-      "travel {:.1f} s (at best {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in all, {} detours\n",
+      "travel {:.1f} s (lower bound {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in total, {} detours\n",
       plan.travel_time, plan.lower_bound, 100 * plan.optimality_gap, plan.row_by_row_time, plan.total_time,
       plan.detours);
   if (plan.lines > 0)
-    text += fmt::format("{} travels with the tip on a line, at most {} off it\n", plan.lines,
+    text += fmt::format("{} travels with the tip on a straight line, within {} of it\n", plan.lines,
                         lengthText(plan.line_deviation, units));
   text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
                       minClearance(outcome) / units.factor(dimension::kLength), unit,

@@ -231,15 +231,15 @@ json summaryData(const PlanOutcome& outcome) {
   rows.push_back({"base", outcome.calibration
                               ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
                                             outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
-                              : std::string("as the cell has it")});
+                              : std::string("as given in the cell")});
   if (outcome.calibration)
     for (const auto& warning : judgeBase(outcome.calibration->flexible, outcome.cell).warnings)
       rows.push_back({"warning", warning});
   rows.push_back({"steps, as predicted", chancesText(outcome)});
   if (plan.lines > 0)
     rows.push_back(
-        {"travels with the tip on a line", fmt::format("{} of {}, at most {} off it", plan.lines, travels,
-                                                       lengthText(plan.line_deviation, outcome.cell.units))});
+        {"travels with the tip on a straight line", fmt::format("{} of {}, within {} of it", plan.lines, travels,
+                                                                lengthText(plan.line_deviation, outcome.cell.units))});
   rows.push_back({"whole path", fmt::format("{:.0f} s, {} detours", plan.total_time, plan.detours)});
   return rows;
 }

@@ -49,10 +49,11 @@ nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture
   const int needed = found.factor * deflection::mostSegments(cell.arm);
   std::string warning;
   if (found.factor != 1)
-    warning =
-        fmt::format("the tip is off by about {:.2g} {}, {:.2g} % of its sag, as its beams have too few segments{}",
-                    lengthOf(found.tip_error, cell.units), cell.units.length().name, 100 * found.tip_error / sag,
-                    found.factor == 0 ? "" : fmt::format(": set `segments: {}` in each beam", needed));
+    warning = fmt::format(
+        "the tip's discretisation error is about {:.2g} {}, {:.2g} % of its deflection, since its beams have too few "
+        "segments{}",
+        lengthOf(found.tip_error, cell.units), cell.units.length().name, 100 * found.tip_error / sag,
+        found.factor == 0 ? "" : fmt::format(": set `segments: {}` in each beam", needed));
   return {{"tip_error", lengthJson(found.tip_error, cell.units)}, {"needed", needed}, {"warning", warning}};
 }
 

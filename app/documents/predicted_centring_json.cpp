@@ -52,16 +52,16 @@ std::string predictedCentringText(const PredictedCentring& predicted, const Unit
   const auto& forecast = predicted.forecast;
   const double unit = units.factor(dimension::kLength);
   std::string text = fmt::format(
-      "predicted centring error over {} of {} holes, by what the readings leave open, {} (95 % of the time):\n"
-      "  {}, {}, {} near {}\n",
+      "predicted centring error over {} of {} holes, from the parameters' uncertainty, {} (95 %):\n  {}, {}, {} near "
+      "{}\n",
       predicted.holes, predicted.on_sheet, units.length().name,
       figureText("half of the holes within", forecast.median, units), figureText("95 % within", forecast.p95, units),
       figureText("all within", forecast.worst, units), predicted.worst_hole);
-  text += fmt::format("  and at each visit the encoders' noise: rms {:.3g} in the median, {:.3g} at worst\n",
+  text += fmt::format("  in addition, from encoder noise at each visit: rms {:.3g} in the median, {:.3g} at worst\n",
                       forecast.encoders.median / unit, forecast.encoders.worst / unit);
   if (predicted.out_of_reach > 0)
-    text += fmt::format("  {} of the holes looked for are out of reach\n", predicted.out_of_reach);
-  if (predicted.later_stage) text += "  numbers found in earlier stages count as exact here\n";
+    text += fmt::format("  {} of the requested holes are out of reach\n", predicted.out_of_reach);
+  if (predicted.later_stage) text += "  parameters of earlier stages are taken as exact here\n";
   return text;
 }
 

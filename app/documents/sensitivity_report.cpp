@@ -46,7 +46,7 @@ std::string designSentence(const NumberSensitivity& number, const Units& units) 
   const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
   const auto& words = *wordsOf(number.kind);
   const bool is_more = (sag < 0) == (number.parameter.value > 0);  // of a negative coordinate more is longer, too
-  return fmt::format("1 % {} {}: {:.3g} {} less sag in the mean", is_more ? words.more : words.less,
+  return fmt::format("1 % {} {}: {:.3g} {} less deflection on average", is_more ? words.more : words.less,
                      number.parameter.name, std::abs(sag), units.length().name);
 }
 
@@ -113,22 +113,22 @@ nlohmann::json estimateJson(const SensitivityReport& report, const Cell& cell) {
 
 std::string designText(const SensitivityReport& report, const Cell& cell) {
   const double unit = cell.units.factor(dimension::kLength);
-  std::string text = "what to change, most first\n";
+  std::string text = "what to change, by decreasing influence\n";
   for (const std::size_t n : ranked(report, designFigure)) {
     const auto& number = report.figures.numbers[n];
     const double centring = perCent(number, number.centring), sag = perCent(number, number.deflection);
     text += fmt::format("  {:<80} {:+10.3g}\n", designSentence(number, cell.units),
                         (sag > 0 ? -centring : centring) / unit);
   }
-  return text + fmt::format("  (last column: what that does to the mean error without compensation, {})\n",
-                            cell.units.length().name);
+  return text +
+         fmt::format("  (last column: change of the mean error without compensation, {})\n", cell.units.length().name);
 }
 
 std::string estimateText(const SensitivityReport& report, const Cell& cell) {
   const double unit = cell.units.factor(dimension::kLength);
   std::string text = fmt::format(
-      "what must be known, most first: mean error at work, {}, that compensation and calibration leave\n"
-      "  {:<36} {:>10} {:>12} {:>12}\n",
+      "what must be known, by decreasing influence: mean positioning error, {}, after compensation and calibration\n  "
+      "{:<36} {:>10} {:>12} {:>12}\n",
       cell.units.length().name, "", "of 1 %", "base known", report.sigmas.empty() ? "" : "of one sigma");
   for (const std::size_t n : ranked(report, estimateFigure)) {
     const auto& number = report.figures.numbers[n];
@@ -162,14 +162,14 @@ std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
   std::string text = fmt::format(
       "{} postures at work{}; base {}\n", report.work,
       report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
-      report.touches.empty() ? "known" : fmt::format("placed by touching {}", fmt::join(report.touches, ", ")));
+      report.touches.empty() ? "known" : fmt::format("calibrated by touching {}", fmt::join(report.touches, ", ")));
   if (!std::isfinite(report.figures.mean_deflection))
     return text +
            "no figures: the deflected shape does not converge at some of these postures; check loads and stiffnesses\n";
-  text +=
-      fmt::format("mean sag {:.4f} {}, mean {} without compensation {:.4f} {}\n", report.figures.mean_deflection / unit,
-                  cell.units.length().name, report.has_sheet ? "centring error" : "error",
-                  report.figures.mean_uncompensated / unit, cell.units.length().name);
+  text += fmt::format("mean deflection {:.4f} {}, mean {} without compensation {:.4f} {}\n",
+                      report.figures.mean_deflection / unit, cell.units.length().name,
+                      report.has_sheet ? "centring error" : "error", report.figures.mean_uncompensated / unit,
+                      cell.units.length().name);
   return text + designText(report, cell) + estimateText(report, cell);
 }
 

@@ -10,15 +10,15 @@ namespace tubeplan::app {
 namespace {
 
 std::vector<std::string> countedIn(const StepChances& chances) {
-  std::vector<std::string> counted{"the joints' readings"};
-  if (!chances.base_is_exact) counted.emplace_back("the base's place");
+  std::vector<std::string> counted{"the encoders"};
+  if (!chances.base_is_exact) counted.emplace_back("the base pose");
   if (chances.error.source != calibration::ModelErrorSource::kLeftOut) counted.emplace_back("the model's own error");
   return counted;
 }
 
 std::vector<std::string> leftOutOf(const StepChances& chances) {
   std::vector<std::string> left_out;
-  if (chances.base_is_exact) left_out.emplace_back("the base's place, which the cell says is known");
+  if (chances.base_is_exact) left_out.emplace_back("the base pose, which the cell states as known");
   if (chances.error.source == calibration::ModelErrorSource::kLeftOut)
     left_out.emplace_back("the model's own error, which has not been measured (touch holes, or `identify`)");
   return left_out;

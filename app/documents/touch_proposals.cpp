@@ -124,7 +124,7 @@ std::string proposedText(const TouchOutcome& outcome, const TouchProposal& propo
   for (const auto& joint : outcome.cell.arm.joints()) joints += fmt::format(" {:>9}", joint.name);
   const bool tells = letter == 'N';  // of the base, all of them tell all
   text += fmt::format("  {:<5} {:<8} {:<9} {:>8}{}{}\n", "", "", "point", std::string(units.force().name), joints,
-                      tells ? "   most informative of" : "");
+                      tells ? "   most informative about" : "");
   std::size_t told = proposal.next.design.steps.size();
   for (const auto& named : nameReadings(proposal, letter)) {
     text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, kindOf(*named.reading).name, named.point,
@@ -152,11 +152,11 @@ bool isPlaced(const calibration::NextReadings& next) {
 std::string tipText(const TouchOutcome& outcome, const TouchProposal& proposal) {
   const Units& units = outcome.cell.units;
   const std::size_t count = proposal.next.design.steps.size();
-  std::string text =
-      fmt::format("  {:<44} {:>10} {:>10}\n",
-                  fmt::format("sigma of the tip at work, {} per coordinate", units.length().name), "rms", "worst");
+  std::string text = fmt::format(
+      "  {:<44} {:>10} {:>10}\n",
+      fmt::format("standard deviation of the tip at work, {} per coordinate", units.length().name), "rms", "worst");
   text += isPlaced(proposal.next) ? tipRow("now", proposal.next.tip_now, units)
-                                  : fmt::format("  {:<44} {:>21}\n", "now", "base not placed yet");
+                                  : fmt::format("  {:<44} {:>21}\n", "now", "base not calibrated yet");
   text += tipRow(fmt::format("after these {}", count), proposal.next.tip_after, units);
   text += tipRow(fmt::format("after {} random ones (median)", count), proposal.next.tip_random, units);
   return text;
@@ -170,9 +170,9 @@ std::string noiseText(const ReadingNoise& noise, const Units& units) {
 std::string baseText(const TouchOutcome& outcome) {
   const TouchProposal& proposal = *outcome.base;
   if (!proposal.reason.empty()) return "no touches for the base: " + proposal.reason + "\n";
-  std::string text = fmt::format("touches that place the base: {} of {} holes that can be touched, {}\n",
-                                 proposal.next.design.steps.size(), proposal.next.candidates.size(),
-                                 noiseText(outcome.base_noise, outcome.cell.units));
+  std::string text =
+      fmt::format("touches for the base: {} of {} candidate holes, {}\n", proposal.next.design.steps.size(),
+                  proposal.next.candidates.size(), noiseText(outcome.base_noise, outcome.cell.units));
   text += proposedText(outcome, proposal, 'T') + tipText(outcome, proposal);
   if (!outcome.nearest_holes.empty())
     text += tipRow(fmt::format("after the nearest, {}", fmt::join(outcome.nearest_holes, ", ")), outcome.tip_nearest,
@@ -187,9 +187,9 @@ std::string shareText(double sigma, bool is_told) {
 std::string parametersText(const TouchOutcome& outcome) {
   const TouchProposal& proposal = *outcome.parameters;
   if (!proposal.reason.empty()) return "no readings for the parameters: " + proposal.reason + "\n";
-  std::string text = fmt::format("readings that sharpen the parameters: {} of {} that could be made, {}\n",
-                                 proposal.next.design.steps.size(), proposal.next.candidates.size(),
-                                 noiseText(outcome.noise, outcome.cell.units));
+  std::string text =
+      fmt::format("readings for the parameters: {} of {} candidates, {}\n", proposal.next.design.steps.size(),
+                  proposal.next.candidates.size(), noiseText(outcome.noise, outcome.cell.units));
   text += proposedText(outcome, proposal, 'N') + tipText(outcome, proposal);
   text += fmt::format("  {:<36} {:>12} {:>12} {:>12}\n", "sigma of the parameters", "now", "after", "after random");
   for (const auto& number : proposal.next.numbers) {

@@ -83,5 +83,5 @@ export function withIt(explanation) {
 }
 
 /** What errors are called of a model as it stands, and refitted. */
-export const AS_IT_STANDS = "as the model stands";
+export const AS_IT_STANDS = "as given";
 export const REFITTED = "refitted";

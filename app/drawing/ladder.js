@@ -6,8 +6,8 @@ import {fixed, isNumber, short} from "./numbers.js";
 /** What the two kinds of bars and the line are. */
 export const LADDER_WORDS = {
   fitted: "fitted: on the readings it was fitted to",
-  heldout: "held out: judged by a fit that has not seen it",
-  floor: "noise floor: what the stated noise alone leaves",
+  heldout: "held out: on readings that the fit did not use",
+  floor: "noise floor: expected from the stated noise alone",
 };
 
 /**

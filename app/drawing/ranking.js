@@ -44,7 +44,7 @@ export function triedText({ranking, probability: chances}) {
   const tried = `${causes} tried, each alone and with others.`;
   if (!isNumber(chances?.nothing_missing)) return tried;
   return (
-    `${tried} That nothing is missing has probability ${probability(chances.nothing_missing)}, ` +
-    `that no known effect is part of it ${probability(chances.unknown_alone)}.`
+    `${tried} The probability that nothing is missing is ${probability(chances.nothing_missing)}, ` +
+    `that no known effect is involved ${probability(chances.unknown_alone)}.`
   );
 }

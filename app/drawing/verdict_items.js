@@ -36,9 +36,9 @@ function findingItems(document) {
       `With the first, ${explanationTitle({effects: alternatives[0]})}, ${fallText(error)}`,
     ];
   if (verdict === "adequate")
-    return [`Nothing is missing: the error of ${error("before")} is what noise leaves (${error("noise_floor")}).`];
+    return [`Nothing is missing: the error of ${error("before")} is explained by noise (${error("noise_floor")}).`];
   if (verdict === "unexplained" && !isScatter(document))
-    return ["Something is missing, and no known effect is sure to be part of it.", ...remainderItems(document)];
+    return ["Something is missing, and no known effect is certain to be part of it.", ...remainderItems(document)];
   return sentencesOf(document.sentence ?? "");
 }
 
@@ -51,7 +51,7 @@ function lengthsOf({rms, units}) {
 function fallText(error) {
   const from = error("heldout_before").split(" ")[0];
   const to = error("heldout_after");
-  return `the held-out error falls from ${from} to ${to}; noise alone leaves ${error("noise_floor")}.`;
+  return `the held-out error falls from ${from} to ${to}; the noise floor is ${error("noise_floor")}.`;
 }
 
 /**
@@ -67,7 +67,7 @@ function remainderItems({remainder, units}) {
   if (!remainder || !isNumber(remainder.size) || !(remainder.size > 0)) return [];
   const follows = (remainder.follows ?? []).slice(0, 3).map(({variable, share}) => `${variable} (${percent(share)})`);
   const what =
-    follows.length > 0 ? `; it follows ${follows.join(", ")}` : ", and follows nothing that the readings state";
+    follows.length > 0 ? `; it follows ${follows.join(", ")}` : ", and depends on nothing recorded in the readings";
   return [`${short(remainder.size)} ${units?.length ?? ""} remains that no known effect explains${what}.`];
 }
 
@@ -75,8 +75,8 @@ function remainderItems({remainder, units}) {
 export function comparisonItems(document) {
   const error = lengthsOf(document);
   return [
-    `The error is ${error("before")} as the model stands and ${error("after")} refitted; ` +
-      `noise alone leaves ${error("noise_floor")}.`,
+    `The error is ${error("before")} as given and ${error("after")} refitted; ` +
+      `noise alone explains ${error("noise_floor")}.`,
     ...(document.grounds ?? []).map((ground) => `${ground.charAt(0).toUpperCase()}${ground.slice(1)}.`),
   ];
 }

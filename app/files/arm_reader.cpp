@@ -28,13 +28,13 @@ JointType readJointType(const YamlNode& node) {
   const std::string type = node.text();
   if (type == "revolute") return JointType::kRevolute;
   if (type == "prismatic") return JointType::kPrismatic;
-  node.fail("revolute or prismatic", "leave `joint` out for a row that does not move");
+  node.fail("revolute or prismatic", "omit `joint` for a fixed row");
 }
 
 /// A joint that others drive has no reading, and so none of what belongs to one; `follows` is read once all rows are.
 Joint<double> readFollower(const YamlNode& node, const Units& units) {
   node.expectKeys({"name", "type", "follows"}, {"offset"});
-  if (readJointType(node.at("type")) != JointType::kRevolute) node.at("type").fail("revolute, of a joint that follows");
+  if (readJointType(node.at("type")) != JointType::kRevolute) node.at("type").fail("revolute, for a coupled joint");
   Joint<double> joint;
   joint.name = node.at("name").text();
   joint.offset = readQuantityOr(node, "offset", units, dimension::kAngle, 0);
@@ -107,9 +107,9 @@ void checkBeamKeys(const YamlNode& node) {
   const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
   const bool twists = node.find("J");
   if (bends != (node.find("E") != nullptr))
-    node.fail(bends ? "Ix, Iy or Iz without E" : "E without Ix, Iy or Iz", "both for a beam that bends", "");
+    node.fail(bends ? "Ix, Iy or Iz without E" : "E without Ix, Iy or Iz", "both for a flexible beam", "");
   if (twists != (node.find("G") != nullptr))
-    node.fail(twists ? "J without G" : "G without J", "both for a beam that twists", "");
+    node.fail(twists ? "J without G" : "G without J", "both for a torsionally flexible beam", "");
   if (!bends && !twists)
     node.fail("a beam that neither bends nor twists", "E with Ix, Iy or Iz, or G with J",
               "leave `beam` out where it is rigid");
@@ -168,7 +168,7 @@ std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, con
       return candidate.joint.type == JointType::kRevolute && candidate.joint.name == follows.keys[k];
     });
     if (row == arm.rows.end())
-      follows.items[k].fail("joints that turn by readings of their own", "write JOINT: RATIO, as {theta1: -1}");
+      follows.items[k].fail("joints with encoder readings of their own", "write JOINT: RATIO, as {theta1: -1}");
     followed.push_back({static_cast<int>(row - arm.rows.begin()), follows.items[k].number()});
   }
   return followed;

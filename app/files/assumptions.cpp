@@ -32,7 +32,7 @@ void take(const std::string& assumption, MeasurementTable& table, Cell& cell) {
   if (!mend) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
   mend->apply(table.readings);
   if (table.readings.empty())
-    throw InputError("--assume", inQuotes(assumption), "one that leaves readings", "take fewer away");
+    throw InputError("--assume", inQuotes(assumption), "one that keeps some readings", "leave fewer out");
   if (mend->frees_base) cell.base_known = false;
 }
 

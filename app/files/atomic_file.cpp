@@ -118,7 +118,7 @@ OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
   made_.make(path_, option);
   if (!lock_.tryTake(path_))
     throw InputError(option, fmt::format("'{}', to which another tubeplan writes{}", path_.string(), holderOf(path_)),
-                     "a folder of its own", "wait until that has ended, or choose another");
+                     "a folder of its own", "wait until that one has finished, or choose another folder");
   removeLeftovers(path_, kScratch);
   scratch_ = path_ / fmt::format(".{}.{}.part", kScratch, ::getpid());
   fs::create_directory(scratch_, error);

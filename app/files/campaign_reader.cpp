@@ -74,7 +74,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
     rows.push_back(rowOfArmNamed(item, arm));
     if (std::count(rows.begin(), rows.end(), rows.back()) > 1) item.fail("every row once");
   }
-  if (rows.empty()) node.fail("one row of the arm or more", "leave the key out for the tool");
+  if (rows.empty()) node.fail("one row of the arm or more", "omit the key for the tool");
   return rows;
 }
 
@@ -91,8 +91,8 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
     const YamlNode* node = root.find(key);
     if (node && !(kind.*has)) node->fail(what + " of a kind that needs none", "it with kind: " + kinds, "remove it");
     if (!node && kind.*has)
-      root.at("kind").fail(std::string("readings of kind ") + kind.name + " without " + what, "what they are read from",
-                           std::string("add ") + key + ": [x, y, z]");
+      root.at("kind").fail(std::string("readings of kind ") + kind.name + " without " + what,
+                           "the point they are measured from", std::string("add ") + key + ": [x, y, z]");
   };
   if (const YamlNode* rows = root.find("rows"); rows && !kind.may_be_of_row)
     rows->fail("`rows` of a kind that reads the tool", "it with kind: " + alternatives(calibration::kindNamesOfRows()),
@@ -133,17 +133,17 @@ void readNoiseOfAxes(const YamlNode& node, const Units& units, CampaignDesign& d
 void readCorrelationList(const YamlNode& node, CampaignDesign& design) {
   if (!design.sigma_W)
     node.fail("`correlations` without `sigmas`", "the sigmas of x, y and z", "add sigmas: [x, y, z]");
-  if (node.list().size() != 3) node.fail("three numbers: of x with y, x with z, y with z");
+  if (node.list().size() != 3) node.fail("three numbers: of x and y, x and z, y and z");
   Eigen::Vector3d numbers;
   for (std::size_t k = 0; k < 3; ++k) numbers[static_cast<Eigen::Index>(k)] = node.list()[k].number();
   if (!calibration::isPossibleCorrelation(numbers))
-    node.fail("correlations that three errors can have together, each between -1 and 1");
+    node.fail("a positive definite correlation matrix, each entry between -1 and 1");
   design.correlation_W = numbers;
 }
 
 void readShare(const YamlNode& node, double& share) {
   share = node.number();
-  if (share < 0 || share >= 1) node.fail("a share from 0 to below 1");
+  if (share < 0 || share >= 1) node.fail("a fraction from 0 to below 1");
 }
 
 void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {

@@ -129,7 +129,7 @@ void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cel
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
   pair.fail(fmt::format("'{}', but '{}' has {}", pair.text(), cell.arm_path, found),
             "the arm file that was written with this cell",
-            "write both again, or take the key `pair` out where another arm is meant");
+            "write both again, or remove the key `pair` if another arm is meant");
 }
 
 // Reads the arm: inline, from text at hand or from its own file.

@@ -176,8 +176,9 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
   if (std::abs(rms - result.after.rms) <= kAlike * result.after.rms + kLeast) return;
   if (!std::isfinite(rms))
-    throw InputError(files.cell.path.string(), "a fitted arm so soft that its shape does not converge at every reading",
-                     "an arm that bears its loads", "nothing was written; look for a mistake with the readings");
+    throw InputError(files.cell.path.string(),
+                     "a fitted arm too compliant for its deflected shape to converge at every reading",
+                     "an arm that carries its loads", "nothing was written; check the readings");
   const auto length = [&](double metres) {
     return fmt::format("{:.6g} {}", metres / units.factor(dimension::kLength), units.length().name);
   };

@@ -46,7 +46,7 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
   for (const auto& name : made.free)
     if (const auto meant = misspeltSymbol(name, symbols); !meant.empty())
       throw InputError(where, "the unknown name " + inQuotes(name), "a symbol, or a parameter",
-                       meant + " If it is a parameter, give it a start: '; " + name.substr(0, 60) + "=0'");
+                       meant + " If it is a parameter, give it an initial value: '; " + name.substr(0, 60) + "=0'");
   if (made.status == deflection::FormulaStatus::kMade) return;
   std::string advice = suggestion(made.word, made.known);
   if (advice.empty() && made.status == deflection::FormulaStatus::kBadTarget && !made.known.empty())

@@ -121,14 +121,14 @@ std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const Meas
   if (!correlations) return std::nullopt;
   if (!sigmas)
     row.failRow("correlations rho_xy, rho_xz, rho_yz without the coordinates' own sigmas",
-                "them beside sigma_x, sigma_y, sigma_z", "add those columns, or leave the correlations out");
+                "them together with sigma_x, sigma_y, sigma_z", "add those columns, or leave the correlations out");
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::abs((*correlations)[static_cast<Eigen::Index>(k)]) < 1))
       row.fail(columns.correlations[k]->index, row.field(columns.correlations[k]->index),
                "a correlation between -1 and 1, without either",
                "a covariance becomes one divided by the two standard deviations");
   if (!calibration::isPossibleCorrelation(*correlations))
-    row.failRow("correlations rho_xy, rho_xz, rho_yz that no three errors can have together",
+    row.failRow("correlations rho_xy, rho_xz, rho_yz that are not positive definite",
                 "those of a positive definite covariance",
                 "check their order and signs, or write more of their digits");
   return correlations;
@@ -137,7 +137,7 @@ std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const Meas
 std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const MeasurementColumns& columns) {
   const auto direction = readTriple(row, columns.direction, "direction's dx, dy, dz");
   if (!direction) return std::nullopt;
-  if (!(direction->norm() > 0)) row.failRow("the direction 0, 0, 0", "one that points somewhere");
+  if (!(direction->norm() > 0)) row.failRow("the direction 0, 0, 0", "one that is not zero");
   return direction->normalized();
 }
 
@@ -385,7 +385,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
     const auto [first, is_new] = index.emplace(out.back().id, out.size() - 1);
     if (!is_new)
       reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
-                  fmt::format("it stands at line {} already", out[first->second].line));
+                  fmt::format("line {} has the same", out[first->second].line));
   }
   for (std::size_t k = 0; k < out.size(); ++k)
     if (kindOf(out[k]).is_from_reading)

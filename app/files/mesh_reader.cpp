@@ -50,7 +50,7 @@ std::string bytesOf(const std::string& path) {
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
     throw InputError(path, "no such file", "a mesh, named relative to the cell's folder", "check the name");
-  if (!fs::is_regular_file(status)) throw InputError(path, "something that is no plain file", "a mesh");
+  if (!fs::is_regular_file(status)) throw InputError(path, "something that is not a regular file", "a mesh");
   if (fs::file_size(path, error) > kLargestMesh)
     throw InputError(path, "more than 256 MB", "a mesh of at most 256 MB", "export it coarser");
   std::ifstream stream(path, std::ios::binary);
@@ -116,12 +116,13 @@ void append(const aiMesh& part, const std::string& path, planner::TriangleMesh& 
     polygon.clear();
     for (unsigned corner = 0; corner < face.mNumIndices; ++corner) {
       if (face.mIndices[corner] >= part.mNumVertices)
-        throw InputError(path, "a face whose corner does not exist", "a mesh that is whole", "export the part again");
+        throw InputError(path, "a face whose corner does not exist", "a complete mesh", "export the part again");
       polygon.push_back(first + static_cast<int>(face.mIndices[corner]));
     }
     const auto triangles = trianglesOf(mesh.vertices, polygon);
     if (triangles.empty())
-      throw InputError(path, fmt::format("a face of {} corners that cannot be cut plainly", polygon.size()),
+      throw InputError(path,
+                       fmt::format("a face of {} corners that cannot be triangulated unambiguously", polygon.size()),
                        "triangles", "export the part as triangles");
     mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
   }
@@ -144,7 +145,7 @@ MeshFile readMeshFile(const std::string& path) {
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, kind.c_str());
   if (!scene)
     throw InputError(path, "what cannot be read (" + std::string(importer.GetErrorString()) + ")",
-                     "a mesh as its name says", "export the part again");
+                     "a mesh of the format that its name states", "export the part again");
   for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], path, file.mesh);
   if (const std::string problem = planner::findMeshProblem(file.mesh); !problem.empty())
     throw InputError(path, problem, "triangles of finite size", "export the part again");

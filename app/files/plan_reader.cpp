@@ -22,7 +22,7 @@ json parseJson(const std::string& path) {
   try {
     return json::parse(readTextFile(path));
   } catch (const json::exception& error) {
-    throw InputError(path, error.what(), "JSON as tubeplan plan writes it", "plan again");
+    throw InputError(path, error.what(), "JSON written by tubeplan plan", "plan again");
   }
 }
 
@@ -140,7 +140,7 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   const json document = parseJson(path);
   if (at(document, "units", path) != unitsJson(cell.units))
     throw InputError(path + " units", document["units"].dump(), unitsJson(cell.units).dump(),
-                     "verify it with the cell that it was planned for");
+                     "verify it with the cell it was planned for");
   PlanFiles files;
   readTubesOf(document, path, cell, files);
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);

@@ -52,8 +52,8 @@ std::string shrunkenArm(const Identification& result, const std::vector<Measurem
   const double per_degree = result.chi2 / result.degrees_of_freedom;
   if (!(per_degree < kTooGood)) return "";
   return fmt::format(
-      "what is left is far below the noise ({:.2g} of chi-square per degree of freedom): touches of points that nobody "
-      "measured are fitted best by an arm that shrinks; hold its lengths or measure one, unless sigma is too large",
+      "the residuals are far below the noise (chi-square per degree of freedom {:.2g}): touches of points of unknown "
+      "position are fitted best by an arm that shrinks; hold its lengths or measure one, unless sigma is too large",
       per_degree);
 }
 

@@ -61,7 +61,7 @@ NamedShape findShape(const YamlNode& node, const std::string& prefix, const std:
   for (const std::string& word : words) {
     const YamlNode* item = node.find(word);
     if (!item) continue;
-    if (chosen) item->fail("a second shape, " + word, "one shape for each entry", "make it an entry of its own");
+    if (chosen) item->fail("a second shape, " + word, "one shape for each entry", "move it to an entry of its own");
     chosen = item;
     key = prefix + word;
   }
@@ -161,7 +161,8 @@ planner::Obstacle readObstacle(const YamlNode& node, SceneReading& reading) {
 planner::Body readBody(const YamlNode& node, SceneReading& reading) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
   if (!shape.row->may_be_body)
-    shape.fields->fail("what no link can be", "a box, sphere, capsule or cylinder: a link has a convex body", "");
+    shape.fields->fail("a shape that a link cannot have",
+                       "a box, sphere, capsule or cylinder: a link has a convex body", "");
   planner::Body body;
   body.shape = makeShape(shape, reading);
   body.allow = readAllow(node);
@@ -225,7 +226,7 @@ std::vector<std::string> sceneWarnings(const std::vector<SceneMesh>& meshes, con
   std::vector<std::string> warnings;
   for (const SceneMesh& mesh : meshes) {
     if (!mesh.shape->survey().isClosed())
-      warnings.push_back(fmt::format("{} ({}) is {}; the room within it counts as free", mesh.obstacle, mesh.path,
+      warnings.push_back(fmt::format("{} ({}) is {}; the space inside it counts as free", mesh.obstacle, mesh.path,
                                      planner::describe(mesh.shape->survey())));
     if (mesh.shape->pointDistance(X_WB.translation()) > deflection::reachOf(arm))
       warnings.push_back(

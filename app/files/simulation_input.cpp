@@ -63,7 +63,7 @@ void applyOptions(const SimulationRequest& request, const Units& units, Campaign
   }
   if (!request.held_out) return;
   if (!(*request.held_out >= 0 && *request.held_out < 1))
-    throw InputError("--held-out", fmt::format("{}", *request.held_out), "a share from 0 to below 1");
+    throw InputError("--held-out", fmt::format("{}", *request.held_out), "a fraction from 0 to below 1");
   design.held_out = *request.held_out;
 }
 
@@ -84,7 +84,7 @@ void requireHoles(const Cell& cell, const CampaignDesign& design) {
   (void)requireSheet(cell, "measure at its holes");
   if (!cell.tool_axis_stated)
     throw InputError(
-        cell.path, "no word on which way the tool enters a hole", "it: needed to measure at holes",
+        cell.path, "no insertion direction of the tool", "it: needed to measure at holes",
         "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
 }
 
@@ -124,8 +124,8 @@ deflection::Effect ofTypicalSize(deflection::Effect effect) {
 /// The arm and the bases that the readings are made with: whatever is hidden from the cell is put in here.
 calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design,
                                      const BaseError& base) {
-  checkNotNegative("--spread", request.spread, "a share of each stiffness, zero or more");
-  if (request.spread > 1) throw InputError("--spread", fmt::format("{}", request.spread), "a share up to 1");
+  checkNotNegative("--spread", request.spread, "a fraction of each stiffness, zero or more");
+  if (request.spread > 1) throw InputError("--spread", fmt::format("{}", request.spread), "a fraction up to 1");
   calibration::TruthOptions truth;
   truth.parameters = identifiedParameters(cell);
   if (request.spread > 0 && truth.parameters.empty())
@@ -159,7 +159,7 @@ SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& requ
   task.readings = countReadings(request, file);
   task.design = file.design;
   if (const auto problem = calibration::findDesignProblem(task.design, task.readings); !problem.empty())
-    throw InputError("--design " + request.design, problem, "a campaign that can be measured",
+    throw InputError("--design " + request.design, problem, "measurements that can be simulated",
                      "see `tubeplan simulate --help`");
   requireHoles(cell, task.design);
   if (kindOf(task.design.kind).counts_steps) (void)requireTool(cell, "count its steps");

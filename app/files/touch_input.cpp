@@ -31,7 +31,7 @@ void requireNamedHole(const Measurement& reading, const Cell& cell, const std::s
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
   if (!tube || (*reading.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
   throw InputError(fmt::format("{}:{}", file, reading.line), "coordinates that are not those of " + reading.point,
-                   "the hole's own place on the sheet", "correct the name or the coordinates");
+                   "the hole's position on the sheet", "correct the name or the coordinates");
 }
 
 void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
@@ -40,7 +40,7 @@ void requireOneSetup(const std::vector<Measurement>& readings, const std::string
     if (isTouch(reading)) setups.insert(reading.setup);
   if (!setup.empty() && !setups.contains(setup)) throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
   if (setup.empty() && setups.size() > 1)
-    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches of one placing of the base",
+    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches with one base pose",
                      "choose one with --setup");
 }
 
@@ -54,7 +54,7 @@ void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTo
     if (steps < 1 || steps > most || steps != std::round(steps))
       throw InputError(fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
                        fmt::format("1 to {} steps, as the tool has", tool.steps.size()),
-                       steps == 0 ? "leave the visit out: that no step went in says not how far the tip was off" : "");
+                       steps == 0 ? "omit the visit: with no step inserted the centring error is not bounded" : "");
     const auto last = static_cast<std::size_t>(steps);
     reading.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
     reading.own[2] = tool.steps[last - 1].tolerance;

@@ -22,10 +22,9 @@ std::string headText(const TruthFile& file) {
     encoders.push_back(formatNumber(units.toFile(joint.encoder_sigma, jointDimension(joint))));
   }
   return fmt::format(
-      "# What the readings beside this file were made with.\n"
-      "cell: {}\ndesign: {}\nseed: {}\nreadings: {}\n"
-      "units: {{length: {}, angle: {}, force: {}, temperature: {}, time: {}}}\n"
-      "sigma: {}\nencoder_sigma: [{}]\nspread: {}\nbase_error: [{}, {}]\n",
+      "# Ground truth of the simulated readings beside this file.\ncell: {}\ndesign: {}\nseed: {}\nreadings: "
+      "{}\nunits: {{length: {}, angle: {}, force: {}, temperature: {}, time: {}}}\nsigma: {}\nencoder_sigma: "
+      "[{}]\nspread: {}\nbase_error: [{}, {}]\n",
       yamlQuoted(file.cell.path), yamlQuoted(file.design.name), file.seed, file.campaign.readings.size(),
       units.length().name, units.angle().name, units.force().name, units.temperature().name, units.time().name,
       formatNumber(units.toFile(file.design.sigma, dimension::kLength)), fmt::join(encoders, ", "),

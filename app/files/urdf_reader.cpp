@@ -53,8 +53,8 @@ urdf::ModelInterfaceSharedPtr modelOf(const std::string& text, const std::string
   ParserMessages messages(text);
   auto model = urdf::parseURDF(text);
   if (!model || !model->getRoot())
-    throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a robot as URDF has it",
-                     "xacro files are turned into URDF first");
+    throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a URDF robot",
+                     "convert xacro files to URDF first");
   return model;
 }
 
@@ -84,7 +84,7 @@ Chain chainTo(const urdf::ModelInterface& model, const urdf::LinkConstSharedPtr&
   Chain chain;
   for (auto link = tip; link && link->parent_joint; link = link->getParent()) {
     if (chain.size() == model.links_.size())
-      throw InputError(file, "links that hang on each other in a circle, " + inQuotes(tip->name) + " behind them",
+      throw InputError(file, "links that form a closed loop, " + inQuotes(tip->name) + " behind them",
                        "a tree of links with one root");
     chain.push_back(link);
   }
@@ -141,7 +141,7 @@ class ChainReader {
     out_.arm.p_LT = X_LT.translation();
     out_.arm.tool_axis_L = X_LT.linear().col(2);
     for (std::size_t k = 0; k < last_moving_; ++k) addAside(k, *links_[k], X_LK_[k]);
-    if (has_inertia_) out_.left_out.emplace_back("moments of inertia: an arm at rest has no use for them");
+    if (has_inertia_) out_.left_out.emplace_back("moments of inertia: not needed for statics");
     return std::move(out_);
   }
 

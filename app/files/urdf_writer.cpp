@@ -53,7 +53,7 @@ class UrdfWriter {
     addJoint("tip", "fixed", parent, "tip", arm_.p_LT, turn, "");
     text_ += "</robot>\n";
     if (has_stiffness_) left_out_.emplace_back("stiffnesses and beams: URDF's links are rigid");
-    if (!arm_.side_chains.empty()) left_out_.emplace_back("side chains: what comes back must be one chain");
+    if (!arm_.side_chains.empty()) left_out_.emplace_back("side chains: only a serial chain can be imported again");
     if (!arm_.effects.empty()) left_out_.emplace_back("effects: URDF has no place for them");
     return {std::move(text_), std::move(left_out_)};
   }

@@ -7,19 +7,19 @@ namespace tubeplan::app {
 planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
   if (!cell.tool_axis_stated)
     throw InputError(
-        cell.path, "no word on which way the tool enters a hole", "it: needed to " + purpose,
+        cell.path, "no insertion direction of the tool", "it: needed to " + purpose,
         "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
   for (const auto& row : cell.arm.rows)
     if (!row.joint.follows.empty())
       throw InputError(cell.path, "the joint " + row.joint.name + ", which follows others",
-                       "joints with readings of their own: needed to " + purpose,
-                       "give it a reading of its own: motions of linkages are not planned");
+                       "joints with encoder readings of their own: needed to " + purpose,
+                       "give it a reading of its own: motions of coupled joints are not planned");
   if (!cell.arm.side_chains.empty())
     throw InputError(
         cell.path,
         "the side chain at " + cell.arm.rows[static_cast<std::size_t>(cell.arm.side_chains.front().row)].name,
         "an arm without side chains: needed to " + purpose,
-        "where it stands still, write its weight as a lump of the link that carries it");
+        "if it does not move, write its weight as a lump of the link that carries it");
   planner::Workcell work;
   work.arm = cell.arm;
   work.arm.mountings.clear();  // of set-ups on a bench: the arm is planned for on its own mounting

@@ -25,7 +25,7 @@ constexpr const char* kFormulaAt = "formula@";
 
 void addOrRefuse(Addition& addition, const Effect& effect) {
   if (!addEffect(effect, freedNames(addition.cell.arm, effect), addition.cell, addition))
-    throw InputError(kWhere, deflection::textOf(addition.cell.arm, effect) + ", which the cell has already",
+    throw InputError(kWhere, deflection::textOf(addition.cell.arm, effect) + ", which the cell already has",
                      "another effect or place", "");
 }
 

@@ -33,7 +33,7 @@ planner::TravelKind travelOf(const PlanRequest& request) {
   if (!kind) throw InputError("--travel", inQuotes(request.travel), "joints or line");
   if (*kind == planner::TravelKind::kLine && request.compensation != planner::nameOf(planner::Compensation::kViaPoint))
     throw InputError("--travel line", request.compensation + " compensation", "via-point",
-                     "only via points solved on the flexible model keep its tip on a line");
+                     "only via points solved on the flexible model keep the tip on a straight line");
   return *kind;
 }
 
@@ -116,7 +116,7 @@ void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
     throw InputError("--padding", fmt::format("{}", request.padding), "standard deviations of the base, from 0 to 10");
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
-    throw InputError("--padding", "a base without a covariance", "one that was found by touching",
+    throw InputError("--padding", "a base pose without a covariance", "one that was calibrated",
                      "give --touches, or a cell that `calibrate` wrote");
 }
 

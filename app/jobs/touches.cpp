@@ -40,7 +40,7 @@ ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::v
   if (request.sigma > 0) return {cell.units.toInternal(request.sigma, dimension::kLength), "--sigma"};
   if (const double median = medianSigma(readings, is_touch); median > 0) return {median, "the readings"};
   if (is_touch && cell.tool) return {touchSigmaOf(*cell.tool), "the calibration tool"};
-  return {kUsualSigma, "usual; --sigma says otherwise"};
+  return {kUsualSigma, "default; --sigma changes it"};
 }
 
 /// Those asked for, else those of the readings, else none; each once, in order.
@@ -63,12 +63,12 @@ std::string lastSetup(const Estimate& estimate) { return estimate.start.base_pos
 
 void noteEstimate(const Estimate& estimate, const Units& units, std::vector<std::string>& notes) {
   if (!estimate.note.empty())
-    notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's own values stand in");
+    notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's values are used instead");
   if (estimate.model_error > 0)
-    notes.push_back(fmt::format(
-        "lack of fit: beyond the stated noise the model is off by {:.4g} {} in each coordinate, which counts "
-        "as noise of every reading",
-        estimate.model_error / units.factor(dimension::kLength), units.length().name));
+    notes.push_back(
+        fmt::format("lack of fit: the model error is {:.4g} {} in each coordinate beyond the stated noise; it is added "
+                    "to the noise of every reading",
+                    estimate.model_error / units.factor(dimension::kLength), units.length().name));
   if (estimate.start.base_poses.size() > 1)
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
@@ -116,7 +116,7 @@ void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
   const bool needs_loads = wants(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
   if (needs_loads && outcome.loads.size() < 2)
     throw InputError("--loads", fmt::format("{} load", outcome.loads.size()),
-                     "two or more: a point that nobody measured is informative only when touched under several loads",
+                     "two or more: a point of unknown position is informative only when touched under several loads",
                      "say --loads=0,20 or --kind position");
 }
 
@@ -133,7 +133,7 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
   task.seed = request.seed;
   if (!outcome.cell.sheet) {
     if (outcome.cell.scene.bodies.empty())
-      outcome.notes.push_back("the cell says nothing of its links' shapes: postures are not checked for collisions");
+      outcome.notes.push_back("the cell has no link shapes: postures are not checked for collisions");
     return;
   }
   task.under_sheet = workcellOf(outcome.cell, "find holes to touch");
@@ -167,7 +167,7 @@ TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const s
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
   if (outcome.holes_unsure > 0)
     outcome.notes.push_back(fmt::format(
-        "{} of {} holes are left out as touches for the base: where it stands otherwise they may be out of reach",
+        "{} of {} holes are excluded as touches for the base: they may be out of reach if the base stands elsewhere",
         outcome.holes_unsure, outcome.holes));
   return outcome;
 }

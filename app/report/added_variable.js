@@ -15,10 +15,9 @@ export function addedVariableSection(report) {
   if (plots.length === 0) return [el("p", {class: "missing"}, emptyAddedText(report))];
   return [
     el("p", {class: "lead"},
-       "Each point is one coordinate of one reading. Across: what the effect, at the size that was found, would do " +
-           "to it. Up: what the model without the effect misses there. From both is taken what the fitted numbers " +
-           "can absorb. Points along the line mean that the effect is what is missing; a round cloud means that it " +
-           "is not."),
+       "Each point is one coordinate of one reading. Across: its change by the effect, at the size that was found. Up: " +
+           "the residual of the model without the effect. The part that the fitted parameters can absorb is removed " +
+           "from both. Points along the line mean that the effect is missing; a round cloud means that it is not."),
     el("div", {class: "pair"}, plots.map((plot) => addedVariableCard(report, plot)))
   ];
 }

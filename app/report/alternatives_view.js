@@ -15,8 +15,8 @@ export function alternativesSection(report) {
   const enough = isEnough(explanations[0]);
   return [
     el("p", {class: "lead"},
-       enough ? "Each of these is enough alone, and these readings cannot tell which it is." :
-                "The best that the known effects can do. None of them leaves as little as noise would."),
+       enough ? "Each of these suffices alone; these readings cannot distinguish between them." :
+                "The best of the known effects. None of them reduces the error to the noise floor."),
     el("div", {class: "card"}, alternativesTable(report, explanations)),
     el("div", {class: "pair"},
        explanations.slice(1).map((other, i) => differenceCard(report, explanations[0], other, i + 1)))
@@ -56,7 +56,7 @@ function differenceCard(report, leader, other, index) {
   const rms = rootMeanSquare(differences.map((entry) => entry.between));
   if (floor !== null && rms < SAME_SHARE * floor) {
     const text =
-        "At these readings both say the same to within a hundredth of the noise: no fit to them can tell which.";
+        "At these readings both predict the same to within a hundredth of the noise: no fit to them can distinguish them.";
     return el("div", {class: "card"}, heading, el("p", {class: "note"}, text));
   }
   const rows = differences.slice(0, MOST_DIFFERING)

@@ -10,7 +10,7 @@ import {list, object, textOf} from "./values.js";
 const CENTRING_SECTIONS = [
   {id: "curves", title: "Centring error", make: curvesSection},
   {id: "settings", title: "Settings side by side", make: settingsSection},
-  {id: "sheet", title: "Chances over the sheet", make: chanceMapSection},
+  {id: "sheet", title: "Probabilities over the sheet", make: chanceMapSection},
   {id: "worst", title: "The worst holes", make: worstHolesSection},
 ];
 const DIAGNOSIS_SECTIONS = [
@@ -31,8 +31,8 @@ function centringSentence(report) {
 function diagnosisSentence(report) {
   const found = object(object(report.hidden)?.truth_among_answers),
         alarms = object(object(report.nothing_hidden)?.false_alarms);
-  return `The truth is among the answers in ${probability(found?.value)} of the runs that hide an effect; ` +
-      `${probability(alarms?.value)} of those that hide nothing are false alarms.`;
+  return `The truth is among the answers in ${probability(found?.value)} of the runs with a hidden effect; ` +
+      `${probability(alarms?.value)} of those without one are false alarms.`;
 }
 
 function showCampaign() {

@@ -41,13 +41,13 @@ function settingSelect(report, state, refresh) {
 export function curvesSection(report) {
   const settings = list(report.settings);
   const state = {way: "compensated"};
-  const picture = figure("Share of visits with a larger centring error", (width) => drawCurves(report, state, width));
+  const picture = figure("Fraction of visits with a larger centring error", (width) => drawCurves(report, state, width));
   const legend =
       settings.slice(0, SERIES.length)
           .map((setting, i) => el("li", {}, markIcon({...settingLook(i), name: ""}), settingName(report, setting)));
   return [
     el("p", {class: "lead"},
-       "How many of the visits are further off than an error, from one in one down to one in a thousand. The dashed " +
+       "Fraction of the visits whose centring error exceeds the value below, from one down to one in a thousand. The dashed " +
            "lines are what the steps of the tool let through."),
     settings.length > SERIES.length ? el("p", {class: "note"}, `The first ${SERIES.length} settings are drawn.`) : null,
     el("div", {class: "card"},
@@ -74,7 +74,7 @@ function drawCurves(report, state, width) {
         ticks: roundTicks(0, most, width > 500 ? 7 : 4),
         title: `centring error, ${lengthUnit(report)}`
       },
-      {from: floor, to: 1, ticks: [0.001, 0.01, 0.1, 1], scale: Math.log10, title: "share of visits beyond"});
+      {from: floor, to: 1, ticks: [0.001, 0.01, 0.1, 1], scale: Math.log10, title: "fraction of visits beyond"});
   tolerances.forEach((tolerance, i) => {
     const [x, top] = at(tolerance, 1), [, bottom] = at(tolerance, floor);
     append(drawing, [
@@ -124,10 +124,10 @@ export function settingsSection(report) {
               {from: 0, to: 1.05 * most, title: `mean centring error, ${unit}`, write: short})),
        [...Array(count)].map(
            (_, k) =>
-               el("div", {class: "card"}, el("h3", {}, `Chance of ${k + 1} or more steps, compensated`),
+               el("div", {class: "card"}, el("h3", {}, `Probability of ${k + 1} or more steps, compensated`),
                   estimateRows(
-                      `Chance of ${k + 1} steps or more`, chances(k + 1),
-                      {from: 0, to: 1, title: "chance for one hole", write: probability})))),
+                      `Probability of ${k + 1} steps or more`, chances(k + 1),
+                      {from: 0, to: 1, title: "probability for one hole", write: probability})))),
     settingsTable(report)
   ];
 }
@@ -182,7 +182,7 @@ export function chanceMapSection(report, sheet) {
   const count = (report.step_tolerances ?? []).length;
   const state = {setting: 0, way: "compensated", step: count};
   const legend = el("ul", {class: "legend"});
-  const picture = figure("Chance of the steps over the sheet", (width) => drawChanceMap(report, sheet, state, width));
+  const picture = figure("Probability of the steps over the sheet", (width) => drawChanceMap(report, sheet, state, width));
   const refresh = () => {
     const holes = mapHoles(report, state);
     legend.replaceChildren(
@@ -197,7 +197,7 @@ export function chanceMapSection(report, sheet) {
   refresh();
   return [
     el("p", {class: "lead"},
-       `${sheetWords(sheet.model)}. The chance that so many steps of the tool enter a hole. Point at a ` +
+       `${sheetWords(sheet.model)}. The probability that this many steps of the tool enter a hole. Point at a ` +
            "hole for its figures."),
     el("div", {class: "card"},
        el("div", {class: "card-head"},
@@ -241,7 +241,7 @@ function drawChanceMap(report, sheet, state, width) {
     if (!hole) return [tubeName(place), "Not visited"];
     return [
       tubeName(hole), `${plural(hole.visits, "visit")}, mean error ${short(hole.mean)} ${lengthUnit(report)}`,
-      `Chance: ${probability(hole.chance)} (${probability(hole.low)} to ${probability(hole.high)})`
+      `Probability: ${probability(hole.chance)} (${probability(hole.low)} to ${probability(hole.high)})`
     ];
   });
   return canvas;

@@ -1,4 +1,4 @@
-// What the errors follow, the worst readings, and a ladder's models as a table.
+// What the errors depend on, the worst readings, and a ladder's models as a table.
 import {errorOf} from "../drawing/ladder.js";
 import {fixed, isNumber, pValue, short, whole} from "../drawing/numbers.js";
 import {barred} from "../drawing/ranking.js";
@@ -10,8 +10,8 @@ import {lengthUnit, list, object, textOf} from "./values.js";
 /// Patterns as texts or as {name | of | with, sentence | text, p_value, share | correlation}.
 export function patternsSection(report) {
   const given = Array.isArray(report.patterns) ? report.patterns : null;
-  if (!given) return [notRecorded("What the errors follow")];
-  if (given.length === 0) return [el("p", {}, "The errors follow nothing that the readings say of themselves.")];
+  if (!given) return [notRecorded("What the errors depend on")];
+  if (given.length === 0) return [el("p", {}, "The errors depend on nothing recorded in the readings.")];
   const rows = given.map((pattern) => {
     const entry = object(pattern);
     if (!entry) return [textOf(pattern), null, null];
@@ -22,7 +22,7 @@ export function patternsSection(report) {
       isNumber(entry.p_value) ? pValue(entry.p_value) : null
     ];
   });
-  return [el("div", {class: "card"}, table(["the errors follow", "how far", "by chance (p)"], rows))];
+  return [el("div", {class: "card"}, table(["the errors depend on", "how far", "p-value"], rows))];
 }
 
 /// Worst readings as ids, or as {id, error | size, sigmas}.

@@ -14,16 +14,16 @@ function rateRows(report) {
 const RATE_AXIS = {
   from: 0,
   to: 1,
-  title: "share of the runs",
+  title: "fraction of the runs",
   write: probability
 };
 
 export function ratesSection(report) {
   const nothing = object(report.nothing_hidden) ?? {};
   return [
-    el("p", {class: "lead"}, "What the diagnosis said, seen from the truth. Bars are 95 % bands."),
+    el("p", {class: "lead"}, "Verdicts by the true cause. Bars are 95 % bands."),
     el("div", {class: "pair"},
-       el("div", {class: "card"}, el("h3", {}, "Nothing was hidden"),
+       el("div", {class: "card"}, el("h3", {}, "No hidden effect"),
           estimateRows(
               "Nothing hidden",
               [
@@ -31,7 +31,7 @@ export function ratesSection(report) {
                 {name: "inconclusive", ...(object(nothing.inconclusive) ?? {}), mark: settingLook(4)}
               ],
               RATE_AXIS)),
-       el("div", {class: "card"}, el("h3", {}, "An effect was hidden"),
+       el("div", {class: "card"}, el("h3", {}, "Hidden effect"),
           estimateRows("An effect hidden", rateRows(report), RATE_AXIS)))
   ];
 }
@@ -44,7 +44,7 @@ export function sizesSection(report) {
                                         }));
   return [
     el("p", {class: "lead"},
-       "The larger an effect, the surer it is found. Sizes are shares of the largest that a machine has."),
+       "The larger an effect, the more reliably it is found. Sizes are relative to the largest plausible one."),
     el("div", {class: "card"}, estimateRows("Truth among the answers by size", rows, RATE_AXIS))
   ];
 }

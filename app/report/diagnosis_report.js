@@ -33,7 +33,7 @@ const MAPS = {
 };
 const CHARTS = {
   id: "charts",
-  title: "What the errors follow",
+  title: "What the errors depend on",
   make: residualChartsSection
 };
 
@@ -71,10 +71,10 @@ const PAGES = {
     ]
   },
   ladder: {
-    title: "Ladder of models",
+    title: "Comparison of models",
     sections: [
-      LADDER, {id: "steps", title: "How far the tool goes in", make: ladderStepsSection, of: hasStepCounts},
-      {id: "models", title: "The same in figures", make: modelsSection},
+      LADDER, {id: "steps", title: "Insertion of the tool", make: ladderStepsSection, of: hasStepCounts},
+      {id: "models", title: "The same as a table", make: modelsSection},
       {...MAPS, of: (report) => list(report.readings).length > 0}
     ]
   },
@@ -89,8 +89,8 @@ const PAGES = {
         make: parametersSection,
         of: (report) => list(report.parameters).length > 0
       },
-      {id: "inputs", title: "What it is of", make: inputsSection},
-      {id: "commands", title: "The same figures again", make: commandsSection},
+      {id: "inputs", title: "Contents", make: inputsSection},
+      {id: "commands", title: "Reproducing the figures", make: commandsSection},
     ]
   },
 };

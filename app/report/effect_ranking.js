@@ -20,7 +20,7 @@ export function rankingSection(report) {
 
 function rankingLead(report) {
   const joined = reportExplanations(report).some((entry) => entry.effects.length > 1) ?
-      " The explanation above joins several; here the fall of chi-square is of each alone." :
+      " The explanation above combines several; here the reduction of chi-square is that of each alone." :
       "";
   const lacks = textList(report.not_tried);
   return `${triedText({ranking: list(report.ranking), probability: object(report.probability)})}${joined}${
@@ -52,5 +52,5 @@ function rankingTable(rows) {
                          barCell(row.shows)]);
   return el(
       "div", {class: "ranking"},
-      table(["effect", "probability", "chi-square falls by", "size", "observable"], cells));
+      table(["effect", "probability", "chi-square reduction", "size", "observable"], cells));
 }

@@ -32,7 +32,7 @@ export function errorArrowsSection(report, sheet) {
   const shown = before.length > 0 && after !== "none" ? ["none", after] : [after];
   return [
     el("p", {class: "lead"},
-       "From each hole's centre to where the tip truly is. Each picture states how much larger than the " +
+       "From each hole's centre to the true position of the tip. Each picture states how much larger than the " +
            "sheet its arrows are drawn. Below, the same errors as landing points within one hole."),
     el("div", {class: "pair"}, shown.map((key) => arrowMap(report, sheet, key, shared))),
     el("div", {class: "pair"}, shown.map((key) => landingTarget(report, key))),

@@ -18,7 +18,7 @@ export function ladderSection(report) {
   const picture = figure("Error of each model", (width) => drawLadder(report, rungs, floor, width));
   return [
     el("p", {class: "lead"},
-       "Root mean square of the readings' errors. A model that only bends itself to the readings does well on those " +
+       "Root mean square of the readings' errors. An overfitted model does well on the readings " +
            "that it was fitted to and badly on those held out."),
     el("div", {class: "card"}, hatching(), picture.element,
        el("ul", {class: "legend"}, el("li", {}, ladderIcon("error-fitted"), LADDER_WORDS.fitted),

@@ -8,7 +8,7 @@ export function hiddenEffectsSection(report) {
   const detectable = list(report.detectable);
   return [
     el("p", {class: "lead"},
-       "The least size that these readings would have shown four times in five. Anything smaller may be there. " +
+       "Smallest size that these readings would detect with a power of 80 %. Smaller effects may be present. " +
            "Marked \u25b2: only a size that no machine has would show, so these readings say nothing about it."),
     detectable.length === 0 ? notRecorded("What could still hide") :
                               el("div", {class: "card"}, detectableTable(detectable)),
@@ -28,7 +28,7 @@ function detectableTable(detectable) {
           [el("span", {class: "effect-name"}, textOf(entries[0].effect)), plainName(entries[0].number),
            textOf(entries[0].unit, "") === "1" ? "" : textOf(entries[0].unit),
            el("span", {}, entries.map(detectablePlace))]);
-  return table(["effect", "number", "unit", "least size that shows, by place"], rows, {text: [0, 1, 2, 3]});
+  return table(["effect", "number", "unit", "smallest detectable size, by place"], rows, {text: [0, 1, 2, 3]});
 }
 
 function detectablePlace(entry) {

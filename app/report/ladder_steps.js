@@ -16,18 +16,18 @@ export function hasStepCounts(report) { return modelStepRows(report).length > 0;
 
 export function ladderStepsSection(report) {
   const rows = modelStepRows(report), about = object(report.step_table) ?? {};
-  const bars = figure("Holes by steps that go in, for each model", (width) => drawStepBars(rows, width));
+  const bars = figure("Holes by number of inserted steps, for each model", (width) => drawStepBars(rows, width));
   const cells = rows.map(({name, counts}) => {
     const total = counts.reduce((sum, count) => sum + count, 0);
     return [name, ...counts.map((count) => `${whole(count)} (${percent(total > 0 ? count / total : null)})`)];
   });
   const beyond = isNumber(about.unmodelled_sigma) && about.unmodelled_sigma > 0 ?
-      ` Sigma of a coordinate beyond any model: ${lengthText(about.unmodelled_sigma, report)}.` :
+      ` Standard deviation of a coordinate that no model explains: ${lengthText(about.unmodelled_sigma, report)}.` :
       "";
   return [
     el("p", {class: "lead"},
-       "Each model steers the tool under the same random holes; the tip then stands where the real arm puts it. " +
-           `For the real arm stands ${textOf(about.real_arm, "a model")}.${beyond}`),
+       "Each model computes the postures under the same random holes; the true arm then positions the tip. " +
+           `True arm: ${textOf(about.real_arm, "a model")}.${beyond}`),
     el("div", {class: "card"}, bars.element),
     el("div", {class: "card"}, table(["model", ...STEP_MARKS.map((_, i) => plural(i, "step"))], cells))
   ];

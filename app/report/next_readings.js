@@ -10,7 +10,7 @@ export function isSplit(report) { return object(report.splitting) !== null || li
 export function nextReadingsSection(report) {
   const splitting = object(report.splitting) ?? {}, next = list(report.next_readings), pairs = list(splitting.pairs);
   return [
-    el("p", {class: "lead"}, textOf(splitting.advice, "These readings would tell the explanations apart.")),
+    el("p", {class: "lead"}, textOf(splitting.advice, "These readings would discriminate between the explanations.")),
     next.length === 0 ? null : printButton("Print these readings alone, to fill in"),
     next.length === 0 ? null : el("div", {class: "card"}, nextReadingsTable(report, next)),
     pairs.length === 0 ? null : el("div", {class: "card"}, el("h3", {}, "What they would do"), pairsTable(pairs)),
@@ -33,7 +33,7 @@ function nextReadingsTable(report, next) {
     ...blank.map(() => el("span", {class: "to-fill"}))
   ]);
   const text = [0, 2 + joints.length];
-  return table(["reading", "load", ...joints, "splits", "by, in noise sigmas", ...blank], rows, {text});
+  return table(["reading", "load", ...joints, "splits", "by, in standard deviations", ...blank], rows, {text});
 }
 
 function pairsTable(pairs) {
@@ -44,7 +44,7 @@ function otherMeansCard(splitting) {
   const means = list(splitting.other_means), columns = textList(splitting.columns_to_add);
   if (means.length + columns.length === 0) return null;
   return el(
-      "div", {class: "card"}, el("h3", {}, means.length > 0 ? "What else would tell" : "What to write down beside"),
+      "div", {class: "card"}, el("h3", {}, means.length > 0 ? "Alternative measurements" : "What else to record"),
       el("ul", {class: "reasons"}, means.map((entry) => el("li", {}, textOf(entry.what))),
          columns.map((text) => el("li", {}, text))));
 }

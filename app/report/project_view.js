@@ -48,7 +48,7 @@ export function commandsSection(report) {
   const lines = Array.isArray(report.commands) ? report.commands.filter((line) => typeof line === "string") : [];
   return [
     el("p", {class: "lead"},
-       "The first writes the files, each of the others gives figures of this report from them, to every digit shown."),
+       "The first command writes the files; each of the others reproduces figures of this report from them, to every digit shown."),
     el("pre", {class: "card"}, lines.join("\n"))
   ];
 }

@@ -21,7 +21,7 @@ export function residualMapsSection(report) {
   return [
     el("p", {class: "lead"},
        "From where the model puts the tip towards where it was measured, at every reading's place in the world. " +
-           "Arrows that all lean one way, or turn with the place, are a pattern; noise points everywhere."),
+           "Arrows that point the same way, or turn with the position, are a pattern; noise is random."),
     ...residualRows(series).map(
         (row) =>
             el("div", {class: "pair maps"}, row.map(([view, entry]) => residualMap(report, readings, view, entry))))

@@ -41,7 +41,7 @@ export function residualChartsSection(report) {
   });
   return [
     el("p", {class: "lead"},
-       "Where the errors follow one of these, the missing effect depends on it. An effect of a sense shows in x, y " +
+       "Where the errors follow one of these, the missing effect depends on it. An effect with a direction shows in x, y " +
            "or z rather than in the size."),
     el("div", {class: "card-head"}, seriesLegend(report), parts),
     el("div", {class: "few"}, pictures.map((picture) => el("div", {class: "card"}, picture.element)))

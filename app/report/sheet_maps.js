@@ -139,10 +139,10 @@ function tubeLines(tube, mode, report, unit) {
     score ? `Error, ${mode.name}: ${short(score.error)} ${unit} (dx ${short(score.dx)}, dy ${short(score.dy)})` : null,
     index === null ? null : `${score ? "Tool" : "Expected"}: ${stepKinds(report)[index].name}`,
     score && isNumber(score.approach_deviation) ?
-        `Off the hole's axis on the way in: ${short(score.approach_deviation)} ${unit}` :
+        `Deviation from the hole's axis during the approach: ${short(score.approach_deviation)} ${unit}` :
         null,
     `Predicted error: ${short(tube.predicted_error)} ${unit}; tilt ${short(tube.tilt)} ${angleUnit(report)}`,
-    chances ? `Chance of 0/1/2/3 steps: ${chances.map(probability).join(" / ")}` : null,
+    chances ? `Probability of 0/1/2/3 steps: ${chances.map(probability).join(" / ")}` : null,
   ];
 }
 

@@ -22,7 +22,7 @@ export function stepSection(report) {
   const rows = stepRows(report);
   const nothing = rows.every((row) => !row.counts || row.name.startsWith("Thesis"));
   const bars =
-      figure("Share of tubes by steps inserted", (width) => drawStepBars(rows.filter((row) => row.counts), width));
+      figure("Fraction of tubes by steps inserted", (width) => drawStepBars(rows.filter((row) => row.counts), width));
   return [
     el("p", {class: "lead"},
        "How far the tool enters, by number of tubes. The thesis's rows are from table 5.7: ten test holes " +

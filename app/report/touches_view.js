@@ -17,8 +17,8 @@ export function touchesSection(report, sheet) {
   const placed = touches.filter((touch) => isNumber(touch.x) && isNumber(touch.y));
   return [
     el("p", {class: "lead"},
-       "Where the arm touched holes to find its base, and how far each touch is from the fitted model. " +
-           `A residual beyond ${TOUCH_SIGMAS} sigmas is marked: mistrust that touch first.`),
+       "Holes touched to calibrate the base, and the residual of each touch. " +
+           `A residual beyond ${TOUCH_SIGMAS} sigmas is marked: check that touch first.`),
     el("div", {class: "pair"},
        sheet && placed.length > 0 ? touchMap(report, sheet, placed) :
                                     el("div", {class: "card"}, notRecorded("The touches' places")),

@@ -28,7 +28,7 @@ function tubeTable(report, tubes) {
   return table(
       [
         "visit", "tube", `x, ${unit}`, `y, ${unit}`, `tilt, ${angleUnit(report)}`, `predicted error, ${unit}`,
-        "chance of 3 steps", ...modesOf(report).map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
+        "probability of 3 steps", ...modesOf(report).map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
       ],
       rows, {text: [1]});
 }

@@ -151,7 +151,7 @@ class HttpServer::Implementation : public httplib::Server {
     if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
     const bool is_bound = door_.port == 0 ? (door_.port = bind_to_any_port(host)) > 0 : bind_to_port(host, door_.port);
     if (!is_bound)
-      throw InputError("--port", fmt::format("{} at {}, which cannot be listened at", door_.port, door_.host),
+      throw InputError("--port", fmt::format("{} at {}, where the server cannot listen", door_.port, door_.host),
                        "a free port of this machine", "--port 0 takes any free one");
     ::listen(svr_sock_, SOMAXCONN);  // the library lets five wait; those who come then try again after a second or more
   }
@@ -239,7 +239,7 @@ class HttpServer::Implementation : public httplib::Server {
     Events& events = workbench_.events();
     if (request.method != "GET") return put(refused(405, request), response);
     if (!events.tryEnter())
-      return put(refusal(503, InputError("/api/events", "as many listeners as there may be", "fewer open pages")),
+      return put(refusal(503, InputError("/api/events", "the greatest number of listeners", "fewer open pages")),
                  response);
     response.set_header("Cache-Control", "no-store");
     auto seen = std::make_shared<Events::Seen>();

@@ -54,8 +54,7 @@ void finishJob(Workbench& workbench, const Session& began, const std::function<v
     return true;
   });
   if (!is_same)
-    throw InputError("models and readings", "others than those that the job began with", "the same until it is done",
-                     "ask again");
+    throw InputError("models and readings", "changed since the job started", "unchanged until it is done", "ask again");
 }
 
 Cell rereadCell(const Cell& cell, const std::string& text) {

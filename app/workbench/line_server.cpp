@@ -108,7 +108,7 @@ class LineServer::Implementation {
       acceptor_.bind(here);
       acceptor_.listen();
     } catch (const boost::system::system_error& failure) {
-      throw InputError("--lines", fmt::format("the port {}, which cannot be listened at", port), "a free one",
+      throw InputError("--lines", fmt::format("the port {}, where the server cannot listen", port), "a free one",
                        failure.code().message());
     }
     accept();

@@ -107,7 +107,7 @@ void finishFit(Workbench& workbench, const Session& began, const std::string& la
 
 void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
-    throw InputError(input.file, "a fit that did not end: " + outcome.fit.reason,
+    throw InputError(input.file, "a fit that did not converge: " + outcome.fit.reason,
                      "readings that determine the numbers");
 }
 
@@ -162,7 +162,7 @@ Answer add(Workbench& workbench, const Request& request) {
 Answer improve(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
-  return beginJob(workbench, "improve", "diagnose and add until nothing more is shown",
+  return beginJob(workbench, "improve", "diagnose and add until no further effect is found",
                   [&workbench, asked](JobContext& context) {
                     const Session began = workbench.session();
                     const CellReadings input = inputOf(began);
@@ -216,7 +216,7 @@ Answer simulate(Workbench& workbench, const Request& request) {
   const SimulationRequest asked = simulationAsked(objectOf(request));
   const Session now = workbench.session();
   (void)prepareSimulation(now.models.front()->cell, asked);  // refused at once, if at all
-  return beginJob(workbench, "simulate", "readings to practise on", [&workbench, asked](JobContext& context) {
+  return beginJob(workbench, "simulate", "simulated readings", [&workbench, asked](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;
     const SimulationTask task = prepareSimulation(cell, asked);

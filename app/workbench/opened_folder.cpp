@@ -35,7 +35,7 @@ fs::path OpenedFolder::fileToRead(const std::string& name) const {
   const fs::path place = fs::canonical(path_ / name, error);
   if (error) throw InputError(name, "no such file", "a file of the opened folder", "GET /api/files lists them");
   if (place.parent_path() != path_ || !fs::is_regular_file(place, error))
-    throw InputError(name, "what is no file of the opened folder", "a plain file in it");
+    throw InputError(name, "what is not a file of the opened folder", "a regular file in it");
   return place;
 }
 
@@ -45,7 +45,7 @@ fs::path OpenedFolder::fileToWrite(const std::string& name) const {
   std::error_code error;
   const auto status = fs::symlink_status(place, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw InputError(name, "something that is no plain file", "a name for a file in the opened folder");
+    throw InputError(name, "something that is not a regular file", "a name for a file in the opened folder");
   return place;
 }
 

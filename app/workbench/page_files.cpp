@@ -31,10 +31,8 @@ constexpr ContentType kTypes[] = {
 
 constexpr const char* kNoPage =
     "<!DOCTYPE html><html lang=\"en\"><meta charset=\"utf-8\"><title>Tubeplan</title><h1>Tubeplan</h1><p>This program "
-    "was "
-    "built without the workbench's page, because npm or its packages were not to be had, or TUBEPLAN_WORKBENCH is off. "
-    "Install Node.js with "
-    "npm, configure and build again. What the page would ask is answered at /api/state.</p></html>";
+    "was built without the workbench's page, because npm or its packages were not available, or TUBEPLAN_WORKBENCH is "
+    "off. Install Node.js with npm, configure and build again. Its data are served at /api/state.</p></html>";
 
 std::string typeOf(const std::string& name) {
   const std::string extension = fs::path(name).extension().string();

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project as tubeplan serve leaves it",
+constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project saved by tubeplan serve",
                                              "open the cell and its readings anew"};
 /// Made of what cannot be kept: the planner's own memory makes a plan again faster.
 constexpr const char* kNotKept = "plan";

@@ -80,10 +80,10 @@ std::vector<double> residuals(const Session& session, const tubesheets::Sheet& s
 }
 
 std::string meaningOf(const std::string& of, bool with_truth) {
-  if (of == "sag") return "how far the tip hangs from where a rigid arm would have it";
-  if (of == "residual") return "how far the tip is from the hole that it touched, by the model";
-  return with_truth ? "how far the true arm comes from the centre when this model sends it"
-                    : "how far the tip comes from the centre when rigid kinematics sends it";
+  if (of == "sag") return "deflection of the tip from the rigid arm's";
+  if (of == "residual") return "distance of the model's tip from the touched hole";
+  return with_truth ? "centring error of the true arm commanded by this model"
+                    : "centring error of this model commanded by rigid kinematics";
 }
 
 }  // namespace

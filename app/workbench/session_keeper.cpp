@@ -102,7 +102,7 @@ std::optional<Session> SessionKeeper::begin(const std::string& cell) {
   } catch (const InputError& problem) {
     const auto other = freeName(file_, "unreadable");
     fs::rename(file_, other, error);
-    fmt::print(stderr, "tubeplan: the kept session is not taken up, and stays as {}: {}\n", other.string(),
+    fmt::print(stderr, "tubeplan: the kept session is not resumed, and stays as {}: {}\n", other.string(),
                problem.what());
     return std::nullopt;
   }

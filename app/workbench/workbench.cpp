@@ -49,7 +49,7 @@ Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& opt
   if (hasWork(*kept)) {
     keeper.putAside();
     fmt::print(stderr, "tubeplan: {}; the kept session stays under Open, Recent\n",
-               options.fresh || is_project ? "begun anew" : "cell or readings are others than those kept");
+               options.fresh || is_project ? "begun anew" : "cell or readings differ from those kept");
   }
   return asked;
 }

@@ -133,15 +133,15 @@ std::string directCheck(const FoundEffect& found) {
   if (!found.frees.empty()) return "measure " + found.at + " by itself";
   switch (deflection::effectKinds()[static_cast<std::size_t>(found.fitted.kind)].stage) {
     case EffectStage::kReading:
-      return "check the reading of " + found.at + " by itself (a level or an index on the joint)";
+      return "check the reading of " + found.at + " separately (a level or an index on the joint)";
     case EffectStage::kGeometry:
-      return "measure " + found.at + " by itself (its length, its squareness)";
+      return "measure " + found.at + " separately (its length, its squareness)";
     case EffectStage::kLoad:
-      return "weigh what acts at " + found.at;
+      return "measure the force at " + found.at;
     case EffectStage::kFlexibility:
-      return "load " + found.at + " by itself and watch it with a dial gauge";
+      return "load " + found.at + " separately and observe it with a dial gauge";
     case EffectStage::kBase:
-      return "watch the base with a dial gauge";
+      return "observe the base with a dial gauge";
     case EffectStage::kMeasurement:
       return "measure a bar of known length";
   }

@@ -35,11 +35,11 @@ std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std
   if (kind.needs.approach_directions && !any([](const Measurement& m) {
         return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
       }))
-    return "the readings do not say the direction of the joints' last motion (<joint>_dir)";
+    return "the readings do not state the direction of the joints' last motion (<joint>_dir)";
   if (kind.needs.temperature && !any([](const Measurement& m) { return std::isfinite(m.temperature); }))
-    return "the readings do not say the temperature";
+    return "the readings do not state the temperature";
   if (kind.needs.time && !any([](const Measurement& m) { return std::isfinite(m.time); }))
-    return "the readings do not say the time";
+    return "the readings do not state the time";
   if (kind.needs.load && !has_load) return "no reading is under a load";
   if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";

@@ -129,7 +129,7 @@ std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
     for (const auto& effect : effects) names += (names.empty() ? "" : ", ") + effect;
     columns.push_back(what + " (" + names + " could not be tried without)");
   };
-  add(approach_directions, "record the sense of each joint's last motion, <joint>_dir");
+  add(approach_directions, "record the direction of each joint's last motion, <joint>_dir");
   add(temperature, "record the temperature");
   add(time, "record the time");
   return columns;
@@ -165,7 +165,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   DiscriminatingMeasurements result;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) {
     result.status = DiscriminationStatus::kNothingToDiscriminate;
-    result.reason = "the verdict leaves nothing open";
+    result.reason = "the verdict is conclusive";
     return result;
   }
   result.columns = columnsMissing(diagnosis);
@@ -174,8 +174,8 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   if (result.explanations.size() < 2 || !basis.residual.ok) {
     result.status = DiscriminationStatus::kNothingToDiscriminate;
     result.reason = diagnosis.verdict == Verdict::kAmbiguous
-                        ? "one cause is left beside something unknown: more readings of this kind decide"
-                        : "no effect stands out enough to aim readings at";
+                        ? "one known cause and an unknown one remain: more readings of this kind decide"
+                        : "no effect is probable enough to choose readings for";
     return result;
   }
   tell(options.hooks, "next readings");

@@ -17,7 +17,7 @@ constexpr std::array kVerdicts{
     VerdictRow{Verdict::kNotRun, "not-run", "Not diagnosed"},
     VerdictRow{Verdict::kAdequate, "adequate", "Adequate: nothing is missing"},
     VerdictRow{Verdict::kExplained, "explained", "Explained"},
-    VerdictRow{Verdict::kPartlyExplained, "partly-explained", "Partly explained: sure causes, and a remainder"},
+    VerdictRow{Verdict::kPartlyExplained, "partly-explained", "Partly explained: certain causes, and a remainder"},
     VerdictRow{Verdict::kAmbiguous, "ambiguous", "Ambiguous: one of several"},
     VerdictRow{Verdict::kUnexplained, "unexplained", "Unexplained: none of the known effects"},
     VerdictRow{Verdict::kInconclusive, "inconclusive", "Inconclusive: more readings are needed"},

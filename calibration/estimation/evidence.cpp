@@ -28,7 +28,7 @@ std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>&
   if (postures >= needed && degrees_of_freedom >= kLeastFreedom) return std::nullopt;
   return EvidenceProblem{plural(static_cast<int>(readings.size()), "reading") + " at " + plural(postures, "posture") +
                              " determine " + plural(numbers_determined, "number") + " and leave " +
-                             plural(std::max(0, degrees_of_freedom), "degree") + " of freedom to judge the model by",
+                             plural(std::max(0, degrees_of_freedom), "degree") + " of freedom to test the model",
                          "readings at " + std::to_string(std::max(needed, postures + 1)) + " postures or more"};
 }
 
@@ -40,7 +40,7 @@ std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_f
   char text[160];
   std::snprintf(text, sizeof text, "the readings agree with the model %.3g times better than their stated noise allows",
                 1 / std::max(ratio, 1e-9));
-  return EvidenceProblem{text, "the noise that the readings have: is sigma right, and its unit?"};
+  return EvidenceProblem{text, "the actual noise of the readings: are sigma and its unit right?"};
 }
 
 }  // namespace tubeplan::calibration

@@ -120,7 +120,7 @@ class Fitting {
   bool weigh() {
     const PlacedArm placed = applied(start_, unknowns_, fit_.solution.x);
     auto weights = weighReadings(placed, readings_, fit_.factors, fit_.weights.model_error, options_.solver.stop);
-    if (!weights) return failed("the model cannot be evaluated at the readings: the arm is too soft for its load");
+    if (!weights) return failed("the model cannot be evaluated at the readings: the arm is too compliant for its load");
     fit_.weights = std::move(*weights);
     return true;
   }

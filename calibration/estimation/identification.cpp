@@ -231,9 +231,9 @@ Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurem
         if (name != number.unknown.name) names.push_back(name);
     now.free.names = names;
     const double p = chiSquareTail(needOf(number) * needOf(number), 1);
-    dropped.push_back(number.unknown.name + ": the readings do not need it (p = " + std::to_string(p).substr(0, 5) +
-                      "); " +
-                      (number.unknown.scale == Unknown::Scale::kLinear ? "kept at its start" : "taken as rigid"));
+    dropped.push_back(
+        number.unknown.name + ": not significant (p = " + std::to_string(p).substr(0, 5) + "); " +
+        (number.unknown.scale == Unknown::Scale::kLinear ? "kept at its initial value" : "taken as rigid"));
     giveUp(number, from);
   }
 }
@@ -247,7 +247,7 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   auto unknowns = chooseUnknowns(model.start, options.free);
   result.problems = unknowns.problems;
   model.unknowns = std::move(unknowns.list);
-  if (result.problems.empty() && model.unknowns.empty()) result.reason = "nothing is free: name a parameter to find";
+  if (result.problems.empty() && model.unknowns.empty()) result.reason = "no free parameter: name one to identify";
   if (!result.problems.empty()) result.reason = result.problems.front().found;
   if (result.reason.empty()) noteReadingProblem(fitted, model.unknowns, result);
   if (!result.reason.empty()) {

@@ -36,20 +36,20 @@ bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Sca
 
 std::string noteOf(const IdentifiedNumber& number, bool is_nearly_rigid) {
   if (number.identifiable == Identifiability::kInCombination)
-    return "determined only in combination with " + namesOf(number.with) + "; what is left open is its prior's";
+    return "determined only in combination with " + namesOf(number.with) + "; otherwise determined by its prior";
   if (number.is_at_bound && is_nearly_rigid)
-    return "the readings ask for no compliance at all, or less than none, which no part has: take it as rigid, or look "
-           "for a missing effect";
-  if (number.is_at_bound) return "at its bound: the readings ask for more than is physical";
-  if (is_nearly_rigid) return "its compliance is within two sigmas of none: the readings hardly need it";
+    return "the best fit has no compliance, or a negative one, which no part has: take it as rigid, or look for a "
+           "missing effect";
+  if (number.is_at_bound) return "at its bound: the unconstrained estimate is not physical";
+  if (is_nearly_rigid) return "its compliance is within two standard deviations of zero: hardly significant";
   if (number.identifiable == Identifiability::kNo)
-    return "the readings do not depend on it enough to determine it: it stays near its start";
+    return "the readings do not determine it: it stays near its initial value";
   if (number.prior_deviation > kFarFromDrawing) {
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "%.1f standard deviations of its prior from the arm's file: is the file right, or is an effect "
-                  "missing?",
-                  number.prior_deviation);
+    std::snprintf(
+        text, sizeof text,
+        "%.1f standard deviations of its prior from the arm's file: check the file, or look for a missing effect",
+        number.prior_deviation);
     return text;
   }
   return "";

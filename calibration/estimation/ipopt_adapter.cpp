@@ -171,7 +171,7 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
       return {Status::kConverged, "the gradient is within a thousand tolerances"};
     case Ipopt::User_Requested_Stop:
     case Ipopt::Search_Direction_Becomes_Too_Small:
-      return {Status::kConverged, "chi2 falls no further than by rounding"};
+      return {Status::kConverged, "chi2 falls only within rounding"};
     case Ipopt::Maximum_Iterations_Exceeded:
       return {Status::kIterationLimit, "stopped at the iteration limit"};
     case Ipopt::Restoration_Failed:

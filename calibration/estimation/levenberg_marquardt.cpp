@@ -186,7 +186,7 @@ LeastSquaresResult TrustRegionMinimizer::run(const LeastSquaresStop& stop) {
     if (iterations_ == stop.max_iterations) return end(Status::kIterationLimit, "stopped at the iteration limit");
     const Step taken = step(stop.tolerance);
     if (taken == Step::kAtRest) return end(Status::kConverged, "no step would lower chi2 by more than the tolerance");
-    if (taken == Step::kOnlyRounding) return end(Status::kConverged, "chi2 falls no further than by rounding");
+    if (taken == Step::kOnlyRounding) return end(Status::kConverged, "chi2 falls only within rounding");
     if (!is_linear_ && !scaled_.linearizeAt(x_, r_, jacobian_))
       return end(Status::kFailed, "the model could not be differentiated");
   }

@@ -65,7 +65,7 @@ LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem,
     SlopedPlace next;
     if (!searchLine(scaled, here, direction, kShareOfCauchyStep * cauchy, next.x))
       return cauchy * direction.squaredNorm() <= kHiddenByRounding * here.chi2()
-                 ? stopped(Status::kConverged, "chi2 falls no further than by rounding")
+                 ? stopped(Status::kConverged, "chi2 falls only within rounding")
                  : stopped(Status::kFailed, "no step lowers the error");
     if (!scaled.linearizeAt(next.x, next.r, next.jacobian))
       return stopped(Status::kFailed, "the model could not be differentiated");

@@ -27,7 +27,7 @@ std::string findTouchProblem(const std::vector<Measurement>& touches, const Base
   for (std::size_t i = 0; i < touches.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (touches[i].point != touches[j].point && (*touches[i].p_W - *touches[j].p_W).norm() < kSameHole)
-        return "holes " + touches[j].point + " and " + touches[i].point + " are one and the same place";
+        return "holes " + touches[j].point + " and " + touches[i].point + " are at the same position";
   std::set<std::string> holes;
   std::set<std::pair<std::string, double>> seen;
   for (const auto& touch : touches) {

@@ -126,7 +126,7 @@ CentringForecast forecastCentring(const Identification& fit, const std::vector<V
   forecast.numbers = static_cast<int>(uncertain.about.unknowns.size());
   if (forecast.numbers == 0) {
     forecast.status = CentringForecastStatus::kNothingUncertain;
-    forecast.reason = "nothing was fitted, and the base counts as exact";
+    forecast.reason = "nothing was fitted, and the base pose is taken as exact";
     return forecast;
   }
   const MatrixXd errors = sidewaysErrors(uncertain, postures, options.load);

@@ -64,13 +64,13 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
   const auto to_world = matrixOf(value);
   if (!to_world) return std::nullopt;
-  Mend mend{"axes", value, "the columns x, y and z hold " + value + " of the cell's world"};
+  Mend mend{"axes", value, "the columns x, y and z contain " + value + " of the cell's world"};
   mend.change = [to_world = *to_world](std::vector<Measurement>& readings) { turn(to_world, readings); };
   return mend;
 }
 
 inline MistakeKind kind() {
-  return {"axes", "ORDER", "the world's axes that the columns x, y, z hold, such as yxz or -yxz", values, mend};
+  return {"axes", "ORDER", "the world axes in the columns x, y, z, such as yxz or -yxz", values, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::axes

@@ -20,6 +20,8 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   return mend;
 }
 
-inline MistakeKind kind() { return {"base", "unknown", "unknown: the base is found with the rest", values, mend}; }
+inline MistakeKind kind() {
+  return {"base", "unknown", "unknown: the base pose is fitted with the rest", values, mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::base_elsewhere

@@ -46,7 +46,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 
 inline MistakeKind kind() {
   return {"holes", "R+1|C-1|...",
-          "what is to be added to the rows or columns of the holes' names, in a cell with a tube sheet", values, mend};
+          "offset to add to the rows or columns of the holes' names, in a cell with a tube sheet", values, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::holes_off

@@ -19,7 +19,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto [first, second] = partedAtColon(value);
   const int a = jointNamed(checked.start.arm, first), b = jointNamed(checked.start.arm, second);
   if (a < 0 || b < 0 || a == b) return std::nullopt;
-  Mend mend{"joint-order", value, "the columns of " + first + " and " + second + " are exchanged"};
+  Mend mend{"joint-order", value, "the columns of " + first + " and " + second + " are swapped"};
   mend.change = [a, b](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       std::swap(reading.q[a], reading.q[b]);

@@ -51,7 +51,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 
 inline MistakeKind kind() {
   return {"joint-zero", "JOINT:ANGLE",
-          "a turning joint and what is to be added to its readings, in their unit, such as theta3:90", values, mend};
+          "a revolute joint and the offset to add to its readings, in their unit, such as theta3:90", values, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_zero

@@ -487,11 +487,11 @@ class Checking {
     const bool agrees = likeliest && std::abs(std::log(likeliest->chi2_per_freedom)) < std::log(kAgrees);
     char text[160];
     if (is_large)
-      std::snprintf(text, sizeof text, "the readings agree %.2g times better than the noise that they state",
+      std::snprintf(text, sizeof text, "the readings agree %.2g times better than their stated noise",
                     1 / std::sqrt(std::max(as_is_.chi2_per_freedom, 1e-30)));
     else
       std::snprintf(text, sizeof text,
-                    "the stated noise (%.2g %s) is finer than any instrument measures an arm of this size",
+                    "the stated noise (%.2g %s) is smaller than that of any instrument for an arm of this size",
                     sigma / checked_.units.sigma.factor, checked_.units.sigma.name.c_str());
     MeasurementCheck check{
         "sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNoFigure, kNoFigure, "",
@@ -528,7 +528,7 @@ class Checking {
     if (std::any_of(checks.begin(), checks.end(), is_told)) return;
     MeasurementCheck check{"base-from-nominal",
                            CheckSeverity::kRemark,
-                           "the base that fits best stands " + baseText(as_is_) + " from its nominal place",
+                           "the best-fitting base is " + baseText(as_is_) + " from its nominal place",
                            kNoFigure,
                            kNoFigure,
                            "",

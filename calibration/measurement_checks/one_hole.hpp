@@ -21,7 +21,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 }
 
 inline MistakeKind kind() {
-  return {"hole", "ID:HOLE", "a reading and the hole that it touched, such as 7:R10C21", values, mend};
+  return {"hole", "ID:HOLE", "a reading and the hole it touched, such as 7:R10C21", values, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::one_hole

@@ -74,8 +74,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
   if (ids.empty()) return std::nullopt;
   return MeasurementCheck{"duplicates",
                           CheckSeverity::kRemark,
-                          std::string(ids.size() == 1 ? "a reading stands" : "readings stand") +
-                              " there twice, number for number: " + listOf(again),
+                          std::string(ids.size() == 1 ? "a reading occurs" : "readings stand") +
+                              " twice with identical numbers: " + listOf(again),
                           kNoFigure,
                           kNoFigure,
                           assumeWithout(ids),
@@ -153,8 +153,8 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   }
   if (worst == 0) return std::nullopt;
   const auto& unit = checked.units.coordinates;
-  std::string sentence = "the beams have too few segments for these loads: they leave the tip about " +
-                         shortText(worst / unit.factor) + " " + unit.name + " off, where the noise is " +
+  std::string sentence = "the beams have too few segments for these loads: the tip's discretisation error is about " +
+                         shortText(worst / unit.factor) + " " + unit.name + ", the noise " +
                          shortText(allowed_there / kOfNoise / unit.factor);
   if (factor > 1)
     sentence += "; set `segments: " + std::to_string(factor * deflection::mostSegments(placed.arm)) + "` in each";
@@ -175,7 +175,7 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
                           std::to_string(checked.readings.size()) +
                               (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
                               std::to_string(measured) + " numbers for the " + std::to_string(free) +
-                              " that are free: an error of the model would hardly show; measure more, or free fewer",
+                              " free parameters: a model error would hardly show; measure more, or free fewer",
                           kNoFigure,
                           kNoFigure,
                           "",
@@ -190,14 +190,15 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
   if (none([](const Measurement& m) {
         return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
       }))
-    missing.push_back({"<joint>_dir", "with the sense of each joint's last motion, hysteresis could be seen"});
+    missing.push_back({"<joint>_dir", "with the direction of each joint's last motion, hysteresis could be detected"});
   if (none([](const Measurement& m) { return m.load > 0; }))
     missing.push_back(
-        {"load", "with several hung loads, compliance could be told from geometry, and a load's offset be seen"});
+        {"load",
+         "with several loads, compliance could be distinguished from geometry, and a load's offset be detected"});
   if (none([](const Measurement& m) { return std::isfinite(m.temperature); }))
-    missing.push_back({"temperature", "with the temperature, thermal growth could be seen"});
+    missing.push_back({"temperature", "with the temperature, thermal growth could be detected"});
   if (none([](const Measurement& m) { return std::isfinite(m.time); }))
-    missing.push_back({"time", "with the time, a base that slips or drifts could be seen"});
+    missing.push_back({"time", "with the time, slip or drift of the base could be detected"});
   return missing;
 }
 

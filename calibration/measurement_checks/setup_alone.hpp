@@ -19,7 +19,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
                    [&](const BasePose& base_pose) { return base_pose.setup == value; }))
     return std::nullopt;
   Mend mend{"setup", value,
-            "the tip was mounted anew between the set-ups: each has a tip of its own and is to be fitted alone"};
+            "the tip was remounted between the set-ups: each has its own tip offset and must be fitted separately"};
   mend.change = [value](std::vector<Measurement>& readings) {
     std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != value; });
   };

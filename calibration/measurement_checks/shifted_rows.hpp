@@ -48,7 +48,7 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   if (error != std::errc{} || end != value.data() + value.size() || by == 0 || std::abs(by) > 1000) return std::nullopt;
   const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
   Mend mend{"shift", value,
-            "what was measured stands " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
+            "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
   mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
   return mend;
 }

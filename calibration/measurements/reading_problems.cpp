@@ -47,12 +47,12 @@ std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>&
   if (const auto lone = loneTouch(readings)) {
     const Measurement& touch = readings[static_cast<std::size_t>(*lone)];
     return ReadingProblem{*lone, "the only touch of point " + touch.point + " (reading " + touch.id + ")",
-                          "two touches or more of a point whose place is not given",
-                          "touch it again, give its place, or remove the reading: it carries no information"};
+                          "two or more touches of a point of unknown position",
+                          "touch it again, give its position, or remove the reading: it carries no information"};
   }
   if (isOnePosture(readings))
     return ReadingProblem{-1, "all readings at one posture under one load", "several postures or loads",
-                          "they determine one point and no more: measure elsewhere too"};
+                          "they determine a single point: measure elsewhere too"};
   const auto named = std::count_if(unknowns.begin(), unknowns.end(), [](const Unknown& u) { return !u.is_geometry; });
   const int measured = numbersMeasured(readings);
   if (measured < named)

@@ -143,11 +143,11 @@ void giveVerdict(Comparison& result, double level) {
   result.noise_disagrees = disagreesWithStatedNoise(lack_of_fit.repeats, level);
   if (result.status == ComparisonStatus::kNotConverged) result.grounds.emplace_back("the refit did not converge");
   if (lack_of_fit.adequacy == Adequacy::kInadequate)
-    result.grounds.emplace_back(result.noise_disagrees ? "the misfit is more than repeated readings scatter"
-                                                       : "the misfit is more than the stated noise allows");
+    result.grounds.emplace_back(result.noise_disagrees ? "the error exceeds the scatter of repeated readings"
+                                                       : "the error exceeds the stated noise");
   if (!result.patterns.findings.empty()) {
     const auto& first = result.patterns.findings.front();
-    result.grounds.push_back(first.trend.size() == 1 ? "a part of the error is the same everywhere"
+    result.grounds.push_back(first.trend.size() == 1 ? "part of the error is constant"
                                                      : "the error follows " + first.variable);
   }
   result.verdict = result.grounds.empty() ? lack_of_fit.adequacy : Adequacy::kInadequate;
@@ -175,7 +175,7 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
   const Evaluation after = evaluateFitted(result, fitted);
   if (!after.ok) {
     result.status = ComparisonStatus::kRefused;
-    result.reason = "the deflected shape does not converge: the arm is too soft for its load";
+    result.reason = "the deflected shape does not converge: the arm is too compliant for its load";
     return result;
   }
   if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;

@@ -291,7 +291,7 @@ PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& we
     if (test.numbers > 0)
       result.tests.push_back(test);
     else if (test.frame == PatternFrame::kWorld)
-      result.not_tested.push_back(test.variable + ": what is fitted absorbs it, or the readings are too few");
+      result.not_tested.push_back(test.variable + ": the fit absorbs it, or there are too few readings");
   std::stable_sort(result.tests.begin(), result.tests.end(),
                    [](const PatternTest& a, const PatternTest& b) { return a.p_value < b.p_value; });
   correctByHolm(result.tests, level);

@@ -33,6 +33,6 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
   return list;
 }
 
-inline PatternKind kind() { return {.name = "position", .needs = "places that differ", .variables = variables}; }
+inline PatternKind kind() { return {.name = "position", .needs = "different positions", .variables = variables}; }
 
 }  // namespace tubeplan::calibration::patterns::place

@@ -21,7 +21,7 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
 }
 
 inline PatternKind kind() {
-  return {.name = "temperature", .needs = "a column of temperatures that differ", .variables = variables};
+  return {.name = "temperature", .needs = "a column of different temperatures", .variables = variables};
 }
 
 }  // namespace tubeplan::calibration::patterns::temperature

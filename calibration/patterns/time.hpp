@@ -17,6 +17,6 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
   return {variable};
 }
 
-inline PatternKind kind() { return {.name = "time", .needs = "a column of times that differ", .variables = variables}; }
+inline PatternKind kind() { return {.name = "time", .needs = "a column of different times", .variables = variables}; }
 
 }  // namespace tubeplan::calibration::patterns::time

@@ -58,7 +58,7 @@ std::string findNoiseProblem(const CampaignDesign& design) {
            ", which measure no x, y, z";
   if (design.correlation_W && !design.sigma_W) return "correlations without the sigmas of x, y and z";
   if (design.correlation_W && !isPossibleCorrelation(*design.correlation_W))
-    return "correlations that no errors can have together";
+    return "correlations that are not positive definite";
   return {};
 }
 
@@ -69,7 +69,7 @@ std::string findLoadProblem(const CampaignDesign& design) {
     return "a load that is negative or not finite";
   if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading &&
       *std::min_element(loads.begin(), loads.end()) <= 0)
-    return "a deflection under no load, which is nothing";
+    return "a deflection without a load, which is zero";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes looked at under a load";
   return {};
@@ -124,14 +124,14 @@ std::string findDesignProblem(const CampaignDesign& design, int readings) {
   if (readings < 1 || readings > kMostReadings)
     return std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
   if (auto problem = findNoiseProblem(design); !problem.empty()) return problem;
-  if (!(design.held_out >= 0 && design.held_out < 1)) return "a held-out share that is not from 0 to below 1";
+  if (!(design.held_out >= 0 && design.held_out < 1)) return "a held-out fraction that is not from 0 to below 1";
   if (design.postures_per_point < 1 || design.setups < 1) return "no posture for a point, or no set-up";
   if (auto problem = findLoadProblem(design); !problem.empty()) return problem;
   if (auto problem = findKindProblem(design); !problem.empty()) return problem;
   const int points = pointsOf(design, readings);
   if (points < design.setups)
     return std::to_string(design.setups) + " set-ups for " + std::to_string(points) + " points or postures";
-  if (points < 2 && design.held_out > 0) return "a held-out share of a single point or posture";
+  if (points < 2 && design.held_out > 0) return "a held-out fraction of a single point or posture";
   return {};
 }
 

@@ -26,13 +26,13 @@ const char* describe(PostureRefusal refusal) {
     case PostureRefusal::kOutOfReach:
       return "out of reach";
     case PostureRefusal::kStretched:
-      return "stretched out or folded";
+      return "singular (stretched out or folded)";
     case PostureRefusal::kPastLimit:
       return "past a joint limit";
     case PostureRefusal::kOutsideRegion:
       return "with the tip outside the region";
     case PostureRefusal::kNotClear:
-      return "not clear of the scene";
+      return "in collision with the scene";
   }
   return "";
 }

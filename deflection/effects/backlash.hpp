@@ -29,9 +29,9 @@ inline bool hasPlace(const Arm& arm, int row, int axis) {
 
 inline EffectKind kind() {
   return {.name = "backlash",
-          .words = "a clearance is crossed with the moment's sense",
-          .law = "rotation = half the gap in the sense of the moment, free where the moment is zero",
-          .validity = "at rest, without friction",
+          .words = "a joint has backlash, taken up in the direction of the moment",
+          .law = "rotation = half the gap in the direction of the moment, undetermined where the moment is zero",
+          .validity = "static, without friction",
           .source = "complementarity; Harmonic Drive catalogues, backlash",
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,

@@ -20,8 +20,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "base-drift",
-          .words = "the base creeps in time",
-          .law = "the base stands shifted by (x, y, z) * time",
+          .words = "the base drifts with time",
+          .law = "the base is shifted by (x, y, z) * time",
           .validity = "creep in proportion to time",
           .source = "rigid body",
           .stage = EffectStage::kBase,

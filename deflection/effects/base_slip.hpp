@@ -19,8 +19,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "base-slip",
-          .words = "the base has slipped once",
-          .law = "from a time on the base stands shifted by (x, y, z) and turned by yaw about its z axis",
+          .words = "the base slipped once",
+          .law = "after a given time the base is shifted by (x, y, z) and rotated by yaw about its z axis",
           .validity = "one step",
           .source = "rigid body",
           .stage = EffectStage::kBase,

@@ -29,7 +29,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {.name = "cable-stretch",
           .words = "a joint's cable stretches with torque and direction",
-          .law = "rotation = stretch * moment + friction * |moment| * sense of the last motion",
+          .law = "rotation = stretch * moment + friction * |moment| * direction of the last motion",
           .validity = "linear stretch; the last motion was longer than the lost motion",
           .source = "Townsend and Salisbury 1987, capstan friction in cable drives",
           .stage = EffectStage::kFlexibility,

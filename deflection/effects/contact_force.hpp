@@ -17,7 +17,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "contact-force",
-          .words = "something presses on the tip",
+          .words = "a contact force acts on the tip",
           .law = "a constant force at the tip, against gravity",
           .validity = "the same in every reading",
           .source = "statics",

@@ -23,7 +23,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {
       .name = "encoder-eccentricity",
-      .words = "a joint's encoder runs off centre: an error once per turn",
+      .words = "a joint's encoder disc is eccentric: an error once per turn",
       .law = "true joint angle = reading + sine * sin(reading) + cosine * cos(reading)",
       .validity = "amplitudes far below a radian; turning joints",
       .source = "Wallace, TPOINT: centring errors",

@@ -92,7 +92,7 @@ ExpressionProblem problemOf(const mu::ParserError& error, const std::string& tex
                       " arguments of '" + token + "'";
       break;
     default:
-      problem.found = token.empty() ? "what is no expression" : "'" + token.substr(0, 40) + "'";
+      problem.found = token.empty() ? "what is not an expression" : "'" + token.substr(0, 40) + "'";
   }
   return problem;
 }

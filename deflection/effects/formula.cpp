@@ -126,7 +126,7 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
   for (const char* taken : {"effect", "at", "formula"})
     if (std::find(formula.names.begin(), formula.names.end(), taken) != formula.names.end())
       return refused(FormulaStatus::kBadExpression, "a parameter '" + std::string(taken) + "'",
-                     "another name: a cell file has that one for itself");
+                     "another name: that one is reserved in a cell file");
   return std::nullopt;
 }
 
@@ -134,7 +134,7 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
 std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Formula& formula, MadeFormula& made) {
   for (const Start& start : starts)
     if (std::find(formula.names.begin(), formula.names.end(), start.name) == formula.names.end()) {
-      MadeFormula wrong = refused(FormulaStatus::kBadStart, "a start of '" + start.name.substr(0, 40) + "'",
+      MadeFormula wrong = refused(FormulaStatus::kBadStart, "an initial value of '" + start.name.substr(0, 40) + "'",
                                   "a parameter of the formula");
       wrong.word = start.name;
       wrong.known = formula.names;
@@ -150,9 +150,9 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
     const bool is_shape = (sizes >> k & 1U) == 0;
     const auto start = startOf(formula.names[k]);
     if (is_shape && start == starts.end()) {
-      MadeFormula wrong = refused(FormulaStatus::kNeedsStart,
-                                  "the parameter '" + formula.names[k] + "', to which the formula is not proportional",
-                                  "a start for it: '" + formula.text.substr(0, 200) + "; " + formula.names[k] + "=1'");
+      MadeFormula wrong = refused(
+          FormulaStatus::kNeedsStart, "the parameter '" + formula.names[k] + "', in which the formula is not linear",
+          "an initial value: '" + formula.text.substr(0, 200) + "; " + formula.names[k] + "=1'");
       wrong.free = made.free;
       return wrong;
     }

@@ -26,14 +26,14 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {
       .name = "gear-wave",
-      .words = "a joint's gear errs once per turn of the motor",
+      .words = "a joint's gear has an error once per turn of the motor",
       .law = "true joint value = reading + sine * sin(ratio * reading) + cosine * cos(ratio * reading)",
       .validity = "the joint's gear_ratio is stated; readings known to a small part of a wave",
       .source = "Ghorbel et al. 2001, J. Mech. Design 123:90",
       .stage = EffectStage::kReading,
       .at = PlaceRule::kJoint,
       .odds = 1,
-      .odds_reason = "strain wave gears err once per turn of their input by about an arc minute",
+      .odds_reason = "strain wave gears have an error of about an arc minute once per turn of their input",
       .varies_with = {EffectVariable::kJoint},
       .needs = {},
       .parameters = {{"sine", Quantity::kAngle, 0, -0.1, 0.1, 1e-3}, {"cosine", Quantity::kAngle, 0, -0.1, 0.1, 1e-3}},

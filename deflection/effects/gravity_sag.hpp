@@ -26,24 +26,25 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 }
 
 inline EffectKind kind() {
-  return {
-      .name = "gravity-sag",
-      .words = "a joint sags under weights that the arm file does not state",
-      .law = "turn of a joint = its moment by unknown weights: own part level along x, along y, and what is at the tip",
-      .validity = "linear; the arm's weights need not be stated",
-      .source = "Gautier and Khalil 1990, base parameters of gravity",
-      .stage = EffectStage::kFlexibility,
-      .at = PlaceRule::kJoint,
-      .odds = 2,
-      .odds_reason = "every drive gives under its arm, and few makers state weights",
-      .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
-      .needs = {.no_weights = true},
-      .parameters = {{"own_x", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
-                     {"own_y", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
-                     {"tip", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},
-      .places = places::ofRevoluteJoints,
-      .apply = apply<double>,
-      .applyDual = apply<Dual>};
+  return {.name = "gravity-sag",
+          .words = "a joint sags under weights that the arm file does not state",
+          .law =
+              "rotation of a joint = its moment by unknown weights: its own part horizontal along x, along y, and that "
+              "at the tip",
+          .validity = "linear; the arm's weights need not be stated",
+          .source = "Gautier and Khalil 1990, base parameters of gravity",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kJoint,
+          .odds = 2,
+          .odds_reason = "every drive is compliant, and few makers state weights",
+          .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
+          .needs = {.no_weights = true},
+          .parameters = {{"own_x", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
+                         {"own_y", Quantity::kAngle, 0, -0.5, 0.5, 0.005},
+                         {"tip", Quantity::kAngle, 0, -0.5, 0.5, 0.005}},
+          .places = places::ofRevoluteJoints,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::gravity_sag

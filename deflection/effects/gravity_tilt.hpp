@@ -18,7 +18,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "gravity-tilt",
-          .words = "gravity leans in the base's frame",
+          .words = "gravity is tilted in the base frame",
           .law = "gravity turned by the rotation vector (x, y, 0) in base axes",
           .validity = "angles far below a radian",
           .source = "statics",
@@ -26,7 +26,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kWord,
           .word = "base",
           .odds = 0.5,
-          .odds_reason = "a floor is level to a milliradian, and that hardly shows",
+          .odds_reason = "a floor is level to a milliradian, which hardly shows",
           .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"x", Quantity::kAngle, 0, -0.5, 0.5, 0.05}, {"y", Quantity::kAngle, 0, -0.5, 0.5, 0.05}},

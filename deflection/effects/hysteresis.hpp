@@ -23,8 +23,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "hysteresis",
-          .words = "a joint comes to rest elsewhere by the direction of its last motion",
-          .law = "true joint value = reading + half_width * sense of the last motion",
+          .words = "a joint's position depends on the direction of its last motion",
+          .law = "true joint value = reading + half_width * direction of the last motion",
           .validity = "the last motion was longer than the lost motion",
           .source = "Coulomb friction; Harmonic Drive catalogues, lost motion",
           .stage = EffectStage::kReading,

@@ -30,7 +30,7 @@ inline EffectKind kind() {
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,
           .odds = 2,
-          .odds_reason = "bearings, gears and mounts give: the first non-geometric error of loaded arms",
+          .odds_reason = "bearings, gears and mounts are compliant: the first non-geometric error of loaded arms",
           .varies_with = {EffectVariable::kMoment},
           .needs = {.moments = true},
           .parameters = {{"compliance", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},

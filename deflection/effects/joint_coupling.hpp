@@ -19,7 +19,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "joint-coupling",
-          .words = "one joint's motion moves another",
+          .words = "one joint's motion turns another",
           .law = "true joint value = reading + share * reading of another joint",
           .validity = "two joints of one type",
           .source = "Craig, Introduction to Robotics: actuator and joint space",

@@ -32,7 +32,7 @@ inline EffectKind kind() {
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kLink,
           .odds = 1,
-          .odds_reason = "members with loads aside twist",
+          .odds_reason = "members with eccentric loads twist",
           .varies_with = {EffectVariable::kMoment},
           .needs = {.moments = true},
           .parameters = {{"compliance", Quantity::kPerBendingStiffness, 0, 0, kUnbounded, 5e-3}},

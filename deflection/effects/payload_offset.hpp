@@ -18,9 +18,9 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "payload-offset",
-          .words = "the load hangs beside the tip",
+          .words = "the payload's centre is off the tip",
           .law = "the hung load acts at tip + (x, y, z) in the tool's frame",
-          .validity = "a load rigidly held; the tool's own weight stays",
+          .validity = "a load rigidly held; the tool's own weight is unchanged",
           .source = "statics",
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kWord,

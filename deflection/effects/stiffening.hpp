@@ -26,14 +26,14 @@ inline bool hasPlace(const Arm& arm, int row, int axis) { return std::isfinite(a
 
 inline EffectKind kind() {
   return {.name = "stiffening",
-          .words = "a joint is soft under small moments and stiffer beyond",
+          .words = "a joint is compliant under small moments and stiffer under larger ones",
           .law = "rotation = (moment + softness * clamp(moment, -knee, knee)) / joint_stiffness",
           .validity = "two elastic branches, the same both ways",
           .source = "Harmonic Drive catalogues: K1, K2, T1",
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,
           .odds = 1,
-          .odds_reason = "strain wave gears and preloaded bearings are soft about zero",
+          .odds_reason = "strain wave gears and preloaded bearings are compliant about zero",
           .varies_with = {EffectVariable::kMoment},
           .needs = {.moments = true},
           .parameters = {{"softness", Quantity::kNone, 0, 0, kUnbounded, 10},

@@ -49,7 +49,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kWord,
           .word = "arm",
           .odds = 1,
-          .odds_reason = "halls warm up by degrees in a shift",
+          .odds_reason = "halls warm by some degrees during a shift",
           .varies_with = {EffectVariable::kTemperature},
           .needs = {.temperature = true},
           .parameters = {{"expansion", Quantity::kPerTemperature, 0, -0.01, 0.01, 1e-4}},

@@ -17,7 +17,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "tool-offset",
-          .words = "the tip is elsewhere on the tool",
+          .words = "the tip is offset in the tool frame",
           .law = "tip = as drawn + (x, y, z) in the last row's frame",
           .validity = "geometry only",
           .source = "Klimchik et al., arXiv 1211.5739",

@@ -18,14 +18,14 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "tool-remount",
-          .words = "the tip was mounted anew for a set-up",
-          .law = "in one set-up the tip is elsewhere: tip = as in the others + (x, y, z)",
+          .words = "the tip was remounted for a set-up",
+          .law = "in one set-up the tip is offset: tip = that of the others + (x, y, z)",
           .validity = "rigid, the same all through the set-up",
           .source = "geometry",
           .stage = EffectStage::kGeometry,
           .at = PlaceRule::kSetup,
           .odds = 2,
-          .odds_reason = "between set-ups tools and targets are taken off and put on again",
+          .odds_reason = "tools and targets are removed and remounted between set-ups",
           .varies_with = {EffectVariable::kSetup},
           .needs = {},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.01},

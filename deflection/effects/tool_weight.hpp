@@ -24,7 +24,7 @@ inline EffectKind kind() {
   return {.name = "tool-weight",
           .words = "the tool weighs more or less",
           .law = "weights of the last row = as stated * (1 + scale)",
-          .validity = "at rest; the hung load is none of it",
+          .validity = "static; without the hung load",
           .source = "Calkins 1994, section 2.3",
           .stage = EffectStage::kLoad,
           .at = PlaceRule::kWord,

@@ -22,14 +22,14 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "transmission-error",
-          .words = "a joint's gear errs twice per turn",
+          .words = "a joint's gear has an error twice per turn",
           .law = "true joint angle = reading + sine * sin(2 reading) + cosine * cos(2 reading)",
           .validity = "amplitudes far below a radian; turning joints",
           .source = "Ghorbel, Gandhi and Alpeter 2001",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
           .odds = 1,
-          .odds_reason = "gears err twice per turn of a strain wave generator",
+          .odds_reason = "strain wave gears have an error twice per turn of the wave generator",
           .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.005},

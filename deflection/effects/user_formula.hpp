@@ -78,7 +78,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 /// It has no places of its own: its formula names them.
 inline EffectKind kind() {
   return {.name = kName,
-          .words = "a formula of one's own",
+          .words = "a user-defined formula",
           .law = "TARGET += EXPRESSION, as the user writes it",
           .validity = "where the expression has a finite value",
           .source = "the user",

@@ -20,12 +20,13 @@ struct CollisionWorld::Placed {
 
 std::string describe(const Clearance& clearance) {
   if (clearance.body.empty() && clearance.other.empty())
-    return std::isfinite(clearance.margin) ? fmt::format("the arm has {:.4g} m to spare", clearance.margin)
-                                           : "nothing is near the arm";
+    return std::isfinite(clearance.margin)
+               ? fmt::format("the arm clears everything by {:.4g} m more than required", clearance.margin)
+               : "nothing is near the arm";
   if (std::isnan(clearance.distance))
     return clearance.body.empty() ? clearance.other : fmt::format("{}: {}", clearance.body, clearance.other);
   const double required = clearance.distance - clearance.margin;
-  if (clearance.distance < 0) return fmt::format("{} runs into {}", clearance.body, clearance.other);
+  if (clearance.distance < 0) return fmt::format("{} collides with {}", clearance.body, clearance.other);
   return fmt::format("{} is {:.4f} m from {}, {:.4f} m required", clearance.body, clearance.distance, clearance.other,
                      required);
 }

@@ -171,12 +171,12 @@ DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<doub
   for (const auto& row : cell.arm.rows)
     if (row.joint.type == deflection::JointType::kPrismatic) return refuse("the arm has a sliding joint");
   const Bound bound(cell, body_reach);
-  if (!bound.bendsLittle()) return refuse("an element may bend by more than 0.1 rad");
+  if (!bound.bendsLittle()) return refuse("an element may rotate by more than 0.1 rad");
   const auto active = deflection::activeRows(cell.arm);
   travel.per_joint.resize(static_cast<Eigen::Index>(active.size()));
   for (std::size_t j = 0; j < active.size(); ++j)
     travel.per_joint[static_cast<Eigen::Index>(j)] = bound.travelBy(active[j]);
-  if (!travel.per_joint.allFinite()) return refuse("the arm is too soft for its loads");
+  if (!travel.per_joint.allFinite()) return refuse("the arm is too compliant for its loads");
   travel.stretch = Bound::kLengthening;
   travel.is_proved = true;
   return travel;

@@ -63,7 +63,7 @@ class MotionProof {
       const Stretch stretch = open.front();
       open.pop_front();
       if (takeAsProved(stretch)) continue;
-      if (travelOf(stretch) < options_.least_travel) return block("too tight to prove free: ");
+      if (travelOf(stretch) < options_.least_travel) return block("clearance too small to prove: ");
       if (result_.checks >= options_.max_checks)
         return block(fmt::format("not proved free in {} postures: ", result_.checks));
       const Sample middle = sampleAt(middleOf(stretch));

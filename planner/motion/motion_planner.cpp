@@ -149,11 +149,11 @@ void letFlow(const MotionProblem& problem, const MotionPlannerOptions& options, 
 
 std::string noPathReason(const MotionSearchResult& search, const MotionCheckResult& straight) {
   std::string reason =
-      fmt::format("no way round found in {} iterations; straight on, {}", search.iterations, straight.reason);
+      fmt::format("no detour found in {} iterations; on the straight motion, {}", search.iterations, straight.reason);
   const auto more = [](const auto& a, const auto& b) { return a.second < b.second; };
   const auto most = std::max_element(search.blockers.begin(), search.blockers.end(), more);
   if (most != search.blockers.end())
-    reason += fmt::format("; in the search mostly {} and {} met", most->first.first, most->first.second);
+    reason += fmt::format("; in the search mostly {} and {} collided", most->first.first, most->first.second);
   return reason;
 }
 
@@ -170,7 +170,7 @@ bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
     if (way.status == RoadmapStatus::kApart) {
       plan.apart = true;
       plan.reason =
-          "the two ends lie in parts of the free space that no way was found between; straight on, " + straight.reason;
+          "the two ends lie in disconnected parts of the free space; on the straight motion, " + straight.reason;
       return false;
     }
   }
@@ -232,7 +232,7 @@ MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProble
   // posture alone.
   plan.waypoints.clear();
   return stopAt(MotionPlanStatus::kNoPath,
-                "a stretch proved free was not when asked again: its clearance changes between calls");
+                "a motion proved free was not free when checked again: its clearance changes between calls");
 }
 
 }  // namespace tubeplan::planner

@@ -75,7 +75,7 @@ BranchChoice bestBranches(const Route& route, const std::vector<int>& order) {
   choice.status = BranchChoiceStatus::kSolved;
   if (choice.travel_time >= kForbiddenTime) {
     choice.status = BranchChoiceStatus::kForbiddenMove;
-    choice.reason = "every choice of postures needs a move that must not be made";
+    choice.reason = "every choice of branches contains a forbidden move";
     choice.travel_time = std::numeric_limits<double>::infinity();
   }
   return choice;

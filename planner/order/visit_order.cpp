@@ -163,7 +163,7 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
   result.status = VisitOrderStatus::kSolved;
   if (best.time >= kForbiddenTime) {
     result.status = VisitOrderStatus::kForbiddenMove;
-    result.reason = "no order was found that keeps clear of all moves that must not be made";
+    result.reason = "no order was found without a forbidden move";
     result.travel_time = std::numeric_limits<double>::infinity();
   }
   result.lower_bound = lower_bound;

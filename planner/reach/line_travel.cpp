@@ -76,7 +76,7 @@ bool LineTravels::refine(double tolerance, const Vector3d& from_W, const Vector3
     const auto vias = placer_.near(places_W, starts);
     for (std::size_t n = wide.size(); n-- > 0;) {
       if (vias[n].status != deflection::BranchStatus::kConverged)
-        return fail(LineTravelStatus::kNotReached, "a place on it cannot be reached: " + vias[n].reason);
+        return fail(LineTravelStatus::kNotReached, "a point on it cannot be reached: " + vias[n].reason);
       const auto at = static_cast<std::ptrdiff_t>(wide[n]);
       travel.waypoints.insert(travel.waypoints.begin() + at + 1, vias[n].q);
       shares.insert(shares.begin() + at + 1, (shares[wide[n]] + shares[wide[n] + 1]) / 2);

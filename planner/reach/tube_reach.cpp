@@ -48,7 +48,8 @@ BranchVerdict judge(const ArmClearance& clearance, const Eigen::Vector3d& hole_W
       return {Hurdle::kApproach, "approach blocked: " + inTheWay(check.tightest), check.tightest};
   }
   if (!(playInTube(clearance.cell(), hole_W, branch.approach) >= 0))
-    return {Hurdle::kTube, "the tool would touch the tube before it is in so deep: it leans, or is off, too far", {}};
+    return {
+        Hurdle::kTube, "the tool would touch the tube before that depth: its tilt or centring error is too large", {}};
   return {};
 }
 

@@ -72,7 +72,7 @@ std::string findMeshProblem(const TriangleMesh& mesh) {
     if (std::ranges::any_of(triangle, [&](int k) { return k < 0 || k >= vertices; }))
       return "a mesh with a triangle whose corner does not exist";
   if (std::ranges::none_of(mesh.triangles, [&](const Triangle& triangle) { return hasFace(mesh, triangle); }))
-    return "a mesh of triangles that have no face";
+    return "a mesh of degenerate triangles only";
   return "";
 }
 
@@ -97,7 +97,7 @@ MeshSurvey surveyMesh(const TriangleMesh& mesh) {
 std::string describe(const MeshSurvey& survey) {
   if (survey.isClosed()) return "solid";
   if (survey.open_edges > 0) return fmt::format("a surface: {} of its edges are open", survey.open_edges);
-  return fmt::format("a surface: at {} of its edges the triangles face opposite ways", survey.turned_edges);
+  return fmt::format("a surface: at {} of its edges the triangles have opposite orientations", survey.turned_edges);
 }
 
 }  // namespace tubeplan::planner

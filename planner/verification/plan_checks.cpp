@@ -81,21 +81,21 @@ class Checker {
       }
       if (!seen.insert({tube.row, tube.column}).second) find(name + " is visited twice");
       if (!((tube.hole_W - holeCentre(*hole)).norm() <= options_.stated_tolerance))
-        find(name + ": the stated hole is not where the sheet has it");
+        find(name + ": the stated hole is not at the sheet's position");
       if (tube.q.size() != cell_.arm.jointCount()) continue;
       const Vector3d tip = tipAt(tube.q);
       const double off = (tip - visitPlace(cell_, *hole)).norm();
       result_.worst_centring = std::max(result_.worst_centring, off);
       if (!(off <= options_.centring_tolerance))
         find(fmt::format("{}: the deflected tip is {:.3g} m off {}", name, off,
-                         cell_.insertion > 0 ? "its place in the tube" : "the hole's centre"));
+                         cell_.insertion > 0 ? "its position in the tube" : "the hole's centre"));
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
     }
     for (const auto& [row, column] : plan_.unreachable) {
       if (!cell_.sheet.find(row, column))
-        find(tubesheets::tubeName(row, column) + ", said to be unreachable, is not on this sheet");
+        find(tubesheets::tubeName(row, column) + ", stated as unreachable, is not on this sheet");
       if (seen.contains({row, column})) find(tubesheets::tubeName(row, column) + " is both visited and unreachable");
     }
   }
@@ -111,10 +111,9 @@ class Checker {
     const double apart = (cell_.X_WB * other.p_BD - tip).norm();
     result_.worst_statics = std::fmax(result_.worst_statics, apart);
     if (!(apart <= options_.statics_tolerance))
-      find(
-          fmt::format("{}: by members cut into pieces the tip is {:.3g} m from where the model has it: raise the "
-                      "beams' `segments`",
-                      tube, apart));
+      find(fmt::format(
+          "{}: with finely segmented members the tip is {:.3g} m from the model's: raise the beams' `segments`", tube,
+          apart));
   }
 
   /// Travels before the first approach: the one from the start posture, or none.
@@ -171,7 +170,7 @@ class Checker {
       const double share = (speed.cwiseAbs().array() / limits.max_speed.array()).maxCoeff();
       result_.worst_speed_share = std::max(result_.worst_speed_share, share);
       if (!(share <= kLimitShare))
-        find(fmt::format("path row {}: a joint is faster than its limit ({:.4f} of it)", k + 1, share));
+        find(fmt::format("path row {}: a joint exceeds its speed limit ({:.4f} of it)", k + 1, share));
       if (before.size()) {
         const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
         const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
@@ -179,7 +178,7 @@ class Checker {
         // Joint values are written to 1e-12 rad; over two short steps that is a share of the limit, too.
         const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
         if (!(pull <= kLimitShare + rounding))
-          find(fmt::format("path row {}: a joint accelerates past its limit ({:.4f} of it)", k + 1, pull));
+          find(fmt::format("path row {}: a joint exceeds its acceleration limit ({:.4f} of it)", k + 1, pull));
       }
       before = speed;
       step_before = step;

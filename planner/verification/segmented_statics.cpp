@@ -247,7 +247,7 @@ SegmentedStatics solveSegmentedStatics(const deflection::Arm& arm, const deflect
   }
   SegmentedArm segmented(context.arm, context.posture, options.pieces);
   result.status = SegmentedStaticsStatus::kNotConverged;
-  result.reason = "the segmented shape does not converge: the arm is too soft for its load";
+  result.reason = "the segmented shape does not converge: the arm is too compliant for its load";
   for (int pass = 0; pass < options.max_passes; ++pass) {
     const double change = segmented.pass();
     if (!std::isfinite(change)) return result;

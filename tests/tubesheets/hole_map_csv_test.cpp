@@ -114,7 +114,7 @@ const std::string kHeader = "row,column,x_in,y_in,state\n";
 
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedHoleMap,
-    testing::Values(BadText{"Empty", "", 0, "nothing in it"}, BadText{"OnlyBlanks", "\n \n\t\n", 0, "nothing in it"},
+    testing::Values(BadText{"Empty", "", 0, "an empty file"}, BadText{"OnlyBlanks", "\n \n\t\n", 0, "an empty file"},
                     BadText{"NoHeader", "1,2,0.5,0.5,open\n", 1, "add a header line"},
                     BadText{"OnlyHeader", kHeader, 1, "no holes"},
                     BadText{"MissingRow", "column,x_in,y_in\n1,1,1\n", 1, "\"row\""},

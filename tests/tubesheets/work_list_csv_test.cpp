@@ -86,7 +86,7 @@ TEST_P(RefusedWorkList, SaysWhereAndWhat) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedWorkList,
-    testing::Values(BadList{"Empty", "", 0, "nothing in it"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
+    testing::Values(BadList{"Empty", "", 0, "an empty file"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
                     BadList{"NoHeader", "1,1\n2,2\n", 1, "add a header line"},
                     BadList{"NoColumn", "row\n1\n", 1, "\"column\""},
                     BadList{"UnknownColumn", "row,column,legg\n1,1,hot\n", 1, "\"legg\""},

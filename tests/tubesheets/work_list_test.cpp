@@ -89,7 +89,7 @@ TEST(SelectTubes, AWorkListsStateCountsBeforeTheSheets) {
       selectTubes(sheet, parseWorkListCsv("row,column,state\n1,1,plugged\n1,2,\n1,3,open\n2,5,\n"));
   ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
   EXPECT_EQ(selection.tube_indices, (std::vector<int>{*sheet.indexOf(1, 2), *sheet.indexOf(1, 3)}));
-  EXPECT_EQ(leftOutText(sheet, selection), "1 plugged, 1 plugged by the list's word");
+  EXPECT_EQ(leftOutText(sheet, selection), "1 plugged, 1 plugged according to the list");
   EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, WorkListStatus::kRefused);
 }
 
@@ -204,20 +204,20 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRequest{"R1C1, R3C1", "item 2 \"R3C1\" (character 7): R3C1 is not on this sheet"},
                     BadRequest{"R3C1", "row 3 has columns 2 to 7"}, BadRequest{"-R60C3", "R60C3 is not on this sheet"},
                     BadRequest{"R1-60", "row 60 is not on this sheet: rows 1 to 4"},
-                    BadRequest{"C9", "column 9 is not on this sheet"}, BadRequest{"R3-2", "row 3 to 2 runs backwards"},
+                    BadRequest{"C9", "column 9 is not on this sheet"}, BadRequest{"R3-2", "row 3 to 2: reversed limits"},
                     BadRequest{"R3-4C1", "no hole of this sheet lies in that range"},
                     BadRequest{"R0C1", "expected a range"}, BadRequest{"R", "expected a range"},
                     BadRequest{"R1C", "expected a range"}, BadRequest{"R1-C2", "expected a range"},
                     BadRequest{"R1C2X", "expected a range"}, BadRequest{"C2R1", "expected a range"},
                     BadRequest{"R-5", "expected a range"}, BadRequest{"R99999999999999999999C1", "expected a range"},
-                    BadRequest{"R1.5", "expected a range"}, BadRequest{"everything", "not understood"},
-                    BadRequest{"1,2", "item 1 \"1\""}, BadRequest{"NaN", "not understood"},
-                    BadRequest{"All", "not understood"}, BadRequest{"outer", "expected outer:N"},
+                    BadRequest{"R1.5", "expected a range"}, BadRequest{"everything", "not recognised"},
+                    BadRequest{"1,2", "item 1 \"1\""}, BadRequest{"NaN", "not recognised"},
+                    BadRequest{"All", "not recognised"}, BadRequest{"outer", "expected outer:N"},
                     BadRequest{"outer:0", "above zero"}, BadRequest{"outer:-1", "above zero"},
                     BadRequest{"outer:nan", "above zero"}, BadRequest{"all:3", "expected all"},
                     BadRequest{"every:0", "above zero"}, BadRequest{"every:2.5", "above zero"},
                     BadRequest{"every:99999999999", "above zero"}, BadRequest{"-every:2", "with a minus"},
-                    BadRequest{"-spread:2", "with a minus"}, BadRequest{"--plugged", "not understood"},
+                    BadRequest{"-spread:2", "with a minus"}, BadRequest{"--plugged", "not recognised"},
                     BadRequest{"spread:27", "asks for 27 tubes, but the rest of the list selects 24"},
                     BadRequest{"R1C1,spread:2", "asks for 2 tubes"}, BadRequest{"zone:1:2:3in", "expected zone:"},
                     BadRequest{"zone:1:2:3:4", "expected zone:"}, BadRequest{"zone:1:2:3:4ft", "expected zone:"},

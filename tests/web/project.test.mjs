@@ -210,8 +210,8 @@ describe("the report of a project", () => {
       "1The error of each model",
       "2How the models came about",
       "3Numbers of the current model",
-      "4What it is of",
-      "5The same figures again",
+      "4Contents",
+      "5Reproducing the figures",
     ]);
     assert.equal(await tab.locator(".missing").count(), 0);
     assert.match(await tab.innerText("footer"), /commit/);

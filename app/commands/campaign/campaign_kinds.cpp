@@ -7,9 +7,12 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::array kCampaignKinds{
-    CampaignKind{"centre", "a true arm is drawn, touches holes, is calibrated and visits others: how well tools centre",
-                 makeCentringCampaign},
-    CampaignKind{"diagnose", "readings of an arm that hides a random effect, or none: how often it is found",
+    CampaignKind{
+        "centre",
+        "each run draws a true arm, touches holes, calibrates and visits others: distribution of the centring error",
+        makeCentringCampaign},
+    CampaignKind{"diagnose",
+                 "each run simulates readings of an arm with a random hidden effect, or none: how often it is found",
                  makeDiagnosisCampaign}};
 
 }  // namespace

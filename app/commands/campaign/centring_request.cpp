@@ -63,7 +63,7 @@ TruthSpread spreadOf(const CampaignRequest& request, const Units& units) {
   spread.base_turn_sigma = angleFrom("--base-turn", request.base_turn, spread.base_turn_sigma, units);
   spread.unmodelled_sigma = lengthFrom("--unmodelled", request.unmodelled, spread.unmodelled_sigma, units);
   if (request.stiffness) {
-    requireWithin("--stiffness", *request.stiffness, 1, "a share of each stiffness");
+    requireWithin("--stiffness", *request.stiffness, 1, "a fraction of each stiffness");
     spread.stiffness_sigma = *request.stiffness;
   }
   return spread;
@@ -173,7 +173,7 @@ PlanKey centringKey(const CentringTask& task, const CampaignRequest& request) {
           {"sheet", task.model.sheet.fingerprint()},
           {"tool", numbersFingerprint(tool)},
           {"seed", std::to_string(request.seed)},
-          {"spread of the truth",
+          {"spread of the true arm",
            fmt::format("{} m, {} rad, {}, {} m, encoders {}", spread.base_shift_sigma, spread.base_turn_sigma,
                        spread.stiffness_sigma, spread.unmodelled_sigma,
                        request.encoder_sigma ? fmt::format("{}", *request.encoder_sigma) : "as the arm's")},

@@ -94,7 +94,7 @@ class DiagnosisExperiment : public Experiment {
 
 DiagnosisTask diagnosisTask(const CampaignRequest& request) {
   if (!(request.nothing >= 0 && request.nothing <= 1))
-    throw InputError("--nothing", fmt::format("{}", request.nothing), "a share from 0 to 1");
+    throw InputError("--nothing", fmt::format("{}", request.nothing), "a fraction from 0 to 1");
   if (request.effects < 1 || request.effects > 2)
     throw InputError("--effects", std::to_string(request.effects), "1 or 2");
   DiagnosisTask task;
@@ -134,7 +134,7 @@ PlanKey diagnosisQuestion(const DiagnosisTask& task, const CampaignRequest& requ
           {"design", fmt::format("{}, sigma {} m, {} loads, {}", request.design, design.sigma, design.loads.size(),
                                  fingerprintOf(loads))},
           {"number of readings", std::to_string(request.readings)},
-          {"share without an effect", fmt::format("{}", request.nothing)},
+          {"fraction without an effect", fmt::format("{}", request.nothing)},
           {"list of effects", fmt::format("{} effects, {}", task.kinds.size(), fingerprintOf(kinds))},
           {"number of effects in one explanation", std::to_string(request.effects)}};
 }

@@ -27,10 +27,10 @@ CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesys
     file.question = head.at("question").get<PlanKey>();
     file.checksum = head.at("checksum");
   } catch (const json::exception&) {
-    refuseDamaged(format, path, "a first line that is of nothing kept");
+    refuseDamaged(format, path, "a first line of no known format");
   }
   if (fingerprintOf(file.payload) != file.checksum)
-    refuseDamaged(format, path, "content that does not fit its checksum");
+    refuseDamaged(format, path, "content that does not match its checksum");
   return file;
 }
 

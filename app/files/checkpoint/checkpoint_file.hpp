@@ -15,8 +15,8 @@ inline constexpr int kLeastShareOfWriting = 20;  ///< pauses are so many times a
 /// What kind of file it is, and the words for one that is damaged.
 struct CheckpointFormat {
   const char* name;      ///< "tubeplan plan memory 1"
-  const char* expected;  ///< "a file as tubeplan plan leaves it"
-  const char* remedy;    ///< "remove it and plan anew"
+  const char* expected;  ///< "a file written by tubeplan plan"
+  const char* remedy;    ///< "remove it and plan again"
 };
 
 struct CheckpointFile {

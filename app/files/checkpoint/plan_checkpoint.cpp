@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr CheckpointFormat kPlanFormat{"tubeplan plan memory 1", "a file as tubeplan plan leaves it",
-                                       "remove it and plan anew"};
+constexpr CheckpointFormat kPlanFormat{"tubeplan plan memory 1", "a file written by tubeplan plan",
+                                       "remove it and plan again"};
 
 planner::PlanCache cacheOf(const CheckpointFile& file, const fs::path& path) {
   planner::PlanCache cache;
@@ -59,7 +59,7 @@ void PlanCheckpoint::begin(const PlanKey& question) {
   if (takeStopped(question)) return;
   if (must_resume_ && !takeDone(question))
     throw InputError("--resume", "no stopped plan in " + inQuotes(folder_.string()),
-                     std::string("a folder with ") + kProgressFile, "leave out --resume to begin anew");
+                     std::string("a folder with ") + kProgressFile, "omit --resume to start again");
   if (!must_resume_ && !from_.empty()) takeFrom(question);
 }
 
@@ -70,13 +70,13 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
   const auto differences = findDifferences(file.question, question);
   if (differences.empty()) {
     cache_ = cacheOf(file, path);
-    say(fmt::format("going on from {}: {} are there", path.string(), summary()));
+    say(fmt::format("continuing from {}: {} are done", path.string(), summary()));
     return true;
   }
   if (must_resume_)
     throw InputError("--resume", fmt::format("{} stopped with {}", path.string(), fmt::join(differences, ", ")),
-                     "the question that was stopped", "ask it again, or leave out --resume to begin anew");
-  say(fmt::format("begun anew: {} is of {}", path.string(), fmt::join(differences, ", ")));
+                     "the same options as the stopped run", "repeat them, or omit --resume to start again");
+  say(fmt::format("started again: {} is of {}", path.string(), fmt::join(differences, ", ")));
   return false;
 }
 
@@ -86,7 +86,7 @@ bool PlanCheckpoint::takeDone(const PlanKey& question) {
   const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   if (!findDifferences(file.question, question).empty()) return false;
   cache_ = cacheOf(file, path);
-  say(fmt::format("the plan in {} is complete; it is written again", folder_.string()));
+  say(fmt::format("the plan in {} is complete and is written again", folder_.string()));
   return true;
 }
 
@@ -98,7 +98,7 @@ void PlanCheckpoint::takeFrom(const PlanKey& question) {
   const auto differences = findModelDifferences(from_question_, question);
   cache_.visiting_order = from_cache_.visiting_order;
   if (!differences.empty()) {
-    say(fmt::format("only the order is kept of {}: {}; postures and motions are found and proved anew", from_,
+    say(fmt::format("of {} only the order is reused ({}); postures and motions are planned and verified again", from_,
                     fmt::join(differences, ", ")));
     return;
   }

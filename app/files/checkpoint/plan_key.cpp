@@ -122,7 +122,7 @@ PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
           {"list of tubes", fmt::format("{} tubes, {}", tubes.size(), fingerprintOf(tubes_text))},
           {kEndsPart, endsText(inputs.conditions)},
           {"other conditions", conditionsText(inputs.conditions)},
-          {"plan to begin from", inputs.from}};
+          {"plan to start from", inputs.from}};
 }
 
 std::vector<std::string> findDifferences(const PlanKey& before, const PlanKey& now) {

@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file as tubeplan campaign leaves it",
-                                        "remove it to begin anew"};
+constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file written by tubeplan campaign",
+                                        "remove it to start again"};
 
 RunSet runsFrom(const json& ranges, const fs::path& path) {
   RunSet set;
@@ -60,7 +60,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   if (!fs::exists(path(), error)) {
     if (must_resume_)
       throw InputError("--resume", "no campaign in " + inQuotes(folder_.string()),
-                       std::string("a folder with ") + kTallyFile, "leave out --resume to begin anew");
+                       std::string("a folder with ") + kTallyFile, "omit --resume to start again");
     return std::nullopt;
   }
   const CheckpointFile file = readCheckpoint(kTallyFormat, path());
@@ -70,14 +70,13 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   if (!ranges.empty() && ranges.back().end > runs)
     differences.push_back(fmt::format("more runs (up to {}, now {})", ranges.back().end, runs));
   if (differences.empty()) {
-    say(fmt::format("going on from {}: {} of {} runs are there", path().string(), tally.done.size(), runs));
+    say(fmt::format("continuing from {}: {} of {} runs are done", path().string(), tally.done.size(), runs));
     return tally;
   }
   if (must_resume_)
     throw InputError("--resume", fmt::format("{} with {}", path().string(), fmt::join(differences, ", ")),
-                     "the same question, with as many runs or more",
-                     "ask it again, or leave out --resume to begin anew");
-  say(fmt::format("begun anew: {} is of {}", path().string(), fmt::join(differences, ", ")));
+                     "the same options, with as many runs or more", "repeat them, or omit --resume to start again");
+  say(fmt::format("started again: {} is of {}", path().string(), fmt::join(differences, ", ")));
   return std::nullopt;
 }
 

@@ -113,7 +113,7 @@ class ForeignReader {
       if (!index.emplace(pointName(row.fields[theirs]), k).second)
         throw InputError(fmt::format("{}:{}", table(t).file, row.line),
                          fmt::format("the name {} twice", inQuotes(row.fields[theirs])), "every name once",
-                         "name the points apart, or take the names away to go by the order of the rows");
+                         "give the points different names, or remove the names to match rows by their order");
     }
     std::vector<std::optional<std::size_t>> partners;
     std::set<std::size_t> used;
@@ -150,7 +150,7 @@ class ForeignReader {
       out_.taken.push_back(fmt::format("{}: {} of {}", column.name,
                                        inQuotes(table(column.table).columns[column.column]), table(column.table).file));
     }
-    if (!how_.empty()) out_.taken.push_back(fmt::format("the tables' rows go together {}", how_));
+    if (!how_.empty()) out_.taken.push_back(fmt::format("the tables' rows are matched {}", how_));
     for (std::size_t t = 0; t < request_.tables.size(); ++t) {
       if (const auto key = keyOf(t); key && how_ == "by name") used[t].insert(*key);
       std::vector<std::string> left;

@@ -67,8 +67,8 @@ char separatorOf(const std::vector<Line>& lines, const std::string& file) {
     if (width > 1 && static_cast<double>(count) >= kMostLinesAlike * static_cast<double>(lines.size()))
       return separator;
   }
-  throw InputError(file, "lines that make no table",
-                   "rows of as many fields each, apart by tab, semicolon, comma or blanks",
+  throw InputError(file, "lines that form no table",
+                   "rows of equally many fields, separated by tab, semicolon, comma or blanks",
                    "export the readings as text or CSV");
 }
 
@@ -93,7 +93,7 @@ std::vector<ForeignRow> rowsOf(const std::vector<Line>& lines, char separator, c
   std::vector<ForeignRow> rows;
   for (const auto& line : lines) {
     auto fields = fieldsOf(line.text, separator);
-    if (!fields) throw InputError(fmt::format("{}:{}", file, line.number), "a quote that is not closed", "one that is");
+    if (!fields) throw InputError(fmt::format("{}:{}", file, line.number), "an unclosed quote", "one that is");
     if (separator != ',')
       for (auto& field : *fields) field = withPoint(std::move(field));
     rows.push_back({line.number, std::move(*fields)});
@@ -106,7 +106,7 @@ void requireEven(const std::vector<ForeignRow>& rows, std::size_t first, std::si
   for (std::size_t k = first; k < rows.size(); ++k)
     if (rows[k].fields.size() != width)
       throw InputError(fmt::format("{}:{}", file, rows[k].line), fmt::format("{} fields", rows[k].fields.size()),
-                       fmt::format("{}, as the rows before it have", width), "mend the row or take it away");
+                       fmt::format("{}, as the rows before it have", width), "correct the row or remove it");
 }
 
 std::vector<std::string> countedNames(std::size_t width) {

@@ -134,7 +134,7 @@ class TreeBuilder : public YAML::EventHandler {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // else a block text (| or >)
     if (is_quote && pastQuoted(text_, at) == std::string::npos)
-      makeNode(mark, YamlNode::Kind::kNull).fail("a quote that is not closed", "quotes in pairs", "");
+      makeNode(mark, YamlNode::Kind::kNull).fail("an unclosed quote", "quotes in pairs", "");
   }
 
   // The parser gives "?" for plain values and "!" for quoted ones, and nothing for some collections.
@@ -180,7 +180,7 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
       throw InputError(file, "a second document (---)", "one document", "split the file");
   } catch (const YAML::ParserException& error) {
     throw InputError(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
-                     "text that is no YAML (" + error.msg + ")", "keys and values in YAML",
+                     "text that is not YAML (" + error.msg + ")", "keys and values in YAML",
                      "check brackets, colons and indentation up to this place");
   }
   YamlNode root = builder.takeRoot();

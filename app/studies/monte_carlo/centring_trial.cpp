@@ -18,10 +18,11 @@ constexpr double kLeastWeighingSigma = 1e-6;  // m: without any noise all weight
 enum Purpose : std::uint64_t { kTruthKey = 1, kVisitedKey, kTouchedKey, kTipErrorKey, kNoiseKey };
 
 constexpr std::array kRules{
-    TouchRuleRow{TouchRule::kBest, "best", "those that place the base best, as `plan --touches auto`"},
-    TouchRuleRow{TouchRule::kSpread, "spread", "those furthest from each other"},
-    TouchRuleRow{TouchRule::kRandom, "random", "drawn anew in every run"},
-    TouchRuleRow{TouchRule::kTested, "tested", "drawn out of the holes that are visited, as `score --runs`"}};
+    TouchRuleRow{TouchRule::kBest, "best",
+                 "those with the smallest predicted base covariance, as `plan --touches auto`"},
+    TouchRuleRow{TouchRule::kSpread, "spread", "those farthest from each other"},
+    TouchRuleRow{TouchRule::kRandom, "random", "drawn at random in every run"},
+    TouchRuleRow{TouchRule::kTested, "tested", "drawn from the holes that are visited, as `score --runs`"}};
 
 /// No run needs more of a cell: the sheet and the scene are large.
 planner::Workcell armOnly(planner::Workcell cell) {
@@ -61,11 +62,11 @@ std::string_view nameOf(TrialFailure failure) {
     case TrialFailure::kNone:
       return "scored";
     case TrialFailure::kTooNarrow:
-      return "no holes well off a line were drawn";
+      return "only nearly collinear holes were drawn";
     case TrialFailure::kUntouchable:
       return "the true arm cannot touch one of the holes";
     case TrialFailure::kMistakenHole:
-      return "the touches were refused, as if a hole were mistaken";
+      return "the touches were rejected: a hole name seems wrong";
     case TrialFailure::kNotConverged:
       return "the base could not be found";
     case TrialFailure::kRigidRefused:

@@ -70,7 +70,7 @@ std::string runOnce(const planner::Workcell& model, const TruthMaker& truths, co
   const planner::Workcell drawn = truths.draw(draw);
   std::vector<TrialHole> holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   for (int tries = 0; !areWellSpread(holes, options.calibration_holes); ++tries) {
-    if (tries == kMostDraws) return "no three holes that lie well off a line were drawn: the sheet is too narrow";
+    if (tries == kMostDraws) return "only nearly collinear holes were drawn: the sheet is too narrow";
     holes = drawHoles(model, candidates, options.test_holes, options.unmodelled_sigma, draw);
   }
   const auto touches = touchHoles(drawn, holes, options.calibration_holes, touchSigmaOf(model.tool), draw.seed());

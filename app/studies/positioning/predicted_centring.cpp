@@ -20,7 +20,7 @@ PredictedCentring predictCentring(const CellModel& cell, const calibration::Iden
   if (!cell.sheet)
     predicted.reason = "the cell has no tube sheet";
   else if (!cell.tool_axis_stated)
-    predicted.reason = "the cell does not say which way the tool enters a hole";
+    predicted.reason = "the cell does not state the tool's insertion direction";
   else if (fit.status != calibration::IdentificationStatus::kDone)
     predicted.reason = "nothing was identified";
   if (!predicted.reason.empty()) return predicted;
@@ -31,8 +31,7 @@ PredictedCentring predictCentring(const CellModel& cell, const calibration::Iden
   calibration::CentringForecastOptions options;
   options.base_covariance = cell.base_covariance;
   predicted.forecast = calibration::forecastCentring(fit, reached.postures, options);
-  predicted.reason =
-      reached.postures.empty() ? "the arm reaches no hole that was looked at" : predicted.forecast.reason;
+  predicted.reason = reached.postures.empty() ? "the arm reaches none of the holes" : predicted.forecast.reason;
   if (predicted.forecast.status != CentringForecastStatus::kDone) return predicted;
   const auto worst = static_cast<std::size_t>(predicted.forecast.worst_posture);
   const auto& tube = cell.sheet->tubes[static_cast<std::size_t>(reached.tubes[worst])];

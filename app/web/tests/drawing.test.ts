@@ -195,7 +195,7 @@ describe("verdicts", () => {
     const explained = {verdict: "explained", explanations: [{effects: [slack]}], rms, units};
     expect(verdictItems(explained)).toEqual([
       "Missing: slack at wrist.z (half gap 0.100 ± 0.010).",
-      "With it the held-out error falls from 0.0204 to 0.0059 in; noise alone leaves 0.0057 in.",
+      "With it the held-out error falls from 0.0204 to 0.0059 in; the noise floor is 0.0057 in.",
     ]);
     const remainder = {size: 0.01, follows: [{variable: "load", share: 0.5}]};
     expect(verdictItems({...explained, verdict: "partly-explained", remainder}).at(-1)).toMatch(/it follows load \(50/);

@@ -168,7 +168,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   const int status = stopped("'" TUBEPLAN_PROGRAM "' " + question + "2000", "stopped", SIGINT);
   ASSERT_TRUE(WIFEXITED(status));
   ASSERT_EQ(WEXITSTATUS(status), 130) << contentOf(folder / "stopped.txt");
-  expectSays(contentOf(folder / "stopped.txt"), "the same command goes on from there");
+  expectSays(contentOf(folder / "stopped.txt"), "the same command continues from there");
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/campaign.json"));
   const std::string kept = contentOf(folder / "stopped/tally.json");
 
@@ -181,11 +181,11 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   (void)write("other/tally.json", kept);
   const Outcome anew = run(mockup("--tubes spread:40 --seed 9 --runs 5 --out other"));
   EXPECT_EQ(anew.exit_code, 0);
-  expectSays(anew.err, "begun anew: ");
+  expectSays(anew.err, "started again: ");
 
   const Outcome resumed = run(question + "2000 --resume --out stopped");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-  expectSays(resumed.err, "going on from ");
+  expectSays(resumed.err, "continuing from ");
   ASSERT_EQ(run(question + "2000 --out whole").exit_code, 0);
   expectSameFiles("stopped", "whole");
   ASSERT_EQ(run(question + "2100 --resume --out stopped").exit_code, 0);
@@ -202,7 +202,7 @@ TEST_F(CampaignCommand, RefusesDamagedTallies) {
   altered[altered.find("\"total\":[") + 9] ^= 1;
   for (const std::string& damaged : {altered, tally.substr(0, tally.size() / 2), std::string("{}\n{}\n")}) {
     (void)write("made/tally.json", damaged);
-    expectRefused(question, "remove it to begin anew");
+    expectRefused(question, "remove it to start again");
   }
 }
 
@@ -281,7 +281,7 @@ TEST_F(CampaignCommand, AProcessThatIsKilledLosesLittle) {
   EXPECT_FALSE(std::filesystem::exists(folder / "killed/campaign.json"));
   const Outcome resumed = run(question + " --resume --out killed");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-  expectSays(resumed.err, "going on from ");
+  expectSays(resumed.err, "continuing from ");
   ASSERT_EQ(run(question + " --out whole").exit_code, 0);
   expectSameFiles("killed", "whole");
 }

@@ -145,8 +145,8 @@ TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
   EXPECT_EQ(dropped["parameters"][0]["name"], kFirst);
   ASSERT_EQ(dropped["dropped"].size(), 1u);
   const std::string why = dropped["dropped"][0];
-  expectSays(why, "forearm.joint.offset: the readings do not need it (p = 0.");
-  expectSays(why, "kept at its start");
+  expectSays(why, "forearm.joint.offset: not significant (p = 0.");
+  expectSays(why, "kept at its initial value");
   EXPECT_LT(dropped["parameters"][0]["sigma"], kept["parameters"][0]["sigma"]);
   const double p = std::stod(why.substr(why.find("p = ") + 4));
   const json& offset = kept["parameters"][1];
@@ -173,7 +173,7 @@ TEST_F(IdentifyStages, aDroppedStiffnessIsRigidInTheWrittenCell) {
   const json found =
       identified(fmt::format("bench.yaml rigid.csv --drop 0.01 --out found.yaml --free {},{}", kFirst, kSecond));
   ASSERT_EQ(found["dropped"].size(), 1u) << found["parameters"];
-  expectSays(found["dropped"][0], "tool.joint_stiffness.z: the readings do not need it");
+  expectSays(found["dropped"][0], "tool.joint_stiffness.z: not significant");
   expectSays(found["dropped"][0], "taken as rigid");
   const Cell written = readCell((folder / "found.yaml").string());
   EXPECT_TRUE(std::isinf(written.arm.rows[5].joint_stiffness.z())) << written.arm.rows[5].joint_stiffness.z();

@@ -77,8 +77,8 @@ TEST_F(LadderSteps, withoutATruthTheBestModelStandsInWithTheNoiseFloor) {
   EXPECT_EQ(ladder(cells)["rungs"][0]["steps"], found["rungs"][0]["steps"]) << "the same seed, the same holes";
   EXPECT_NE(ladder(cells + " --seed 2")["rungs"][0]["steps"], found["rungs"][0]["steps"]);
   const Outcome text = run("ladder set/measurements.csv " + cells);
-  expectSays(text.out, "steps of the tool that go in, by holes");
-  expectSays(text.out, "for the real arm stands mockup-true.yaml");
+  expectSays(text.out, "holes by number of inserted steps");
+  expectSays(text.out, "true arm: mockup-true.yaml");
 }
 
 TEST_F(LadderSteps, aCellWithoutASheetHasNoneUnlessOneIsNamed) {

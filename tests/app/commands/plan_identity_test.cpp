@@ -66,7 +66,7 @@ TEST_F(PlanIdentity, APathRowThatGoesElsewhereIsRefuted) {
   (void)write("made/path.csv", changed(path, first, ",cold,20,40\n"));
   const Outcome leg = run("verify mockup.yaml made");
   EXPECT_EQ(leg.exit_code, 1);
-  expectSays(leg.out, "path row 1: goes to cold R20C40 where the plan has hot R");
+  expectSays(leg.out, "path row 1: approaches cold R20C40, but the plan visits hot R");
   (void)write("made/path.csv", changed(path, first, ",hot,20,41\n"));
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 1);
 }
@@ -82,7 +82,7 @@ TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
   (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{}", value + 1e-9) + path.substr(end));
   const Outcome altered = run("verify mockup.yaml made");
   EXPECT_EQ(altered.exit_code, 1);
-  expectSays(altered.out, "path.csv has not the numbers that plan.json was written with");
+  expectSays(altered.out, "path.csv differs from the path that plan.json was written with");
   // The same numbers written otherwise are the same path.
   (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{:.17e}", value) + path.substr(end));
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);

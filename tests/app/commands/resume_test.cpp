@@ -57,7 +57,7 @@ TEST_F(Resume, AnInterruptedPlanGoesOnToTheSameBytes) {
   const std::string said = contentOf(folder / "stopped.txt");
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
   expectSays(said, "stopped; the reach of ");
-  expectSays(said, "the same command goes on from there");
+  expectSays(said, "the same command continues from there");
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/plan.json"));
 
   // Asked otherwise it is refused, and kept.
@@ -73,7 +73,7 @@ TEST_F(Resume, AnInterruptedPlanGoesOnToTheSameBytes) {
 
   const Outcome resumed = run(question + " --resume --out stopped");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-  expectSays(resumed.err, "going on from ");
+  expectSays(resumed.err, "continuing from ");
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/progress.json"));
   ASSERT_EQ(run(question + " --out whole").exit_code, 0);
   expectSameFiles("stopped", "whole");
@@ -85,7 +85,7 @@ TEST_F(Resume, AKilledPlanGoesOnByItselfAndLeavesNoScraps) {
   ASSERT_TRUE(WIFSIGNALED(status));
   const Outcome resumed = run(question + " --out killed");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-  expectSays(resumed.err, "going on from ");
+  expectSays(resumed.err, "continuing from ");
   ASSERT_EQ(run(question + " --out whole").exit_code, 0);
   expectSameFiles("killed", "whole");
   std::vector<std::string> names;
@@ -123,7 +123,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
   (void)write("made/progress.json", memory);
   const Outcome anew = run(question + " --seed 8");
   EXPECT_EQ(anew.exit_code, 0) << anew.err;
-  expectSays(anew.err, "begun anew: ");
+  expectSays(anew.err, "started again: ");
   EXPECT_EQ(planOf("made")["seed"], 8);
 }
 
@@ -165,7 +165,7 @@ TEST_F(Resume, FromAPlanOfAnotherBaseOnlyTheOrderIsKept) {
               changed(contentOf(folder / "mockup.yaml"), "position: [0, 43.0, -44.0]", "position: [0.1, 43.0, -44.0]"));
   const Outcome outcome = run("plan mockup.yaml --tubes spread:20 --from old --out new");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  expectSays(outcome.err, "only the order is kept of old: another base");
+  expectSays(outcome.err, "of old only the order is reused (another base");
   expectSays(outcome.out, "the reach of 0 of ");
   const Outcome proof = run("verify mockup.yaml new");
   EXPECT_EQ(proof.exit_code, 0) << proof.out;
@@ -178,7 +178,7 @@ TEST_F(Resume, FromAPlanOfAToolThatMayLeanMoreNoPostureIsKept) {
   (void)write("puma.yaml", changed(contentOf(folder / "puma.yaml"), "lengths: [0.0127,", "lengths: [0.08,"));
   const Outcome outcome = run("plan puma.yaml --tubes spread:12 --from old --out new");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  expectSays(outcome.err, "only the order is kept of old: another tilt allowed");
+  expectSays(outcome.err, "of old only the order is reused (another tilt allowed");
   for (const auto& tube : planOf("new")["tubes"]) EXPECT_LE(tube["tilt"].get<double>(), 1.62) << tube["name"];
 }
 

@@ -75,7 +75,7 @@ TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   }
   ASSERT_EQ(plans.size(), 3U);
   EXPECT_EQ(calibration::keepTouchable(cell.arm, cell.X_WB, plans).size(), 3U);
-  EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("left out") != note.npos; }));
+  EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("excluded") != note.npos; }));
 }
 
 TEST_F(LookAhead, touchesAddsToTheTouchesMadeAlready) {
@@ -191,7 +191,7 @@ TEST_F(LookAhead, sensitivityRanksTheMembersOfTheMockUp) {
     EXPECT_LE(now, before);
     before = now;
     const std::string sentence = number["sentence"];
-    expectSays(sentence, "less sag in the mean");
+    expectSays(sentence, "less deflection on average");
     if (number["kind"] == "stiffness") expectSays(sentence, "1 % stiffer");
     if (number["kind"] == "weight") expectSays(sentence, "1 % lighter");
   }

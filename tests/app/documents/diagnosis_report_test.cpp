@@ -122,7 +122,7 @@ TEST_F(DiagnosisReportOfProgram, isWrittenWithWhatJsonSaysAndItsReadings) {
   for (const auto& [key, value] : figures.items()) EXPECT_EQ(data[key], value) << key;
   EXPECT_EQ(data["verdict"], "explained");
   EXPECT_EQ(data["verdict_words"], "Explained");
-  EXPECT_EQ(data["ranking"][0]["words"], "a joint comes to rest elsewhere by the direction of its last motion");
+  EXPECT_EQ(data["ranking"][0]["words"], "a joint's position depends on the direction of its last motion");
   EXPECT_EQ(data["explanations"][0]["effects"][0]["varies_with"], json({"sense"}));
   ASSERT_EQ(data["readings"].size(), static_cast<std::size_t>(kReadings));
   EXPECT_EQ(data["readings"][0]["id"], kHostile.front() + "1");

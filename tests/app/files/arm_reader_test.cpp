@@ -55,8 +55,8 @@ TEST(ArmReader, readsJointsThatFollowOthers) {
   const auto with = [&](const std::string& from, const std::string& to) {
     return refusal(own, changed(linked, from, to));
   };
-  expectSays(with("theta1: 0.5", "theta9: 0.5"), "joints that turn by readings of their own");
-  expectSays(with("theta1: 0.5", "theta3: 0.5"), "joints that turn by readings of their own");
+  expectSays(with("theta1: 0.5", "theta9: 0.5"), "joints with encoder readings of their own");
+  expectSays(with("theta1: 0.5", "theta3: 0.5"), "joints with encoder readings of their own");
   expectSays(with("theta1: 0.5", "theta1: half"), "number");
   expectSays(with("{theta1: 0.5, theta2: -1}", "{}"), "JOINT: RATIO");
   expectSays(with("offset: 90", "limits: [-1, 1]"), "limits");

@@ -78,7 +78,7 @@ TEST_F(CampaignReader, ReadsTheRowsThatAreReadAndTheNoiseOfEachCoordinate) {
   expectRefused("kind: position\nsigmas: [0.001, 0, 0.005]\n", {"sigmas", "above zero"});
   expectRefused("kind: distance\nanchor: [1, 2, 3]\nsigmas: [1, 1, 1]\n", {"`sigmas`", "no x, y, z"});
   expectRefused("kind: position\ncorrelations: [0, 0, 0]\n", {"`correlations`", "add sigmas"});
-  expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9, -0.9]\n", {"can have together"});
+  expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9, -0.9]\n", {"positive definite"});
   expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9]\n", {"three numbers"});
 }
 

@@ -48,7 +48,7 @@ TEST_F(MeshReader, APolygonThatPointsInwardsIsCutFromACornerThatSeesAllOthersOrR
   const auto comb = write("comb.obj",
                           "v 0 0 0\nv 5 0 0\nv 5 3 0\nv 4 3 0\nv 4 1 0\nv 3 1 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\n"
                           "v 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n");
-  expectSays(messageOf([&] { (void)readMeshFile(comb); }), "cut plainly");
+  expectSays(messageOf([&] { (void)readMeshFile(comb); }), "triangulated unambiguously");
 }
 
 TEST_F(MeshReader, WhatIsNoMeshIsRefused) {
@@ -58,7 +58,7 @@ TEST_F(MeshReader, WhatIsNoMeshIsRefused) {
   expectSays(message(write("part", "solid")), "another kind");
   expectSays(message(write("empty.stl", "")), "an empty file");
   std::filesystem::create_directory(folder / "folder.stl");
-  expectSays(message((folder / "folder.stl").string()), "no plain file");
+  expectSays(message((folder / "folder.stl").string()), "not a regular file");
   expectSays(message(write("words.stl", "here is no mesh at all, only words that go on for a while, on and on and on")),
              "words.stl");
   expectSays(message(write("nothing.stl", "solid nothing\nendsolid nothing\n")), "nothing.stl");
@@ -72,7 +72,7 @@ TEST_F(MeshReader, WhatIsNoMeshIsRefused) {
   ball.vertices[3].x() = std::nan("");
   expectSays(message(write("nan.stl", stlBytes(ball))), "finite");
   const planner::TriangleMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
-  expectSays(message(write("line.stl", stlText(line))), "no face");
+  expectSays(message(write("line.stl", stlText(line))), "degenerate");
 }
 
 TEST_F(MeshReader, ASpoiltFileIsReadOrRefused) {

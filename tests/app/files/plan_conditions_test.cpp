@@ -80,7 +80,7 @@ TEST_F(PlanConditions, BadOnesAreRefused) {
   expectRefused("--dwell -1", "--dwell");
   expectRefused("--dwell nan", "--dwell");
   expectRefused("--first R99C1", "--first");
-  expectRefused("--padding 2", "a base without a covariance");
+  expectRefused("--padding 2", "a base pose without a covariance");
   expectRefused("--padding 99", "--padding");
   write("list.csv", "row,column,dwell_s\n20,40,soon\n");
   const Outcome list = run("plan " + shipped("mockup.yaml") + " --tubes list.csv --out refused");

@@ -162,7 +162,7 @@ TEST(Urdf, RefusesWhatIsNoArm) {
               "<joint name=\"1\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/></joint>"
               "<joint name=\"2\" type=\"continuous\"><parent link=\"b\"/><child link=\"a\"/></joint>"
               "<joint name=\"3\" type=\"continuous\"><parent link=\"b\"/><child link=\"leaf\"/></joint></robot>"),
-      "in a circle");
+      "a closed loop");
   const std::string fork =
       "<link name=\"other\"/><joint name=\"o\" type=\"fixed\"><parent link=\"head\"/><child "
       "link=\"other\"/></joint></robot>";

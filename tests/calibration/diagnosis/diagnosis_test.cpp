@@ -22,7 +22,7 @@ TEST(Verdicts, HaveNamesForFilesAndWordsForReaders) {
 }
 
 TEST(Causes, AreWhatTheirEffectIsOrFreedNumbers) {
-  EXPECT_EQ(std::string(causeWords("base-slip")), "the base has slipped once");
+  EXPECT_EQ(std::string(causeWords("base-slip")), "the base slipped once");
   EXPECT_EQ(std::string(causeWords(kFreedNumbers)), "a number of the arm's file is off");
   EXPECT_EQ(causeVariables("cable-stretch"), (std::vector<std::string>{"moment", "sense"}));
   EXPECT_TRUE(causeVariables(kFreedNumbers).empty());

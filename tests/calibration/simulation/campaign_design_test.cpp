@@ -23,7 +23,7 @@ TEST(SimulatedCampaign, SaysWhyNoPostureServes) {
   options.is_clear = [](int, double load, const Eigen::VectorXd&) { return load < 30 * kPound; };
   const auto blocked = simulateCampaign(truth, designOf(MeasurementKind::kPosition, 1e-4), options);
   EXPECT_EQ(blocked.status, CampaignStatus::kOutOfReach);
-  EXPECT_NE(blocked.reason.find("not clear of the scene"), std::string::npos) << blocked.reason;
+  EXPECT_NE(blocked.reason.find("in collision with the scene"), std::string::npos) << blocked.reason;
   EXPECT_TRUE(blocked.readings.empty()) << "all loads of a posture or none";
 }
 

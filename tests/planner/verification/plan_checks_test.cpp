@@ -118,7 +118,7 @@ TEST_F(Checked, FindingsSayWhere) {
   const auto& first = work_->plan.tubes.front();
   const std::string name = tubesheets::tubeName(first.row, first.column);
   EXPECT_EQ(firstFinding([](Work& work) { work.plan.tubes[0].hole_W.x() += 1e-5; }),
-            name + ": the stated hole is not where the sheet has it");
+            name + ": the stated hole is not at the sheet's position");
   EXPECT_EQ(firstFinding([](Work& work) { work.plan.tubes[0].column = 500; }),
             "R" + std::to_string(first.row) + "C500 is not on this sheet");
   EXPECT_EQ(firstFinding([](Work& work) { work.plan.path[7].time = 0; }), "path row 8: time does not rise");

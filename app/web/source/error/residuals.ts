@@ -1,5 +1,5 @@
 // The readings' errors, measured less predicted, before and after: the diagnosis with the explanation that is chosen,
-// else the model before beside the model as it is now, else the comparison as the model stands and refitted.
+// else the model before beside the model as it is now, else the comparison of the model as given and refitted.
 import {computed, effect, signal} from "@preact/signals";
 import {AS_IT_STANDS, isEnough, REFITTED, withIt, WITHOUT_IT} from "../../../drawing/explanations.js";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";

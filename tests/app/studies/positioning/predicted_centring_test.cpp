@@ -92,7 +92,7 @@ TEST_F(PredictedCentring, isPrinted) {
   const Outcome outcome = run("identify mockup.yaml set/measurements.csv --folds 0 --free tool.joint_stiffness.z");
   expectSays(outcome.out, "predicted centring error over ");
   expectSays(outcome.out, "of 4674 holes");
-  expectSays(outcome.out, "encoders' noise");
+  expectSays(outcome.out, "encoder noise");
 }
 
 }  // namespace
