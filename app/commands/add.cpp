@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/effects_reader.hpp"
@@ -46,7 +47,7 @@ int run(const AddOptions& options) {
 
 Run configureAdd(CLI::App& cli) {
   const auto options = std::make_shared<AddOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option(
       "EFFECT@AT", options->request.causes,
       "effects of the catalogue, each at its place, backlash@tool.z; with sizes, base-slip@base:time=90; at all "

@@ -49,7 +49,7 @@ int run(const CalibrateOptions& options) {
 
 Run configureCalibrate(CLI::App& cli) {
   const auto options = std::make_shared<CalibrateOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
@@ -57,7 +57,7 @@ Run configureCalibrate(CLI::App& cli) {
       "--sigma", options->sigma,
       "standard deviation of a coordinate where neither file nor tool states one, in the cell's length unit");
   addAssumeOption(cli, options->assume);
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

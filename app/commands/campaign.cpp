@@ -10,6 +10,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/checkpoint/tally_checkpoint.hpp"
 #include "app/files/input_error.hpp"
@@ -232,7 +233,7 @@ void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
 
 Run configureCampaign(CLI::App& cli) {
   const auto options = std::make_shared<CampaignOptions>();
-  cli.add_option("CELL", options->request.cell, "the cell file")->required();
+  addCell(cli, options->request.cell);
   cli.add_option("--runs", options->runs, "how many, up to 1000000000")->required();
   cli.add_option("--kind", options->kind, kindHelp())->capture_default_str();
   cli.add_option("--seed", options->request.seed, "seed of the random numbers")
@@ -246,7 +247,7 @@ Run configureCampaign(CLI::App& cli) {
   cli.add_option("--out", options->out,
                  "the folder for results and checkpoint: after a stop the same command continues, also with more runs");
   cli.add_flag("--resume", options->resume, "continue the campaign in the folder; refuse if its options differ");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   configureCentring(cli, options->request);
   configureDiagnosis(cli, options->request);
   return [options] { return run(*options); };

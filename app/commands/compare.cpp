@@ -46,14 +46,14 @@ int run(const CompareOptions& options) {
 
 Run configureCompare(CLI::App& cli) {
   const auto options = std::make_shared<CompareOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
+  addCell(cli, options->cell);
+  addReadings(cli, options->measurements);
   addMeasurementOptions(cli, options->given);
   cli.add_option("--report", options->report, "write a report with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
   cli.add_option("--seed", options->request.seed, "seed of the folds");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

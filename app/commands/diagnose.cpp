@@ -63,8 +63,8 @@ int run(const DiagnoseOptions& options) {
 
 Run configureDiagnose(CLI::App& cli) {
   const auto options = std::make_shared<DiagnoseOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
+  addCell(cli, options->cell);
+  addReadings(cli, options->measurements);
   cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(CLI::Range(1, 4));
   cli.add_option("--next", options->request.next,
                  "how many further readings to propose where the verdict is not conclusive")
@@ -75,7 +75,7 @@ Run configureDiagnose(CLI::App& cli) {
   cli.add_option("--run-sheet", options->run_sheet,
                  "write the proposed readings (CSV), to be filled in and given back after the readings");
   cli.add_option("--report", options->report, "write a self-contained report (HTML) to this file");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/effect_catalogue.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/cell_reader.hpp"
@@ -41,7 +42,7 @@ int run(const EffectsOptions& options) {
 
 Run configureEffects(CLI::App& cli) {
   const auto options = std::make_shared<EffectsOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("EFFECT", options->effect, "this one only");
   cli.add_option("--json", options->json, "write all as JSON to this file, or - for standard output");
   return [options] { return run(*options); };

@@ -59,8 +59,8 @@ int run(const IdentifyOptions& options) {
 
 Run configureIdentify(CLI::App& cli) {
   const auto options = std::make_shared<IdentifyOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
+  addCell(cli, options->cell);
+  addReadings(cli, options->measurements);
   cli.add_option("--free", options->request.free,
                  "parameters to free instead of the cell's `identify`: dotted paths into the arm file "
                  "(tool.joint_stiffness.z), tool.tip, geometry")
@@ -86,7 +86,7 @@ Run configureIdentify(CLI::App& cli) {
   cli.add_option("--drop", options->request.drop, "drop parameters that are not significant at this level (0.05)")
       ->check(CLI::Range(0., 0.5));
   cli.add_option("--seed", options->request.seed, "seed of the initial values and the folds");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

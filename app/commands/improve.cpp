@@ -115,13 +115,13 @@ int run(const ImproveOptions& options) {
 
 Run configureImprove(CLI::App& cli) {
   const auto options = std::make_shared<ImproveOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV), taken together")->required();
+  addCell(cli, options->cell);
+  addReadings(cli, options->measurements);
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
   cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(CLI::Range(1, 20));
   addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

@@ -76,7 +76,7 @@ Run configureLadder(CLI::App& cli) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   cli.add_option("--seed", options->request.seed, "seed of the folds and the holes");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/sheet_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
@@ -91,9 +92,9 @@ int run(const MapOptions& options) {
 
 Run configureMap(CLI::App& cli) {
   const auto options = std::make_shared<MapOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("--csv", options->csv, "write the hole map to this file: row,column,x,y,state");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

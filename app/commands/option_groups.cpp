@@ -4,6 +4,16 @@
 
 namespace tubeplan::app {
 
+void addCell(CLI::App& cli, std::string& cell) { cli.add_option("CELL", cell, "the cell file")->required(); }
+
+void addReadings(CLI::App& cli, ReadingFiles& files) {
+  cli.add_option("MEASUREMENTS", files, "readings of any kind (CSV), taken together")->required();
+}
+
+void addJson(CLI::App& cli, std::string& json) {
+  cli.add_option("--json", json, "write the figures as JSON to this file, or - for standard output");
+}
+
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options) {
   cli.add_option("--sigma", options.sigma,
                  "standard deviation of a coordinate where the file states none, in the cell's length unit");

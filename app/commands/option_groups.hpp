@@ -7,6 +7,10 @@
 
 namespace tubeplan::app {
 
+void addCell(CLI::App& cli, std::string& cell);
+void addReadings(CLI::App& cli, ReadingFiles& files);  ///< MEASUREMENTS, one or several files
+void addJson(CLI::App& cli, std::string& json);
+
 /// --sigma, --prior and --assume, of every command that fits a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 

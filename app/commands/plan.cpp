@@ -10,6 +10,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/plan_files.hpp"
 #include "app/documents/trajectory_yaml.hpp"
@@ -89,7 +90,7 @@ int run(const PlanOptions& options) {
 Run configurePlan(CLI::App& cli) {
   const auto options = std::make_shared<PlanOptions>();
   auto& request = options->request;
-  cli.add_option("CELL", request.cell, "the cell file")->required();
+  addCell(cli, request.cell);
   cli.add_option("--tubes", request.tubes,
                  "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged and "
                  "stabilised ones only by name: all,plugged")

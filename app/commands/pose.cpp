@@ -8,6 +8,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/files/command_inputs.hpp"
@@ -115,7 +116,7 @@ int run(const PoseOptions& options) {
 
 Run configurePose(CLI::App& cli) {
   const auto options = std::make_shared<PoseOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("--joints", options->joints, "joint readings A,B,C,D in the cell's unit of angle")->required();
   cli.add_option("--side-joints", options->side_joints, "joint readings of the arm's side chains (default: zero)");
   cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force");
@@ -128,7 +129,7 @@ Run configurePose(CLI::App& cli) {
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_flag("--all", options->all, "with every frame, force, moment and component's deflection in the JSON");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

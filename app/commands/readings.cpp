@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
 #include "app/files/foreign/foreign_heading.hpp"
@@ -70,7 +71,7 @@ int run(const ReadingsOptions& options) {
 
 Run configureReadings(CLI::App& cli) {
   const auto options = std::make_shared<ReadingsOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("FILES", options->files,
                  "tables (CSV, or text with tabs or blanks): joints and positions together, or a joint log and a "
                  "tracker's points");

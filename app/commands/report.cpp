@@ -9,6 +9,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/printed_page.hpp"
 #include "app/files/atomic_file.hpp"
@@ -68,7 +69,7 @@ Run configureReport(CLI::App& cli) {
   cli.add_option("--pdf", options->pdf, "print it to this file too, by headless Chromium");
   cli.add_option("--files", options->files,
                  "write the readings in use and every model into this folder, as the report's command lines take them");
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

@@ -11,6 +11,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
@@ -19,7 +20,6 @@
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
-#include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/step_experiment.hpp"
 #include "planner/reach/tube_reach.hpp"
 
@@ -48,22 +48,10 @@ struct Scored {
   std::vector<ScoredTube> tubes;
 };
 
-std::vector<calibration::Measurement> touchBy(const planner::Workcell& truth, const planner::Workcell& model,
-                                              std::uint64_t seed) {
-  calibration::TouchSimulationOptions options;
-  options.sigma = touchSigmaOf(model.tool);
-  options.seed = seed;
-  const auto plans = requireTouches(bestTouches(model, touchCandidates(model, 24), 3));
-  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
-  if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError("--truth", simulation.reason, "a true arm that can touch the holes");
-  return simulation.touches;
-}
-
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
                 std::uint64_t seed) {
   Scored result;
-  result.calibration = calibrateBoth(nominal, touchBy(truth, nominal, seed));
+  result.calibration = calibrateBoth(nominal, touchesByTrueArm(nominal, truth, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
   const ScoringModels models = scoringModels(nominal, result.calibration, truth);
   const planner::ArmClearance clearance(models.flexible);
@@ -180,8 +168,9 @@ int runExperiment(const ScoreOptions& options, const planner::Workcell& model, c
   StepExperimentOptions settings;
   settings.runs = options.runs;
   settings.seed = options.seed;
-  if (options.unmodelled >= 0) settings.unmodelled_sigma = units.toInternal(options.unmodelled, dimension::kLength);
-  if (options.stiffness >= 0) settings.stiffness_sigma = options.stiffness;
+  if (options.unmodelled >= 0)
+    settings.spread.unmodelled_sigma = units.toInternal(options.unmodelled, dimension::kLength);
+  if (options.stiffness >= 0) settings.spread.stiffness_sigma = options.stiffness;
   const auto experiment = runStepExperiment(model, truth, settings, terminalHooks());
   if (experiment.runs == 0) {
     fmt::print(stderr, "no run was scored: {}\n", experiment.reason);
@@ -214,7 +203,7 @@ int run(const ScoreOptions& options) {
 
 Run configureScore(CLI::App& cli) {
   const auto options = std::make_shared<ScoreOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("--truth", options->truth, "the cell of the true arm")->required();
   cli.add_option("--tubes", options->tubes, "which tubes, as for plan")->capture_default_str();
   cli.add_option("--runs", options->runs,
@@ -229,7 +218,7 @@ Run configureScore(CLI::App& cli) {
   cli.add_option("--seed", options->seed, "seed of the random numbers")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

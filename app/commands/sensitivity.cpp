@@ -146,7 +146,7 @@ int run(const SensitivityOptions& options) {
 
 Run configureSensitivity(CLI::App& cli) {
   const auto options = std::make_shared<SensitivityOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("--tubes", options->tubes, "tubes at which the accuracy is wanted, as for plan (spread:60)");
   cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
   cli.add_option("--readings", options->readings,
@@ -159,7 +159,7 @@ Run configureSensitivity(CLI::App& cli) {
   cli.add_option("--seed", options->seed, "seed of the random postures")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/simulation_input.hpp"
@@ -66,7 +67,7 @@ std::string designHelp() {
 
 Run configureSimulate(CLI::App& cli) {
   const auto options = std::make_shared<SimulateOptions>();
-  cli.add_option("CELL", options->cell, "the cell file")->required();
+  addCell(cli, options->cell);
   cli.add_option("--design", options->request.design, designHelp())->required();
   cli.add_option("--readings", options->request.readings,
                  "number of readings; a design file may state `postures` instead");

@@ -53,7 +53,7 @@ int run(const TouchesOptions& options) {
 Run configureTouches(CLI::App& cli) {
   const auto options = std::make_shared<TouchesOptions>();
   auto& request = options->request;
-  cli.add_option("CELL", request.cell, "the cell file")->required();
+  addCell(cli, request.cell);
   cli.add_option("--readings", request.readings, "existing readings (CSV), which the proposals complement");
   addAssumeOption(cli, request.assume);
   cli.add_option(
@@ -86,7 +86,7 @@ Run configureTouches(CLI::App& cli) {
   cli.add_option("--seed", request.seed, "seed of the random postures and draws")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

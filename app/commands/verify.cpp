@@ -9,6 +9,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
 #include "app/files/plan_reader.hpp"
 #include "app/files/units.hpp"
@@ -111,7 +112,7 @@ Run configureVerify(CLI::App& cli) {
   const auto options = std::make_shared<VerifyOptions>();
   cli.add_option("CELL", options->cell, "the cell file: sheet, tool and scene to verify against")->required();
   cli.add_option("DIR", options->folder, "the folder of the plan")->required();
-  cli.add_option("--json", options->json, "write the figures as JSON to this file, or - for standard output");
+  addJson(cli, options->json);
   return [options] { return run(*options); };
 }
 

@@ -16,20 +16,6 @@ namespace {
 
 using calibration::BaseCalibration, calibration::CalibrationStatus;
 
-const char* statusName(CalibrationStatus status) {
-  switch (status) {
-    case CalibrationStatus::kNotRun:
-      return "not-run";
-    case CalibrationStatus::kDone:
-      return "done";
-    case CalibrationStatus::kRefused:
-      return "refused";
-    case CalibrationStatus::kNotConverged:
-      return "not-converged";
-  }
-  return "";
-}
-
 /// Covariance in file units; order x, y, z, then the turns about them.
 nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, const Units& units) {
   Eigen::Matrix<double, 6, 1> scale;

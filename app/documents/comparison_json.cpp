@@ -25,22 +25,6 @@ using nlohmann::json;
 
 constexpr std::size_t kWorstShown = 10;
 
-const char* statusName(ComparisonStatus status) {
-  switch (status) {
-    case ComparisonStatus::kNotRun:
-      return "not-run";
-    case ComparisonStatus::kDone:
-      return "done";
-    case ComparisonStatus::kRefused:
-      return "refused";
-    case ComparisonStatus::kNotConverged:
-      return "not-converged";
-    case ComparisonStatus::kStopped:
-      return "stopped";
-  }
-  return "";
-}
-
 json repeatsJson(const Repeats& repeats) {
   return {{"groups", repeats.groups},
           {"readings", repeats.readings},

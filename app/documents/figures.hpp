@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "app/files/units.hpp"
 
@@ -17,8 +19,16 @@ namespace tubeplan::app {
 /// Three lengths.
 [[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
 
-/// "0.0123 in", to so many digits; "an unknown length" where it is not finite.
+/// "0.0123 in", to so many digits; "none" where it is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
+
+/// How a calibration, an identification or a comparison ended; their statuses have these in this order.
+template <class Status>
+[[nodiscard]] std::string_view statusName(Status status) {
+  static constexpr std::array<std::string_view, 5> kNames{"not-run", "done", "refused", "not-converged", "stopped"};
+  static_assert(static_cast<int>(Status::kNotConverged) == 3);
+  return kNames.at(static_cast<std::size_t>(status));
+}
 
 /// A vector in file units, each number rounded to 12 digits.
 [[nodiscard]] nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension);

@@ -17,22 +17,6 @@ namespace {
 using calibration::ErrorSize, calibration::Identification, calibration::IdentificationStatus,
     calibration::Identifiability, calibration::IdentifiedNumber, calibration::Unknown;
 
-const char* statusName(IdentificationStatus status) {
-  switch (status) {
-    case IdentificationStatus::kNotRun:
-      return "not-run";
-    case IdentificationStatus::kDone:
-      return "done";
-    case IdentificationStatus::kRefused:
-      return "refused";
-    case IdentificationStatus::kNotConverged:
-      return "not-converged";
-    case IdentificationStatus::kStopped:
-      return "stopped";
-  }
-  return "";
-}
-
 std::string identifiableText(const IdentifiedNumber& number) {
   if (number.identifiable == Identifiability::kYes) return "yes";
   if (number.identifiable == Identifiability::kNo) return "no";

@@ -10,6 +10,7 @@
 #include "app/studies/measurements/touched_holes.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/steps.hpp"
+#include "calibration/simulation/simulated_touch.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -83,6 +84,26 @@ std::vector<calibration::TouchPlan> requireTouches(BestTouches touches) {
     throw InputError("--touches auto", touches.reason, "holes to touch",
                      "check base, scene and joint limits of the cell");
   return std::move(touches.plans);
+}
+
+std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const planner::Workcell& truth,
+                                          std::uint64_t seed) {
+  constexpr int kCandidates = 24, kTouches = 3;
+  const auto plans = requireTouches(bestTouches(model, touchCandidates(model, kCandidates), kTouches));
+  calibration::TouchSimulationOptions options;
+  options.sigma = touchSigmaOf(model.tool);
+  options.load = truth.load;
+  options.seed = seed;
+  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone)
+    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
+                     "give touches in a file");
+  return std::move(simulation.touches);
+}
+
+void requireEnoughTouches(const std::vector<Measurement>& touches, const std::string& file) {
+  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
+    throw InputError(file, problem, "three or more different holes, well spread", "touch another hole");
 }
 
 std::string touchesCsv(const std::vector<Measurement>& touches, const Cell& cell) {

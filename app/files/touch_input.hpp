@@ -1,6 +1,7 @@
 // Touches out of a measurement file, and the holes that each may have been mistaken for.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ void settleSteps(std::vector<calibration::Measurement>& readings, const tubeshee
 
 /// The holes chosen, or InputError that none could be.
 [[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
+
+/// What the true arm reads at the three holes that place the base best, as `--touches auto`. Throws InputError where it
+/// cannot touch three.
+[[nodiscard]] std::vector<calibration::Measurement> touchesByTrueArm(const planner::Workcell& model,
+                                                                     const planner::Workcell& truth,
+                                                                     std::uint64_t seed);
+
+/// Throws InputError for touches that place no base: too few, or nearly on a line.
+void requireEnoughTouches(const std::vector<calibration::Measurement>& touches, const std::string& file);
 
 /// Touches as a measurement file that `calibrate` reads.
 [[nodiscard]] std::string touchesCsv(const std::vector<calibration::Measurement>& touches, const Cell& cell);

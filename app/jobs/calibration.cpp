@@ -3,7 +3,7 @@
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/step_chances_json.hpp"
 #include "app/files/cell_writer.hpp"
-#include "app/files/input_error.hpp"
+#include "app/files/touch_input.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/positioning/model_error_by_touches.hpp"
 
@@ -11,8 +11,7 @@ namespace tubeplan::app {
 
 CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
                                  const std::string& file) {
-  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
-    throw InputError(file, problem, "three or more different holes, well spread", "touch another hole");
+  requireEnoughTouches(touches, file);
   CalibrationOutcome outcome;
   calibration::BaseCalibrationOptions options;
   if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);

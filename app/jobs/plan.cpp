@@ -12,16 +12,12 @@
 #include "app/files/touch_input.hpp"
 #include "app/files/units.hpp"
 #include "app/files/workcell.hpp"
-#include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/positioning/planned_visits.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-constexpr int kTouchCandidates = 24;
-constexpr int kTouchCount = 3;
 
 planner::Compensation compensationOf(const std::string& name) {
   if (const auto mode = planner::findCompensation(name)) return *mode;
@@ -43,30 +39,15 @@ void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& tr
                      "the cell's (" + cell.sheet.fingerprint() + ")");
 }
 
-std::vector<calibration::Measurement> simulatedTouches(const PlanOutcome& outcome, std::uint64_t seed) {
-  if (!outcome.truth)
+std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
+  if (request.touches == "auto" && !outcome.truth)
     throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
                      "name a true cell, or a file of touches");
-  const auto plans =
-      requireTouches(bestTouches(outcome.nominal, touchCandidates(outcome.nominal, kTouchCandidates), kTouchCount));
-  calibration::TouchSimulationOptions options;
-  options.sigma = touchSigmaOf(outcome.nominal.tool);
-  options.load = outcome.truth->load;
-  options.seed = seed;
-  auto simulation = calibration::simulateTouches(outcome.truth->arm, outcome.truth->X_WB, plans, options);
-  if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
-                     "give touches in a file");
-  return simulation.touches;
-}
-
-std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
-  if (request.touches == "auto") return simulatedTouches(outcome, request.seed);
+  if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, *outcome.truth, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
   const auto touches = touchesOf(readings, outcome.cell, request.touches);
-  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
-    throw InputError(request.touches, problem, "three or more different holes, well spread", "touch another hole");
+  requireEnoughTouches(touches, request.touches);
   return touches;
 }
 
@@ -120,7 +101,14 @@ void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
                      "give --touches, or a cell that `calibrate` wrote");
 }
 
-/// The cell as the planner has it.
+void addTruth(const std::string& file, PlanOutcome& outcome) {
+  outcome.truth = workcellOf(readCell(file), "score against it");
+  outcome.truth->load = outcome.nominal.load;
+  outcome.truth->insertion = outcome.nominal.insertion;
+  requireSameSheet(outcome.nominal, *outcome.truth, file);
+}
+
+/// The cell as the planner has it, and the true one.
 PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   PlanOutcome outcome;
   outcome.cell = cell;
@@ -129,14 +117,14 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   outcome.nominal.load = parseLoad(request.load, outcome.cell.units);
   outcome.nominal.insertion = insertionOf(request, outcome.cell.units);
   outcome.model = outcome.nominal;
+  if (!request.truth.empty()) addTruth(request.truth, outcome);
   return outcome;
 }
 
-void addTruth(const Cell& truth, const std::string& file, PlanOutcome& outcome) {
-  outcome.truth = workcellOf(truth, "score against it");
-  outcome.truth->load = outcome.nominal.load;
-  outcome.truth->insertion = outcome.nominal.insertion;
-  requireSameSheet(outcome.nominal, *outcome.truth, file);
+/// What the work list says beside its tubes, and the request of the way between them.
+void addConditions(const PlanRequest& request, const tubesheets::Selection& selection, PlanOutcome& outcome) {
+  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
+  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
 }
 
 /// Whether the base could be placed by the touches.
@@ -177,12 +165,9 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
 }  // namespace
 
 PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint) {
-  const Cell cell = readCell(request.cell);
-  PlanOutcome outcome = begun(cell, request);
-  if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
+  PlanOutcome outcome = begun(readCell(request.cell), request);
   const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
-  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
-  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
+  addConditions(request, selection, outcome);
   if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
   plan(request, selection.tube_indices, std::move(hooks), &checkpoint, outcome);
   return outcome;
@@ -190,12 +175,10 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
 
 PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks) {
   PlanOutcome outcome = begun(cell, request);
-  if (!request.truth.empty()) addTruth(readCell(request.truth), request.truth, outcome);
   const auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
-  outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
-  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
+  addConditions(request, selection, outcome);
   plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;
 }

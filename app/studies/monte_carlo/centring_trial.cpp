@@ -47,6 +47,12 @@ std::vector<TouchPlan> furthestApart(const std::vector<TouchPlan>& plans, int co
   return chosen;
 }
 
+double meanResidual(const calibration::BaseCalibration& base) {
+  double sum = 0;
+  for (const auto& residual : base.residuals) sum += residual.residual_W.norm();
+  return sum / static_cast<double>(base.residuals.size());
+}
+
 TrialFailure failureOf(const BothCalibrations& base) {
   if (base.flexible.status == CalibrationStatus::kRefused) return TrialFailure::kMistakenHole;
   if (base.flexible.status != CalibrationStatus::kDone) return TrialFailure::kNotConverged;
@@ -161,13 +167,15 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
     touched = drawnHoles(keyOf({options_.seed, run.index, kTouchedKey}), setting.touches, setting.touches);
   else
     for (const auto& hole : fixed_[index]) touched.push_back(&hole);
-  if (touched.empty() || visited.empty()) return {TrialFailure::kTooNarrow, {}};
+  if (touched.empty() || visited.empty()) return {.failure = TrialFailure::kTooNarrow};
   const auto touches = touch(run, touched, setting);
-  if (touches.empty()) return {TrialFailure::kUntouchable, {}};
+  if (touches.empty()) return {.failure = TrialFailure::kUntouchable};
   const auto base =
       calibrateBoth(flexible_, rigid_, X_WB_, sheet_, touches, calibration::LeastSquaresMethod::kLevenbergMarquardt);
   trial.failure = failureOf(base);
-  if (trial.failure == TrialFailure::kNone) trial.visits = visit(run, visited, base);
+  if (trial.failure != TrialFailure::kNone) return trial;
+  trial.touch_error = meanResidual(base.flexible);
+  trial.visits = visit(run, visited, base);
   return trial;
 }
 

@@ -64,6 +64,7 @@ struct TrialVisit {
 /// Of one setting.
 struct Trial {
   TrialFailure failure = TrialFailure::kNone;
+  double touch_error = std::numeric_limits<double>::quiet_NaN();  ///< m, mean residual of the touches
   std::vector<TrialVisit> visits;
 };
 

@@ -1,18 +1,18 @@
-// The thesis's experiment, many times over: three calibration holes, ten test holes of which three are those, a true
-// arm drawn anew each time (Calkins 1994, section 5.5, table 5.7).
+// The thesis's experiment, many times over, as a campaign that touches three of the ten holes it visits: the steps of
+// the tool that go in, run by run (Calkins 1994, section 5.5, table 5.7).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "app/studies/monte_carlo/true_arm.hpp"
-#include "app/studies/positioning/step_score.hpp"
+#include "app/studies/monte_carlo/centring_trial.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::app {
 
-struct StepExperimentOptions : TruthSpread {
+struct StepExperimentOptions {
+  TruthSpread spread;
   int runs = 100;
   std::uint64_t seed = 1;
   int calibration_holes = 3, test_holes = 10;
