@@ -43,61 +43,45 @@ bool moves(const Row<S>& row) {
   return row.joint.type != JointType::kPassive || !row.joint.follows.empty();
 }
 
+/// A number of a row that is given by Denavit-Hartenberg numbers.
+template <class Of>
+ParameterField dhField(const char* name, Quantity quantity, Of) {
+  const double most = quantity == Quantity::kAngle ? kFullTurn : kInfinity;
+  return field(name, quantity, -most, most, [](auto& r, int) {
+    auto* dh = dhOf(r);
+    return dh ? Of{}(*dh) : nullptr;
+  });
+}
+
+/// A number of a row that is given by its origin.
+template <class Of>
+ParameterField originField(const char* name, Quantity quantity, Of) {
+  const double most = quantity == Quantity::kAngle ? kFullTurn : kInfinity;
+  return field(name, quantity, -most, most, [](auto& r, int) {
+    auto* origin = originOf(r);
+    return origin ? Of{}(*origin) : nullptr;
+  });
+}
+
 }  // namespace
 
 const std::vector<ParameterField>& parameterFields() {
   using Q = Quantity;
   static const std::vector<ParameterField> kFields{
-      field("dh.alpha", Q::kAngle, -kFullTurn, kFullTurn,
-            [](auto& r, int) {
-              auto* dh = dhOf(r);
-              return dh ? &dh->alpha : nullptr;
-            }),
-      field("dh.a", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) {
-              auto* dh = dhOf(r);
-              return dh ? &dh->a : nullptr;
-            }),
-      field("dh.d", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) {
-              auto* dh = dhOf(r);
-              return dh ? &dh->d : nullptr;
-            }),
+      dhField("dh.alpha", Q::kAngle, [](auto& dh) { return &dh.alpha; }),
+      dhField("dh.a", Q::kLength, [](auto& dh) { return &dh.a; }),
+      dhField("dh.d", Q::kLength, [](auto& dh) { return &dh.d; }),
       field("dh.theta", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) {
               auto* dh = dhOf(r);
               return dh && !moves(r) ? &dh->theta : nullptr;
             }),
-      field("origin.position.x", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) {
-              auto* o = originOf(r);
-              return o ? &o->position[0] : nullptr;
-            }),
-      field("origin.position.y", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) {
-              auto* o = originOf(r);
-              return o ? &o->position[1] : nullptr;
-            }),
-      field("origin.position.z", Q::kLength, -kInfinity, kInfinity,
-            [](auto& r, int) {
-              auto* o = originOf(r);
-              return o ? &o->position[2] : nullptr;
-            }),
-      field("origin.rpy.r", Q::kAngle, -kFullTurn, kFullTurn,
-            [](auto& r, int) {
-              auto* o = originOf(r);
-              return o ? &o->rpy[0] : nullptr;
-            }),
-      field("origin.rpy.p", Q::kAngle, -kFullTurn, kFullTurn,
-            [](auto& r, int) {
-              auto* o = originOf(r);
-              return o ? &o->rpy[1] : nullptr;
-            }),
-      field("origin.rpy.y", Q::kAngle, -kFullTurn, kFullTurn,
-            [](auto& r, int) {
-              auto* o = originOf(r);
-              return o ? &o->rpy[2] : nullptr;
-            }),
+      originField("origin.position.x", Q::kLength, [](auto& origin) { return &origin.position[0]; }),
+      originField("origin.position.y", Q::kLength, [](auto& origin) { return &origin.position[1]; }),
+      originField("origin.position.z", Q::kLength, [](auto& origin) { return &origin.position[2]; }),
+      originField("origin.rpy.r", Q::kAngle, [](auto& origin) { return &origin.rpy[0]; }),
+      originField("origin.rpy.p", Q::kAngle, [](auto& origin) { return &origin.rpy[1]; }),
+      originField("origin.rpy.y", Q::kAngle, [](auto& origin) { return &origin.rpy[2]; }),
       field("joint.offset", Q::kAngle, -kFullTurn, kFullTurn,
             [](auto& r, int) { return moves(r) ? &r.joint.offset : nullptr; }),
       field("joint_stiffness.x", Q::kTorquePerAngle, kTiny, kInfinity,
