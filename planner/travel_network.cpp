@@ -122,7 +122,8 @@ const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
 
 double TravelNetwork::timeOf(const MotionPlan& plan) const {
   if (plan.status != MotionPlanStatus::kFree) return std::numeric_limits<double>::infinity();
-  return plan.flows ? timeFlow(plan.waypoints, context_.speeds).duration : timePolyline(plan.waypoints, context_.speeds).duration;
+  return plan.flows ? timeFlow(plan.waypoints, context_.speeds).duration
+                    : timePolyline(plan.waypoints, context_.speeds).duration;
 }
 
 }  // namespace tubeplan::planner
