@@ -43,24 +43,25 @@ bool moves(const Row<S>& row) {
   return row.joint.type != JointType::kPassive || !row.joint.follows.empty();
 }
 
-/// A number of a row that is given by Denavit-Hartenberg numbers.
-template <class Of>
-ParameterField dhField(const char* name, Quantity quantity, Of) {
+/// A number of what places a row, of rows that are placed so.
+template <class Find, class Of>
+ParameterField placementField(const char* name, Quantity quantity, Find, Of) {
   const double most = quantity == Quantity::kAngle ? kFullTurn : kInfinity;
   return field(name, quantity, -most, most, [](auto& r, int) {
-    auto* dh = dhOf(r);
-    return dh ? Of{}(*dh) : nullptr;
+    auto* placement = Find{}(r);
+    return placement ? Of{}(*placement) : nullptr;
   });
 }
 
-/// A number of a row that is given by its origin.
 template <class Of>
-ParameterField originField(const char* name, Quantity quantity, Of) {
-  const double most = quantity == Quantity::kAngle ? kFullTurn : kInfinity;
-  return field(name, quantity, -most, most, [](auto& r, int) {
-    auto* origin = originOf(r);
-    return origin ? Of{}(*origin) : nullptr;
-  });
+ParameterField dhField(const char* name, Quantity quantity, Of of) {
+  return placementField(
+      name, quantity, [](auto& r) { return dhOf(r); }, of);
+}
+template <class Of>
+ParameterField originField(const char* name, Quantity quantity, Of of) {
+  return placementField(
+      name, quantity, [](auto& r) { return originOf(r); }, of);
 }
 
 }  // namespace
