@@ -37,10 +37,8 @@ int run(const DiagnoseOptions& options) {
   if (!options.report.empty())
     writeFileAtomically(options.report, diagnosisPage(input, options.request.seed, outcome.figures), "--report");
   writeJson(options.json, outcome.figures);
-  std::string sheet;
-  if (!options.run_sheet.empty())
-    sheet = runSheetCsv(outcome.next, outcome.candidates, input.readings, input.cell.arm, input.cell.units);
-  if (!sheet.empty()) writeFileAtomically(options.run_sheet, sheet, "--run-sheet");
+  const std::string& sheet = outcome.run_sheet;
+  if (!options.run_sheet.empty() && !sheet.empty()) writeFileAtomically(options.run_sheet, sheet, "--run-sheet");
   if (!printsText(options.json)) return kDone;
   const Units& units = input.cell.units;
   fmt::print("{}", checksText(input.checks, units));

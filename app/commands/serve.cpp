@@ -15,6 +15,7 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/files/input_error.hpp"
 #include "app/workbench/http_server.hpp"
+#include "app/workbench/job_routes.hpp"
 #include "app/workbench/line_server.hpp"
 #include "app/workbench/live.hpp"
 
@@ -53,6 +54,13 @@ void openBrowser(std::string address) {
     fmt::print(stderr, "no browser could be opened\n");
 }
 
+/// Readings are compared as soon as they are here, however they came.
+void compareAtOnce(Workbench& workbench) {
+  const Session session = workbench.session();
+  const int model = currentModel(session).id;
+  if (session.readings && !findResult(session, "compare", model)) (void)beginComparison(workbench, {}, true);
+}
+
 int run(const ServeOptions& options) {
   requireToken(options.door);
   Workbench workbench(options.workbench);
@@ -67,6 +75,7 @@ int run(const ServeOptions& options) {
   std::fflush(stdout);
   if (options.open) openBrowser(server.address());
   std::thread serving([&server] { server.run(); });
+  compareAtOnce(workbench);
   WatchedFile watched(options.watch);
   while (!stopRequested()) {
     std::this_thread::sleep_for(kGlanceAtArm);

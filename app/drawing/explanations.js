@@ -1,5 +1,5 @@
 // Effects and explanations of a diagnosis in words. What an effect is stands beside its name in the documents.
-import {isNumber, percent} from "./numbers.js";
+import {inverseUnit, isNumber, percent, short} from "./numbers.js";
 import {withSigma} from "./sigma_text.js";
 
 /**
@@ -39,8 +39,17 @@ function tellingNumbers({parameters}) {
 /** "half width 0.0586 +- 0.0010 deg". @param {FoundEffect} effect */
 export function sizeText(effect) {
   return tellingNumbers(effect)
-    .map(({name, value, sigma, unit}) => `${name} ${withSigma(value, sigma, unit)}`)
+    .map((number) => `${number.name} ${withSigma(number.value, number.sigma, number.unit)}${stiffnessText(number)}`)
     .join(", ");
+}
+
+/**
+ * Drawings and data sheets have the stiffness, not its inverse: said where the compliance is known well enough.
+ * @param {NamedNumber} number
+ */
+function stiffnessText({name, value, sigma, unit}) {
+  const isKnown = /compliance/.test(name) && value > 0 && (!isNumber(sigma) || sigma < 0.3 * value);
+  return isKnown && unit ? ` (stiffness ${short(1 / value)} ${inverseUnit(unit)})` : "";
 }
 
 /** How much of what an effect does shows in the readings; empty where that is not known. @param {unknown} fraction */

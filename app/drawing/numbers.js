@@ -34,6 +34,19 @@ export function exact(value) {
   return isNumber(value) ? value.toLocaleString("en", {maximumSignificantDigits: 6}).replace("-", "\u2212") : MISSING;
 }
 
+/**
+ * Ticks of one axis, all to the decimals that their step needs: 0.05, 0.10. @param {readonly number[]} values
+ * @returns {string[]}
+ */
+export function tickTexts(values) {
+  const steps = values.slice(1).map((value, k) => Math.abs(value - values[k]));
+  const step = Math.min(...steps.filter((size) => size > 0));
+  const most = Math.max(...values.map(Math.abs));
+  if (!isNumber(step) || most >= 1e6 || most < 5e-4) return values.map(short);
+  const digits = [0, 1, 2, 3, 4, 5, 6, 7].find((n) => Math.abs(step * 10 ** n - Math.round(step * 10 ** n)) < 1e-6) ?? 7;
+  return values.map((value) => (Math.abs(value) < 1e-9 * most ? "0" : fixed(value, digits)));
+}
+
 /** @param {unknown} value */
 export function whole(value) {
   return fixed(value, 0);
@@ -94,5 +107,23 @@ export function plural(count, one, many = `${one}s`) {
 
 /** A unit behind a figure; none where it is 1. @param {unknown} unit */
 export function unitText(unit) {
-  return typeof unit !== "string" || unit === "" || unit === "1" ? "" : `\u00a0${unit.replace("degree", "deg")}`;
+  return typeof unit !== "string" || unit === "" || unit === "1" ? "" : `\u00a0${plainUnit(unit)}`;
+}
+
+const POWERS = {"^2": "\u00b2", "^3": "\u00b3", "^4": "\u2074"};
+
+/** As drawings write it: deg/(lbf\u00b7in), not deg/lbf/in. @param {string} unit */
+export function plainUnit(unit) {
+  const [over, ...under] = unit
+    .replace("degree", "deg")
+    .replace(/\^[234]/g, (power) => POWERS[/** @type {keyof typeof POWERS} */ (power)])
+    .replaceAll("*", "\u00b7")
+    .split("/");
+  return under.length > 1 ? `${over}/(${under.join("\u00b7")})` : [over, ...under].join("/");
+}
+
+/** Of one over a figure: lbf\u00b7in/deg of deg/lbf/in. @param {string} unit */
+export function inverseUnit(unit) {
+  const [over, ...under] = unit.split("/");
+  return plainUnit(`${under.join("*") || "1"}${over === "1" ? "" : `/${over}`}`);
 }

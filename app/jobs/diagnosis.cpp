@@ -76,6 +76,8 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   requireGoingOn(hooks);
   outcome.figures = diagnosisJson(outcome.diagnosis, readings, cell.units);
   addNextReadings(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
+  outcome.run_sheet = runSheetCsv(outcome.next, outcome.candidates, readings, cell.arm, cell.units);
+  if (!outcome.run_sheet.empty()) outcome.figures["run_sheet"] = outcome.run_sheet;
   outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);
   addChecks(input.checks, cell.units, outcome.figures);
   return outcome;

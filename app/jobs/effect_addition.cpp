@@ -57,6 +57,21 @@ void addCause(Addition& addition, const std::string& text) {
   addOrRefuse(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
 }
 
+/// Holds a name of `identify`, or takes an effect out with all numbers of it that were free.
+void removeOrRefuse(Cell& cell, const std::string& cause) {
+  const std::string freed = fmt::format("{}@", calibration::kFreedNumbers);
+  const bool is_name = cause.starts_with(freed);
+  const std::string name = is_name ? cause.substr(freed.size()) : cause + ".";
+  const auto is_gone = [&](const std::string& own) { return is_name ? own == name : own.starts_with(name); };
+  std::size_t effects = 0;
+  if (!is_name)
+    effects = std::erase_if(cell.arm.effects,
+                            [&](const Effect& own) { return deflection::textOf(cell.arm, own) == cause; });
+  const std::size_t names = std::erase_if(cell.identify, is_gone);
+  if (effects + (is_name ? names : 0) == 0)
+    throw InputError(kWhere, inQuotes(cause) + ", which the model does not have", "an effect or a free number of it");
+}
+
 }  // namespace
 
 Addition addToCell(const Cell& cell, const AdditionRequest& request) {
@@ -74,6 +89,13 @@ Addition addToCell(const Cell& cell, const AdditionRequest& request) {
     addOrRefuse(addition, parseFormula(request.formula, addition.cell.arm, cell.units, "--formula", target));
   freeAdded(addition.cell, addition);
   return addition;
+}
+
+Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes) {
+  if (causes.empty()) throw InputError(kWhere, "nothing", "EFFECT@AT or free@NAME of the model");
+  Cell without = cell;
+  for (const auto& cause : causes) removeOrRefuse(without, cause);
+  return without;
 }
 
 std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out) {

@@ -26,6 +26,10 @@ struct Addition : AddedCauses {
 /// Throws InputError for nothing, an effect that the cell has already, or what the readers of effects refuse.
 [[nodiscard]] Addition addToCell(const Cell& cell, const AdditionRequest& request);
 
+/// The cell without these: each an effect, EFFECT@AT, with its numbers in `identify`, or free@NAME, a name of `identify`
+/// that is held again at the value it has. Throws InputError for what the cell does not have.
+[[nodiscard]] Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes);
+
 /// The cell's text with what was added, to be written at `out`.
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);
 

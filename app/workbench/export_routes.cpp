@@ -65,6 +65,13 @@ std::string exportedTemplate(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return measurementsCsv({}, cell.arm, cell.units);
 }
+/// The readings that the diagnosis proposes, to be filled in.
+std::string exportedRunSheet(const Session& s) {
+  const auto figures = figuresOf(s, "diagnose");
+  const auto sheet = figures.find("run_sheet");
+  if (sheet == figures.end()) throw InputError("export", "no readings proposed", "a diagnosis that leaves something open");
+  return sheet->get<std::string>();
+}
 std::string exportedPlan(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
 std::string pathText(const Session& s) { return pathCsv(planOf(s)); }
 std::string workListText(const Session& s) { return workListCsv(planOf(s)); }
@@ -89,6 +96,7 @@ constexpr Export kExports[] = {
     {"cell-arm.yaml", "application/yaml", exportedArm},
     {"measurements.csv", "text/csv", exportedReadings},
     {"template.csv", "text/csv", exportedTemplate},
+    {"run-sheet.csv", "text/csv", exportedRunSheet},
     {"touches.csv", "text/csv", touchesText},
     {"plan.json", "application/json", exportedPlan},
     {"path.csv", "text/csv", pathText},

@@ -6,6 +6,7 @@
 
 #include "app/files/reading_input.hpp"
 #include "app/jobs/comparison.hpp"
+#include "app/jobs/diagnosis.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/workbench.hpp"
@@ -25,6 +26,9 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 /// The comparison of what is there as a job; with the ladder over the stack, which is told as soon as it is there: the
 /// current model is fitted once for both.
 [[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
+
+/// The diagnosis of what is there as a job.
+[[nodiscard]] Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked);
 
 /// What work tells becomes the job's stages; a job asked to stop ends wherever it is.
 [[nodiscard]] WorkHooks hooksOf(JobContext& context);

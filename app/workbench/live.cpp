@@ -109,7 +109,9 @@ std::size_t takeArrived(Workbench& workbench, const std::string& text, const std
 
 void joinArrived(Workbench& workbench) {
   if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;
+  bool was_diagnosed = false;
   workbench.change([&](Session& session) {
+    was_diagnosed = findResult(session, "diagnose", currentModel(session).id) != nullptr;
     auto joined = session.readings ? std::make_shared<ReadingSet>(*session.readings) : std::make_shared<ReadingSet>();
     if (joined->name.empty()) joined->name = "live";
     const auto arrived = workbench.arrivals().hand();
@@ -120,6 +122,7 @@ void joinArrived(Workbench& workbench) {
     return true;
   });
   (void)beginComparison(workbench, {}, true);
+  if (was_diagnosed) (void)beginDiagnosis(workbench, {});
 }
 
 void WatchedFile::look(Workbench& workbench) {

@@ -27,11 +27,8 @@ constexpr int kMostSimulated = 5000;
 
 Answer diagnose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const DiagnosisRequest asked{integerOf(body, "effects", 3, 1, 4), integerOf(body, "next", 6, 1, 50), seedOf(body)};
-  return beginResultJob(workbench, "diagnose", "what the model lacks",
-                        [asked](const Session& began, JobContext& context) {
-                          return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
-                        });
+  return beginDiagnosis(workbench,
+                        {integerOf(body, "effects", 3, 1, 4), integerOf(body, "next", 6, 1, 50), seedOf(body)});
 }
 
 bool givesWay(const deflection::Arm& arm) {
@@ -159,6 +156,27 @@ Answer add(Workbench& workbench, const Request& request) {
   });
 }
 
+/// {"causes": ["hysteresis@theta4", "free@tool.tip"]}: a model without these effects, these numbers held, fitted again.
+Answer remove(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const auto causes = textsOf(body, "causes");
+  const std::uint64_t seed = seedOf(body);
+  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refused at once, if at all
+  const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
+  return beginJob(workbench, "remove", label, [=, &workbench](JobContext& context) {
+    const Session began = workbench.session();
+    CellReadings input = inputOf(began);
+    const Cell without = withoutCauses(input.cell, causes);
+    input.cell = rereadCell(input.cell, cellTextWithEffects(without, without.arm, {}, without.path));
+    IdentificationRequest fit;
+    fit.seed = seed;
+    const auto outcome = identifyModel(input, fit, hooksOf(context));
+    requireFitted(outcome, input);
+    finishFit(workbench, began, label, "without", fittedCell(input, outcome.fit), outcome.figures, seed, context);
+    return "identify";
+  });
+}
+
 Answer improve(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
@@ -241,7 +259,8 @@ Answer simulate(Workbench& workbench, const Request& request) {
 
 constexpr Route kLoopRoutes[] = {
     {"POST", "compare", compare}, {"POST", "diagnose", diagnose}, {"POST", "identify", identify}, {"POST", "add", add},
-    {"POST", "ladder", ladder},   {"POST", "improve", improve},   {"POST", "simulate", simulate},
+    {"POST", "remove", remove},   {"POST", "ladder", ladder},     {"POST", "improve", improve},
+    {"POST", "simulate", simulate},
 };
 
 }  // namespace
@@ -256,6 +275,13 @@ Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, boo
                           tellLadder(workbench, began, asked.seed, fit, context);
                           const bool is_made = fit.status == calibration::IdentificationStatus::kDone;
                           return compareModel(input, asked, hooksOf(context), is_made ? &fit : nullptr).figures;
+                        });
+}
+
+Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked) {
+  return beginResultJob(workbench, "diagnose", "what the model lacks",
+                        [asked](const Session& began, JobContext& context) {
+                          return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
                         });
 }
 

@@ -1,5 +1,9 @@
 // The shared state, its results, undo and the jobs.
+#include <algorithm>
+#include <limits>
+
 #include "app/files/input_error.hpp"
+#include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -42,6 +46,21 @@ Answer step(Workbench& workbench, bool back) {
 Answer undo(Workbench& workbench, const Request&) { return step(workbench, true); }
 Answer redo(Workbench& workbench, const Request&) { return step(workbench, false); }
 
+/// {"model": id}: any model of the stack becomes the current one; those above it stay there to be done again.
+Answer goTo(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const int id = integerOf(body, "model", -1, 0, std::numeric_limits<int>::max());
+  const bool found = workbench.change([&](Session& session) {
+    const auto at = std::find_if(session.models.begin(), session.models.end(),
+                                 [&](const ModelPointer& model) { return model->id == id; });
+    if (at == session.models.end()) return false;
+    session.current = static_cast<std::size_t>(at - session.models.begin());
+    return true;
+  });
+  if (!found) return refusal(404, InputError("model", std::to_string(id), "the number of a model"));
+  return answerOf(stateJson(workbench));
+}
+
 Answer cancel(Workbench& workbench, const Request& request) {
   const auto id = tubesheets::parseNumber(request.words[1]);
   const bool is_id = id && *id >= 0 && *id < 1e9;
@@ -51,8 +70,8 @@ Answer cancel(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kStateRoutes[] = {
-    {"GET", "state", state}, {"GET", "results/*", result},      {"POST", "undo", undo},
-    {"POST", "redo", redo},  {"POST", "jobs/*/cancel", cancel},
+    {"GET", "state", state}, {"GET", "results/*", result}, {"POST", "undo", undo},
+    {"POST", "redo", redo},  {"POST", "models/go", goTo},  {"POST", "jobs/*/cancel", cancel},
 };
 
 }  // namespace

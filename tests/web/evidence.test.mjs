@@ -22,8 +22,7 @@ async function compared(name, hide, more = {}) {
   simulate(made.folder, name, {hide, seed: 7, ...more});
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
   const tab = await openTab(browser, `${server.address}#error`);
-  await tab.click(".next:has-text('Compare')"); // waits until the page is there
-  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000});
+  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared at once
   await tab.waitForSelector(".rung >> text=as given, rigid"); // the ladder, not what the comparison shows before it
   await tab.waitForFunction(() => !document.querySelector(".job"));
   return {

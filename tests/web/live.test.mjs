@@ -115,7 +115,6 @@ describe("readings of a running arm", () => {
     const server = await serve(made.folder, "bench.yaml", [file, "--watch", watched]);
     const tab = await openTab(browser, `${server.address}#error`);
     const count = (n) => tab.waitForSelector(`.verdict-figures dd:has-text("${n}")`, {timeout: 20000});
-    await tab.click(".next:has-text('Compare')");
     await count(60);
     const send = (some) =>
       fetch(`${server.address}api/live/readings`, {

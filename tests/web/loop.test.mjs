@@ -5,7 +5,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, server, browser;
 
@@ -28,19 +28,6 @@ after(async () => {
 async function timesFloor(tab) {
   const text = await tab.locator(".rung.now .bar-text").last().innerText();
   return Number(/([\d.]+) × floor/.exec(text)[1]);
-}
-
-/** Drops a file on the page as a hand would. */
-async function drop(tab, name, text) {
-  const data = await tab.evaluateHandle(
-    ([file, content]) => {
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([content], file, {type: "text/csv"}));
-      return transfer;
-    },
-    [name, text],
-  );
-  await tab.dispatchEvent("main", "drop", {dataTransfer: data});
 }
 
 describe("the loop", () => {
@@ -107,7 +94,6 @@ describe("the loop", () => {
     simulate(made.folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 1500, seed: 8});
     const own = await serve(made.folder, "bench.yaml", [path.join(made.folder, "many.csv")]);
     const tab = await openTab(browser, `${own.address}#error`);
-    await tab.click(".next:has-text('Compare')");
     await tab.click(".next:has-text('Diagnose'):not([disabled])", {timeout: 120000});
     await tab.waitForSelector(".job >> text=/catalogue|effects/", {timeout: 60000});
     const start = Date.now();

@@ -191,7 +191,6 @@ async function hoverLatency(browser, folder) {
   const file = simulate(folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 10000});
   const own = await serve(folder, "bench.yaml", [file]);
   const tab = await openTab(browser, `${own.address}#error`);
-  await tab.click(".next:has-text('Compare')");
   await tab.waitForSelector(".residual-plot .u-over", {timeout: 120000});
   await tab.waitForFunction(() => !document.querySelector(".job"), null, {timeout: 120000});
   await tab.waitForTimeout(3000);
@@ -354,7 +353,6 @@ async function pictures(browser, folder, into) {
       await shoot(tab, `error-${step}-${name}`);
     }
   };
-  await lead.click(".next:has-text('Compare')");
   await lead.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {
     timeout: 60000,
   });

@@ -51,7 +51,7 @@ export function simulate(folder, name, options) {
       "--seed",
       String(options.seed ?? 7),
       "--spread",
-      "0.1",
+      options.spread ?? "0.1",
       ...(options.hide ? ["--hide", options.hide] : []),
       "--out",
       out,
@@ -62,6 +62,16 @@ export function simulate(folder, name, options) {
   cpSync(path.join(out, "measurements.csv"), file);
   rmSync(out, {recursive: true});
   return file;
+}
+
+/** The cell with an arm whose file states no weights, as NAME-weightless.yaml. */
+export function writeWeightless(folder, cell) {
+  const text = readFileSync(path.join(folder, `${cell}.yaml`), "utf8"),
+    arm = /^arm: (\S+)/m.exec(text)[1];
+  const bare = readFileSync(path.join(folder, arm), "utf8").replace(/^ *weight: .*\n/gm, "");
+  writeFileSync(path.join(folder, `weightless-${arm}`), bare);
+  writeFileSync(path.join(folder, `${cell}-weightless.yaml`), text.replace(`arm: ${arm}`, `arm: weightless-${arm}`));
+  return `${cell}-weightless`;
 }
 
 /** The mock-up with another sheet: a full disc of 15,529 holes. */
@@ -219,4 +229,17 @@ export async function openTab(browser, address, options = {}) {
   tab.on("pageerror", (error) => tab.errors.push(error.stack ?? error.message));
   await tab.goto(address);
   return tab;
+}
+
+/** Drops a file on the page as a hand would. */
+export async function drop(tab, name, text) {
+  const data = await tab.evaluateHandle(
+    ([file, content]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], file, {type: "text/csv"}));
+      return transfer;
+    },
+    [name, text],
+  );
+  await tab.dispatchEvent("main", "drop", {dataTransfer: data});
 }

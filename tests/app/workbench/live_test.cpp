@@ -109,6 +109,25 @@ TEST_F(LiveTest, ReadingsJoinTheOthersAndAreCompared) {
   EXPECT_EQ(send("id,kind\n").status, 422);
 }
 
+TEST_F(LiveTest, AReadingThatJoinsMovesThePosterior) {
+  serve("bench.yaml");
+  simulate();
+  const auto kindsSince = [&](std::size_t first) {
+    std::vector<std::string> kinds;
+    const auto jobs = get("/api/state").body["jobs"];
+    for (std::size_t k = first; k < jobs.size(); ++k) kinds.push_back(jobs[k]["kind"]);
+    return kinds;
+  };
+  ASSERT_EQ(send(kHeader + row(1001)).status, 202);
+  EXPECT_EQ(kindsSince(1), std::vector<std::string>{"compare"}) << "nobody asked for a diagnosis yet";
+  (void)ended(get("/api/state").body["jobs"].back()["id"]);
+  done("/api/diagnose", {{"effects", 1}});
+  ASSERT_EQ(send(kHeader + row(1002)).status, 202);
+  EXPECT_EQ(kindsSince(3), (std::vector<std::string>{"compare", "diagnose"}));
+  EXPECT_EQ(ended(get("/api/state").body["jobs"].back()["id"])["status"], "done");
+  EXPECT_EQ(get("/api/results/diagnose").body["readings"].size(), 32u);
+}
+
 TEST_F(LiveTest, AWatchedFileIsReadByWholeRowsOnceEach) {
   serve("bench.yaml");
   const auto file = folder / "watched.csv";

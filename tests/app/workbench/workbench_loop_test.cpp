@@ -54,6 +54,38 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   EXPECT_EQ(state["can_redo"], false);
 }
 
+TEST_F(WorkbenchLoop, anyStepIsGoneBackToAndEffectsAndFreeNumbersAreSwitchedOff) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/add", {{"causes", {"joint-offset@theta3"}}});
+  const json with = get("/api/results/ladder").body["rungs"].back();
+  EXPECT_EQ(post("/api/models/go", {{"model", 7}}).status, 404);
+  EXPECT_EQ(post("/api/remove", {{"causes", {"joint-offset@theta2"}}}).status, 422);
+  EXPECT_EQ(post("/api/remove", {{"causes", {"free@forearm.dh.a"}}}).status, 422);
+
+  done("/api/remove", {{"causes", {"joint-offset@theta3"}}});
+  json state = get("/api/state").body;
+  ASSERT_EQ(state["models"].size(), 3u);
+  EXPECT_TRUE(state["models"][2]["effects"].empty());
+  EXPECT_EQ(state["models"][2]["free"], state["models"][0]["free"]) << "its numbers go with it";
+  const json ladder = get("/api/results/ladder").body["rungs"];
+  ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, with the offset, without it
+  EXPECT_GT(ladder[3]["rms"]["heldout"], 2 * ladder[2]["rms"]["heldout"].get<double>());
+  EXPECT_NEAR(ladder[3]["rms"]["fitted"], ladder[1]["rms"]["fitted"], 1e-6);
+
+  const std::string held = state["models"][2]["free"][0];
+  done("/api/remove", {{"causes", {"free@" + held}}});
+  const json free = get("/api/state").body["models"][3]["free"];
+  EXPECT_EQ(free.size() + 1, state["models"][2]["free"].size());
+  EXPECT_EQ(std::find(free.begin(), free.end(), held), free.end());
+
+  state = post("/api/models/go", {{"model", 1}}).body;
+  EXPECT_EQ(state["model"], 1);
+  EXPECT_EQ(state["models"].size(), 4u);
+  EXPECT_EQ(get("/api/results/ladder").body["rungs"].back(), with);
+  EXPECT_EQ(post("/api/models/go", {{"model", 3}}).body["can_redo"], false);
+}
+
 TEST_F(WorkbenchLoop, readingsSetAsideAreSeenByNoFitUntilTheyAreTakenBack) {
   serve("bench.yaml");
   EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"1"}}}).status, 404);

@@ -12,7 +12,7 @@ import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
-import {chosenExplanation} from "./residuals";
+import {chosenExplanation, letterOf} from "./residuals";
 
 type Shown = Pick<Explanation, "effects"> & Partial<Explanation>;
 type Row = ReturnType<typeof rankingRows<RankedEffect>>[number];
@@ -29,7 +29,7 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
           explanation={explanation}
           index={index}
           document={document}
-          letter={explanations.length > 1 ? String.fromCharCode(65 + index) : ""}
+          letter={explanations.length > 1 ? letterOf(index) : ""}
         />
       ))}
       <RankingTable rows={rows.slice(0, MOST_RANKED)} />

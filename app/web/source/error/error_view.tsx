@@ -30,6 +30,7 @@ import {
 } from "./loop";
 import {ParameterTable} from "./parameter_table";
 import {ReadingChecks} from "./reading_checks";
+import {runSheet} from "./run_sheet";
 import {ResidualPlot} from "./residual_plot";
 import {SelectionBar} from "./selection_bar";
 import {Splitting} from "./splitting";
@@ -118,7 +119,7 @@ export function ErrorView() {
 
 function VerdictBand() {
   const now = answer.value;
-  const job = runningJob("compare", "diagnose", "add", "identify", "ladder");
+  const job = runningJob("compare", "diagnose", "add", "remove", "identify", "ladder");
   const document = currentDiagnosis.value ?? currentComparison.value;
   return (
     <section class="panel verdict" aria-live="polite">
@@ -261,6 +262,7 @@ function TabBody() {
       <p class="muted">The fitted numbers stand here once an effect is added or the model is identified.</p>
     );
   }
+  if (tab.value === "split" && (found.document || runSheet.value)) return <Splitting document={found.document} />;
   if (runningJob("diagnose")) return <Waiting words="Trying every effect at every place" isBusy />;
   if (found.problem) return <ProblemWords problem={found.problem} />;
   if (!found.document) {
@@ -273,7 +275,6 @@ function TabBody() {
       </div>
     );
   }
-  if (tab.value === "split") return <Splitting document={found.document} />;
   return (
     <>
       {found.document.warnings.map((entry) => (

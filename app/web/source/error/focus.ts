@@ -8,7 +8,7 @@ import {compare, currentDiagnosis} from "./loop";
 import {moments} from "./moments";
 import {followedShare, viewOfCause, type View} from "./own_variable";
 import {findPart, jointKey, partsOf, type Part} from "./parts";
-import {readingErrors, type ReadingErrors} from "./residuals";
+import {errorsBeside, readingErrors, type ReadingErrors} from "./residuals";
 import {findVariable, variablesOf, type Variable} from "../../../drawing/variables.js";
 
 export const variables = computed<Variable[]>(() => {
@@ -100,6 +100,17 @@ export const suggestedFormula = computed(() => {
 function lawOf({key, kind}: Variable): string {
   return kind === "joint" ? `c*sin(${key}) + d*cos(${key})` : `c*${key}`;
 }
+
+/** Where the explanation that stands beside the drawn one shows. */
+export const viewBeside = computed<View | null>(() => {
+  const errors = errorsBeside.value;
+  if (!errors) return null;
+  const own =
+    errors.causes.length > 0
+      ? viewOfCause(errors.causes[0], doneBy(errors), errors.readings, variables.value, parts.value)
+      : null;
+  return own ?? suggestedView.value;
+});
 
 // ---- a choice by hand
 

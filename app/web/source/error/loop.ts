@@ -34,6 +34,11 @@ export async function addEffects(effects: EffectAt[]): Promise<void> {
   if (await runJob("Add", "/api/add", {causes})) await startCompare();
 }
 
+/** Takes effects out of the model, or holds numbers (free@NAME) that were fitted; refits, and looks at what is left. */
+export async function removeCauses(causes: string[]): Promise<void> {
+  if (await runJob("Switch off", "/api/remove", {causes})) await startCompare();
+}
+
 export async function addFormula(formula: string): Promise<boolean> {
   const isAdded = await runJob("Try the formula", "/api/add", {formula});
   if (isAdded) await startCompare();

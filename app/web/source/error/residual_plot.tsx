@@ -5,27 +5,34 @@ import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {MarkIcon} from "../drawing/marks";
 import {palette, type Palette} from "../drawing/colours";
-import {exact, isNumber, short} from "../../../drawing/numbers.js";
+import {explanationTitle} from "../../../drawing/explanations.js";
+import {exact, isNumber, tickTexts} from "../../../drawing/numbers.js";
 import {roundTicks, symmetric, widened} from "../../../drawing/scales.js";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
 import {besideLevel, variableTitle} from "../../../drawing/variables.js";
 import {binnedMeans, lawAlong, type Bin} from "./binned";
-import {chosenPart, chosenVariable, doneBy, parts, shownView, variables} from "./focus";
+import {chosenPart, chosenVariable, doneBy, parts, shownView, variables, viewBeside} from "./focus";
+import {currentDiagnosis} from "./loop";
 import type {View} from "./own_variable";
 import {paintLaw, paintMeans} from "./plot_painting";
 import {PointedReading, usePointing} from "./pointing";
-import {readingErrors, type ReadingErrors} from "./residuals";
+import {
+  besideExplanation,
+  drawnExplanation,
+  errorsBeside,
+  letterOf,
+  putBeside,
+  readingErrors,
+  type ReadingErrors,
+} from "./residuals";
 
 export function ResidualPlot() {
   const errors = readingErrors.value,
-    view = shownView.value;
-  const plot = useMemo(
-    () => (errors && view ? makePlot(errors, view, palette.peek()) : null),
-    [errors, view, palette.value],
-  );
-  const box = useRef<HTMLDivElement>(null);
-  const pointing = usePointing(box, plot?.rows ?? null);
+    view = shownView.value,
+    beside = errorsBeside.value,
+    other = viewBeside.value;
+  const most = errors && view && beside && other ? commonMost([errors, view], [beside, other]) : null;
   return (
     <section class="panel residual-plot">
       <header>
@@ -40,6 +47,7 @@ export function ResidualPlot() {
           ))}
         </select>
         <div class="end">
+          <BesideChoice />
           <select
             aria-label="Part of the error"
             value={view?.part.key ?? ""}
@@ -51,25 +59,104 @@ export function ResidualPlot() {
           </select>
         </div>
       </header>
-      <div class="panel-body flush with-legend" ref={box}>
-        {plot ? (
-          <Plot options={plot.options} data={plot.data} label={plot.words} onReady={pointing.onReady} />
-        ) : (
-          <p class="muted pad">Readings are drawn here once they are compared.</p>
-        )}
-        <PointedReading place={pointing.place} errors={errors} />
-        <PlotLegend errors={errors} hasLaw={(plot?.law.length ?? 0) > 0} />
+      <div class={`plots ${beside ? "two" : ""}`}>
+        <ErrorPlot errors={errors} view={view} most={most} index={beside ? drawnExplanation.value : -1} />
+        {beside && other ? (
+          <ErrorPlot errors={beside} view={other} most={most} index={besideExplanation.value} />
+        ) : null}
       </div>
     </section>
   );
 }
 
-export function SeriesLegend({errors, children}: {errors: ReadingErrors | null; children?: ComponentChildren}) {
+/** Which explanation stands beside the drawn one; nothing where there is but one. */
+function BesideChoice() {
+  const explanations = currentDiagnosis.value?.explanations ?? [];
+  if (explanations.length < 2) return null;
+  return (
+    <select
+      aria-label="Explanation beside"
+      value={besideExplanation.value}
+      onChange={(event) => putBeside(Number(event.currentTarget.value))}
+    >
+      <option value={-1}>{letterOf(drawnExplanation.value)} alone</option>
+      {explanations.map((_, index) =>
+        index === drawnExplanation.value ? null : (
+          <option value={index}>
+            {letterOf(drawnExplanation.value)} beside {letterOf(index)}
+          </option>
+        ),
+      )}
+    </select>
+  );
+}
+
+interface ErrorPlotProps {
+  errors: ReadingErrors | null;
+  view: View | null;
+  /** The end of the scale of errors where it is shared with the plot beside. */
+  most: number | null;
+  /** Of the explanation, where two stand side by side; -1 where one is alone. */
+  index: number;
+}
+
+function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
+  const plot = useMemo(
+    () => (errors && view ? makePlot(errors, view, palette.peek(), most) : null),
+    [errors, view, palette.value, most],
+  );
+  const box = useRef<HTMLDivElement>(null);
+  const pointing = usePointing(box, plot?.rows ?? null);
+  const title = index >= 0 ? explanationTitle({effects: errors?.causes ?? []}) : "";
+  return (
+    <div class="panel-body flush with-legend" ref={box}>
+      {index >= 0 ? (
+        <p class="plot-title" title={title}>
+          <b>{letterOf(index)}</b> {title}
+        </p>
+      ) : null}
+      {plot ? (
+        <Plot options={plot.options} data={plot.data} label={plot.words} onReady={pointing.onReady} />
+      ) : (
+        <p class="muted pad">Readings are drawn here once they are compared.</p>
+      )}
+      <PointedReading place={pointing.place} errors={errors} />
+      <PlotLegend errors={errors} hasLaw={(plot?.law.length ?? 0) > 0} isBrief={index >= 0} />
+    </div>
+  );
+}
+
+/** The largest error of either, where both are drawn as the same part: one scale. */
+function commonMost(...plots: [ReadingErrors, View][]): number | null {
+  if (new Set(plots.map(([, {part}]) => part.key)).size > 1) return null;
+  return plots.reduce(
+    (most, [errors, {part}]) =>
+      Math.max(
+        most,
+        ...errors.series.flatMap((series) =>
+          series.errors.map((error, i) => Math.abs(error ? (part.of(error, i) ?? 0) : 0)),
+        ),
+      ),
+    0,
+  );
+}
+
+export function SeriesLegend({
+  errors,
+  isBrief = false,
+  children,
+}: {
+  errors: ReadingErrors | null;
+  /** What the series are is said above: here before and after alone. */
+  isBrief?: boolean;
+  children?: ComponentChildren;
+}) {
   return (
     <p class="series-legend">
       {(errors?.series ?? []).map((series) => (
         <span>
-          <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} /> {series.name}
+          <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} />{" "}
+          {isBrief ? series.name.split(":")[0] : series.name}
         </span>
       ))}
       {children}
@@ -77,9 +164,9 @@ export function SeriesLegend({errors, children}: {errors: ReadingErrors | null; 
   );
 }
 
-function PlotLegend({errors, hasLaw}: {errors: ReadingErrors | null; hasLaw: boolean}) {
+function PlotLegend({errors, hasLaw, isBrief}: {errors: ReadingErrors | null; hasLaw: boolean; isBrief: boolean}) {
   return (
-    <SeriesLegend errors={errors}>
+    <SeriesLegend errors={errors} isBrief={isBrief}>
       <span>
         <i class="means-sign" /> means {errors?.judged === 1 ? "after" : "before"} ± 2 s.e.
       </span>
@@ -113,7 +200,7 @@ function spread(isLevel: boolean, value: number, index: number): number {
   return isLevel ? value + 0.5 * besideLevel(index) : value;
 }
 
-function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot {
+function makePlot(errors: ReadingErrors, view: View, colours: Palette, most: number | null): MadePlot {
   const {variable, part} = view;
   const isLevel = variable.kind === "sense" || variable.levels !== undefined;
   const xs = errors.readings.map((reading, index) => variable.of(reading, index));
@@ -150,7 +237,10 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot
           time: false,
           range: (_, low, high) => (isLevel ? levelRange(variable.levels, low, high) : widened(low, high)),
         },
-        y: {range: (_, low, high) => (part.isSigned ? symmetric(low, high) : [0, 1.08 * high || 1])},
+        y: {
+          range: (_, low, high) =>
+            part.isSigned ? symmetric(most === null ? low : -most, most ?? high) : [0, 1.08 * (most ?? high) || 1],
+        },
       },
       axes: [
         axis(colours, name, {
@@ -160,7 +250,7 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette): MadePlot
         axis(colours, title, {
           side: 3,
           splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
-          values: (_plot: uPlot, splits: number[]) => splits.map((value) => short(value)),
+          values: (_plot: uPlot, splits: number[]) => tickTexts(splits),
         }),
       ],
       hooks: {

@@ -71,8 +71,7 @@ function reversed(error: Vector3): Vector3 {
   return [-error[0], -error[1], -error[2]];
 }
 
-function ofDiagnosis(document: DiagnoseDocument): ReadingErrors {
-  const index = Math.min(chosenExplanation.value, document.explanations.length - 1);
+function ofDiagnosis(document: DiagnoseDocument, index: number): ReadingErrors {
   const explanation = document.explanations[index];
   const compared = compare.value.document;
   const known = new Map(
@@ -167,13 +166,53 @@ function ofComparison(document: CompareDocument): ReadingErrors {
   };
 }
 
+// ---- another explanation beside the one that is drawn
+
+function drawnIndex(document: DiagnoseDocument): number {
+  return Math.min(chosenExplanation.value, document.explanations.length - 1);
+}
+
+export const drawnExplanation = computed(() =>
+  currentDiagnosis.value ? Math.max(0, drawnIndex(currentDiagnosis.value)) : 0,
+);
+
+/** By hand: -1 for none; null for as the verdict has it. */
+const besideByHand = signal<number | null>(null);
+effect(() => {
+  void currentDiagnosis.value?.revision;
+  besideByHand.value = null;
+});
+
+/** Which explanation stands beside the drawn one: where several are open the next of them, unless another is wanted. */
+export const besideExplanation = computed(() => {
+  const document = currentDiagnosis.value;
+  if (!document || document.explanations.length < 2) return -1;
+  const drawn = drawnIndex(document),
+    wanted = besideByHand.value ?? (document.verdict === "ambiguous" ? (drawn === 0 ? 1 : 0) : -1);
+  return wanted === drawn || wanted >= document.explanations.length ? -1 : wanted;
+});
+
+export function putBeside(index: number): void {
+  besideByHand.value = index;
+}
+
+export const errorsBeside = computed<ReadingErrors | null>(() => {
+  const document = currentDiagnosis.value;
+  return document && besideExplanation.value >= 0 ? ofDiagnosis(document, besideExplanation.value) : null;
+});
+
+/** "A", "B", ... as the cards have them. */
+export function letterOf(index: number): string {
+  return String.fromCharCode(65 + index);
+}
+
 function jointsOf(document: CompareDocument): string[] {
   return document.joint_columns.map((name) => name.replace(/_[^_]*$/, ""));
 }
 
 export const readingErrors = computed<ReadingErrors | null>(() => {
   const diagnosed = currentDiagnosis.value;
-  if (diagnosed) return ofDiagnosis(diagnosed);
+  if (diagnosed) return ofDiagnosis(diagnosed, drawnIndex(diagnosed));
   const compared = compare.value.document;
   if (!compared) return null;
   const earlier = modelBefore.value,

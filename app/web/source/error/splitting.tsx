@@ -2,11 +2,24 @@
 import {poseRequest} from "../arm/pose_link";
 import {PAIR_HEADS, pairCells, senseArrow, separations} from "../../../drawing/conditions.js";
 import {fixed, isNumber, short} from "../../../drawing/numbers.js";
+import {PosteriorPicture} from "./posterior_picture";
+import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument, NextReading} from "../server/documents";
 import {cell} from "../server/workbench";
 import {view} from "../shell/page_state";
 
-export function Splitting({document}: {document: DiagnoseDocument}) {
+/** The proposals of a diagnosis, the run sheet that is under way, and what the readings taken since have said. */
+export function Splitting({document}: {document: DiagnoseDocument | null}) {
+  return (
+    <div class="splitting">
+      <PosteriorPicture />
+      {document ? <Proposals document={document} /> : null}
+      <RunSheetPanel />
+    </div>
+  );
+}
+
+function Proposals({document}: {document: DiagnoseDocument}) {
   const readings = document.next_readings ?? [],
     splitting = document.splitting;
   const others = [...(splitting?.other_means ?? []).map((entry) => entry.what), ...(splitting?.columns_to_add ?? [])];
@@ -20,9 +33,9 @@ export function Splitting({document}: {document: DiagnoseDocument}) {
     );
   }
   return (
-    <div class="splitting">
+    <>
       {splitting?.advice ? <p>{splitting.advice}</p> : null}
-      {readings.length > 0 ? <ReadingTable readings={readings} /> : null}
+      {readings.length > 0 && !document.run_sheet ? <ReadingTable readings={readings} /> : null}
       {others.length > 0 ? (
         <ul>
           {others.map((text) => (
@@ -50,7 +63,7 @@ export function Splitting({document}: {document: DiagnoseDocument}) {
           </tbody>
         </table>
       )}
-    </div>
+    </>
   );
 }
 

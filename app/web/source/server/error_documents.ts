@@ -75,6 +75,7 @@ export interface Explanation {
   p_value: number;
   rms: number;
   heldout_rms: number | null;
+  probability?: number;
 }
 
 export interface RankedEffect extends EffectAt {
@@ -118,6 +119,8 @@ export interface DiagnoseDocument {
   ranking: RankedEffect[];
   readings: DiagnosedReading[];
   next_readings: NextReading[];
+  /** They as a measurement table whose coordinates are to be filled in. */
+  run_sheet?: string;
   splitting?: {
     advice?: string;
     other_means?: {what: string}[];

@@ -4,6 +4,7 @@ import {chooseScheme, isDark, scheme} from "../drawing/colours";
 import {duration, plural} from "../../../drawing/numbers.js";
 import type {Job} from "../server/documents";
 import {cell, connection, order, runningJobs, state} from "../server/workbench";
+import {ModelSteps} from "./model_steps";
 import {dialog} from "./page_state";
 import {ProjectTools} from "./project";
 import {canUndo, undo} from "./undo";
@@ -11,10 +12,8 @@ import {canUndo, undo} from "./undo";
 function ModelStack() {
   const now = state.value;
   if (!now) return <div class="models" />;
-  const models = now.models,
-    current = models.find((model) => model.id === now.model);
   return (
-    <div class="models" title={models.map((model) => model.label).join(" → ")}>
+    <div class="models">
       <button class="tool" title="Undo (Ctrl+Z)" disabled={!canUndo.value} onClick={() => void undo()}>
         <Icon name="undo" />
       </button>
@@ -26,8 +25,7 @@ function ModelStack() {
       >
         <Icon name="redo" />
       </button>
-      <span class="label">model</span>
-      <b class="model-name">{current?.label ?? "as given"}</b>
+      <ModelSteps />
     </div>
   );
 }

@@ -1,7 +1,9 @@
 // Loading readings and cells. Readings are compared with the model as soon as they are here.
+import {signal} from "@preact/signals";
 import type {WorkbenchState} from "../server/documents";
 import {post, postText} from "../server/requests";
 import {startCompare} from "../error/loop";
+import {freshRows, isFilledSheet, joinReadings, tableOf, takenIds} from "../error/run_sheet";
 import {cell, report, runJob, takeState} from "../server/workbench";
 import {askForColumns} from "./columns_dialog";
 import {dialog, view} from "./page_state";
@@ -13,11 +15,60 @@ async function afterReadings(): Promise<void> {
   await startCompare();
 }
 
+/** A run sheet that comes back: what is filled in and not here yet joins the readings. */
+async function joinSheet(name: string, text: string): Promise<void> {
+  const fresh = freshRows(text);
+  view.value = "error";
+  dialog.value = "";
+  if (fresh !== "") await joinReadings(fresh);
+  else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});
+}
+
+/** Whether a measurement table has readings of which none is here: it may join those that are, or take their place. */
+function hasOthers(text: string): boolean {
+  const here = takenIds.peek();
+  const {columns, rows} = tableOf(text);
+  const id = columns.indexOf("id");
+  return here.size > 0 && id >= 0 && columns.includes("kind") && rows.length > 0 && rows.every((row) => !here.has(row[id]));
+}
+
+/** Readings that may join: their file's name and text. */
+export const offered = signal<{name: string; text: string} | null>(null);
+
+function offer(name: string, text: string): void {
+  offered.value = {name, text};
+  dialog.value = "join";
+}
+
+export async function joinOffered(): Promise<void> {
+  const {text} = offered.peek()!;
+  dialog.value = "";
+  view.value = "error";
+  await joinReadings(text);
+}
+
+export async function openOffered(): Promise<void> {
+  const {name, text} = offered.peek()!;
+  try {
+    takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, text));
+  } catch (error) {
+    report(`${name} cannot be read`, error);
+    return;
+  }
+  await afterReadings();
+}
+
 /** One measurement table; else whatever another program wrote, in one file or in several that belong together. */
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
   let refused: unknown = null;
   if (files.length === 1) {
+    const text = await files[0].text();
+    if (isFilledSheet(text)) return joinSheet(names, text);
+    if (hasOthers(text)) {
+      offer(names, text);
+      return;
+    }
     try {
       takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(names)}`, files[0]));
       await afterReadings();

@@ -1,6 +1,6 @@
 // What belongs to this browser alone: the view, the hole pointed out, the holes selected, dialogs. Kept over a reload.
 import {computed, effect, signal} from "@preact/signals";
-import {sheetDocument} from "../server/workbench";
+import {sheetDocument, state} from "../server/workbench";
 import {makeSheetModel} from "../../../drawing/sheet_model.js";
 
 export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects"] as const;
@@ -12,12 +12,20 @@ function viewOfAddress(): ViewName {
 }
 
 export const view = signal<ViewName>(viewOfAddress());
+
+// An address without a view opens on the one that has something: the errors of readings, else the sheet where there is one.
+let isOpened = location.hash !== "";
+effect(() => {
+  if (isOpened || !state.value) return;
+  isOpened = true;
+  if (state.value.measurements || !state.value.cell.has_sheet) view.value = "error";
+});
 window.addEventListener("hashchange", () => (view.value = viewOfAddress()));
 effect(() => {
   if (viewOfAddress() !== view.value) location.hash = view.value;
 });
 
-export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns";
+export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns" | "join";
 export const dialog = signal<"" | DialogName>("");
 
 /** A browser tells of a closed dialog a little later, when another one may be open: that one stays. */

@@ -8,6 +8,7 @@ import {EffectsView} from "../effects/effects_view";
 import {SheetView} from "../sheet/sheet_view";
 import {DropTarget} from "./drop_target";
 import {Header} from "./header";
+import {JoinDialog} from "./join_dialog";
 import {KeysDialog, followKeys} from "./keys";
 import {Notices} from "./notices";
 import {ColumnsDialog} from "./columns_dialog";
@@ -78,6 +79,7 @@ export function Workbench() {
       <KeysDialog />
       <SaveDialog />
       <UnsavedDialog />
+      <JoinDialog />
       <DropTarget />
     </div>
   );

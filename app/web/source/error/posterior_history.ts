@@ -1,0 +1,44 @@
+// How the posterior has moved: what each diagnosis of one model said, reading after reading, as far as this page has seen.
+import {computed, effect, signal} from "@preact/signals";
+import {explanationTitle} from "../../../drawing/explanations.js";
+import {cell, state} from "../server/workbench";
+import {currentDiagnosis} from "./loop";
+
+export interface PosteriorStep {
+  readings: number;
+  /** Probability of each explanation by its title, and that nothing is missing. */
+  of: Record<string, number>;
+}
+
+const NOTHING = "nothing missing";
+const MOST_STEPS = 200;
+const MOST_TITLES = 5;
+const steps = signal<PosteriorStep[]>([]);
+
+let seen = "";
+effect(() => {
+  const document = currentDiagnosis.value;
+  if (!document || !cell.value) return;
+  const key = `${cell.value.file} ${document.model}`;
+  if (key !== seen) steps.value = [];
+  seen = key;
+  const readings = document.readings.length;
+  const of: Record<string, number> = {[NOTHING]: document.probability.nothing_missing};
+  for (const explanation of document.explanations) of[explanationTitle(explanation)] = explanation.probability ?? 0;
+  const earlier = steps.peek().filter((step) => step.readings !== readings);
+  steps.value = [...earlier, {readings, of}].sort((a, b) => a.readings - b.readings).slice(-MOST_STEPS);
+});
+
+/** The steps, and the titles that were ever the most probable, the now most probable first; none before there are two. */
+export const posteriorHistory = computed<{steps: PosteriorStep[]; titles: string[]} | null>(() => {
+  if (steps.value.length < 2 || !state.value) return null;
+  const most = new Map<string, number>();
+  for (const {of} of steps.value)
+    for (const [title, probability] of Object.entries(of)) most.set(title, Math.max(most.get(title) ?? 0, probability));
+  const last = steps.value.at(-1)!.of;
+  const titles = [...most.keys()]
+    .filter((title) => most.get(title)! > 0.02)
+    .sort((a, b) => (last[b] ?? 0) - (last[a] ?? 0) || most.get(b)! - most.get(a)!)
+    .slice(0, MOST_TITLES);
+  return {steps: steps.value, titles};
+});

@@ -1,0 +1,26 @@
+// A table of other readings than those that are open: to join them, or to take their place.
+import {plural} from "../../../drawing/numbers.js";
+import {state} from "../server/workbench";
+import {Dialog} from "./dialog";
+import {joinOffered, offered, openOffered} from "./load";
+import {closeDialog, dialog} from "./page_state";
+
+export function JoinDialog() {
+  const here = state.value?.measurements;
+  return (
+    <Dialog isOpen={dialog.value === "join"} title="Other readings" onClose={() => closeDialog("join")}>
+      <p class="lead">
+        <b>{offered.value?.name}</b> has readings that are not among the {plural(here?.readings ?? 0, "reading")} of{" "}
+        {here?.name}.
+      </p>
+      <div class="row">
+        <button class="button first" onClick={() => void openOffered()}>
+          Open them instead
+        </button>
+        <button class="button" onClick={() => void joinOffered()}>
+          Add them to these
+        </button>
+      </div>
+    </Dialog>
+  );
+}

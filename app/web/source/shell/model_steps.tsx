@@ -1,0 +1,160 @@
+// The models as steps with names and figures, to go back to any of them; effects and free numbers of the current one, to
+// be switched off and on.
+import {computed} from "@preact/signals";
+import {useRef} from "preact/hooks";
+import {Icon} from "../drawing/icons";
+import {explanationTitle} from "../../../drawing/explanations.js";
+import {short} from "../../../drawing/numbers.js";
+import {addEffects, ladder, removeCauses, startCompare} from "../error/loop";
+import type {EffectAt, EffectNumber, Model} from "../server/documents";
+import {currentModel, order, runningJobs, state, units} from "../server/workbench";
+
+/** The held-out error of each model, as far as the ladder of the current one has them: its last rungs are the stack. */
+const heldOut = computed<Map<number, number | null>>(() => {
+  const now = state.value,
+    document = ladder.value.document;
+  if (!now || !document) return new Map();
+  const top = now.models.findIndex((model) => model.id === document.model);
+  const first = document.rungs.length - 1 - top;
+  return new Map(now.models.slice(0, top + 1).map((model, k) => [model.id, document.rungs[first + k]?.rms.heldout ?? null]));
+});
+
+interface Switch {
+  key: string;
+  title: string;
+  isOn: boolean;
+  /** The effect, to be added again. */
+  effect: EffectAt | null;
+}
+
+function keyOf({effect, at}: EffectAt): string {
+  return `${effect}@${at}`;
+}
+
+function known<T>(models: readonly Model[], of: (model: Model) => readonly T[], key: (entry: T) => string): Map<string, T> {
+  // The newest has the last word on an effect's numbers.
+  return new Map(models.flatMap((model) => of(model).map((entry): [string, T] => [key(entry), entry])));
+}
+
+const effectSwitches = computed<Switch[]>(() => {
+  const models = state.value?.models ?? [];
+  const own = new Set((currentModel.value?.effects ?? []).map(keyOf));
+  const all = known(models, (model) => model.effects, keyOf);
+  for (const effect of currentModel.value?.effects ?? []) all.set(keyOf(effect), effect);
+  return [...all].map(([key, effect]) => ({
+    key,
+    title: explanationTitle({effects: [effect]}),
+    isOn: own.has(key),
+    effect,
+  }));
+});
+
+/** Numbers of the arm's file that are fitted; those of effects go with them. */
+const freeSwitches = computed<Switch[]>(() => {
+  const models = state.value?.models ?? [];
+  const own = new Set(currentModel.value?.free ?? []);
+  const all = known(
+    models,
+    (model) => model.free.filter((name) => !name.includes("@")),
+    (name) => name,
+  );
+  return [...all.keys()].map((name) => ({key: name, title: name, isOn: own.has(name), effect: null}));
+});
+
+/** As the order to add it takes it, with the sizes that it had. */
+function causeOf(effect: EffectAt): EffectAt {
+  const numbers = Object.entries(effect.parameters ?? {}).map(
+    ([name, number]) => `${name}=${(number as EffectNumber).value}`,
+  );
+  return {...effect, add: `${keyOf(effect)}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`};
+}
+
+async function toggle({key, isOn, effect}: Switch): Promise<void> {
+  if (isOn) await removeCauses([effect ? key : `free@${key}`]);
+  else await addEffects([effect ? causeOf(effect) : {effect: "free", at: key}]);
+}
+
+async function goTo(model: Model): Promise<void> {
+  if (!(await order("Models", "/api/models/go", {model: model.id}))) return;
+  if (state.value?.measurements && !state.value.results.compare?.models.includes(model.id)) await startCompare();
+}
+
+export function ModelSteps() {
+  const now = state.value;
+  const menu = useRef<HTMLDetailsElement>(null);
+  if (!now) return null;
+  const at = now.models.findIndex((model) => model.id === now.model);
+  const isBusy = runningJobs.value.length > 0;
+  return (
+    <details
+      class="menu model-steps"
+      ref={menu}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || !menu.current?.open) return;
+        menu.current.open = false;
+        menu.current.querySelector("summary")?.focus();
+        event.preventDefault();
+        event.stopPropagation();
+      }}
+      onFocusOut={(event) => {
+        const next = event.relatedTarget as Node | null;
+        if (next && menu.current && !menu.current.contains(next)) menu.current.open = false;
+      }}
+    >
+      <summary title="The models as steps; effects and free numbers on and off">
+        <span class="label">model</span>
+        <b class="model-name">{now.models[at]?.label ?? "as given"}</b>
+        <Icon name="chevron" size={14} />
+      </summary>
+      <div class="model-panel">
+        <h2>Steps</h2>
+        <ol>
+          {now.models.map((model, k) => (
+            <li key={model.id}>
+              <button
+                class={k > at ? "undone" : ""}
+                aria-current={k === at ? "step" : undefined}
+                title={k > at ? "taken back; there to be done again" : model.label}
+                disabled={isBusy || k === at}
+                onClick={() => void goTo(model)}
+              >
+                <span>{model.label}</span>
+                <small>
+                  {heldOut.value.has(model.id) ? `${short(heldOut.value.get(model.id))} ${units.value.length}` : ""}
+                </small>
+              </button>
+            </li>
+          ))}
+        </ol>
+        <Switches title="Effects" none="none in this model" switches={effectSwitches.value} isBusy={isBusy} />
+        <Switches title="Fitted numbers" none="none: all are held" switches={freeSwitches.value} isBusy={isBusy} />
+        <p class="muted">Switched off or on, the model is fitted again and becomes a step of its own.</p>
+      </div>
+    </details>
+  );
+}
+
+function Switches({title, none, switches, isBusy}: {title: string; none: string; switches: Switch[]; isBusy: boolean}) {
+  const hasReadings = state.value?.measurements !== null;
+  return (
+    <>
+      <h2>{title}</h2>
+      {switches.length === 0 ? <p class="muted">{none}</p> : null}
+      <ul>
+        {switches.map((entry) => (
+          <li key={entry.key}>
+            <label title={hasReadings ? "" : "it takes readings to fit the model again"}>
+              <input
+                type="checkbox"
+                checked={entry.isOn}
+                disabled={isBusy || !hasReadings}
+                onChange={() => void toggle(entry)}
+              />
+              {entry.title}
+            </label>
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}

@@ -1,0 +1,103 @@
+// Every effect of the catalogue in four clicks: readings that hide it are opened with `tubeplan serve CELL READINGS`, and the
+// page is clicked as a hand would until the error has fallen. A table: what was found, on which variable the plot opened,
+// what error was promised and what was left. Exit code 1 where one of them does not end within 5 % of what was promised.
+//   node tests/web/four_clicks.mjs [EFFECT ...]
+import path from "node:path";
+import {readFileSync} from "node:fs";
+import {launch, makeFolder, openTab, serve, simulate, source, writeWeightless} from "./workbench.mjs";
+
+const MOST_CLICKS = 4;
+const NEAR = 0.05; // of what was promised
+const LIMIT = {timeout: 180_000};
+const rows = JSON.parse(readFileSync(path.join(source, "app/web/tests/hidden_effects.json"), "utf8"));
+const asked = process.argv.slice(2);
+
+const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
+const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
+
+/** The card of what is hidden, else the first. */
+async function cardOf(tab, name) {
+  const titles = await tab.locator(".explanation-words > b").allInnerTexts();
+  const words = name.replace("@", " at ");
+  const exact = titles.indexOf(words);
+  return exact >= 0 ? exact : Math.max(0, titles.findIndex((title) => title.includes(words)));
+}
+
+const heldOut = async (tab) => parseFloat((await tab.locator(".rung.now .bar-text").last().innerText()).replace(/,/g, ""));
+
+async function run(browser, folder, row, index) {
+  const {hide} = row,
+    name = hide.split(":")[0],
+    cell = row.weightless ? writeWeightless(folder, row.cell ?? "bench") : (row.cell ?? "bench");
+  const file = simulate(folder, `hidden-${index}`, {hide, cell: `${cell}.yaml`, spread: row.cell ? "0" : "0.1"});
+  const server = await serve(folder, `${cell}.yaml`, [file]);
+  const tab = await openTab(browser, server.address);
+  let clicks = 0;
+  const click = (selector) => (++clicks, tab.click(selector, LIMIT));
+  try {
+    await tab.waitForSelector(".rail-entry");
+    await tab.waitForSelector(".error-view", {timeout: 5000}).catch(() => click(".rail-entry:has-text('Error')"));
+    await tab.waitForSelector(".verdict .next", LIMIT);
+    if (await tab.locator(".next:has-text('Compare')").count()) await click(".next:has-text('Compare')");
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    await idle(tab);
+    const before = await heldOut(tab);
+    await click(".next:has-text('Diagnose')");
+    await tab.waitForSelector(".explanation, .ranking", LIMIT);
+    await idle(tab);
+    const verdict = await tab.innerText(".verdict h1");
+    const k = await cardOf(tab, name);
+    const found = await tab.locator(".explanation-words > b").nth(k).innerText();
+    const promised = parseFloat(/leaves ([\d.e−-]+)/.exec(await tab.locator(".explanation-words").nth(k).innerText())?.[1]);
+    const opened = await variable(tab);
+    const isOwn = new RegExp(row.opens_on).test(opened);
+    const rungs = await tab.locator(".rung").count();
+    await click(`.explanation >> nth=${k} >> .button:has-text('Add')`);
+    await tab.waitForFunction((n) => document.querySelectorAll(".rung").length > n, rungs, LIMIT);
+    await idle(tab);
+    const left = await heldOut(tab);
+    const share = left / promised - 1;
+    return {
+      hidden: name,
+      verdict,
+      found,
+      clicks,
+      opened,
+      before,
+      promised,
+      left,
+      share,
+      fails: clicks > MOST_CLICKS || !(Math.abs(share) <= NEAR) || !isOwn || tab.errors.length > 0,
+      errors: tab.errors.join("; "),
+    };
+  } finally {
+    await tab.context().close();
+    await server.stop();
+  }
+}
+
+const {folder, remove} = makeFolder();
+const browser = await launch();
+let failed = 0;
+try {
+  console.log("| hidden | verdict | added | clicks | plot opens on | before | promised | left | off |");
+  console.log("|---|---|---|---|---|---|---|---|---|");
+  for (const [index, row] of rows.entries()) {
+    if (asked.length > 0 && !asked.some((name) => row.hide.startsWith(name))) continue;
+    try {
+      const it = await run(browser, folder, row, index);
+      failed += it.fails ? 1 : 0;
+      console.log(
+        `| ${it.hidden} | ${it.verdict} | ${it.found} | ${it.clicks} | ${it.opened} | ${it.before} | ${it.promised} | ` +
+          `${it.left} | ${(100 * it.share).toFixed(1)} %${it.fails ? " (!)" : ""} | ${it.errors}`,
+      );
+    } catch (error) {
+      ++failed;
+      console.log(`| ${row.hide} | ${error.message.split("\n")[0]} |`);
+    }
+  }
+} finally {
+  await browser.close();
+  remove();
+}
+process.exit(failed > 0 ? 1 : 0);

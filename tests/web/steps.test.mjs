@@ -1,0 +1,166 @@
+// What is done with what was found: any step of the models gone back to, effects and fitted numbers switched off and on,
+// the run sheet ticked off and dropped back, the posterior moved by it, one explanation beside another.
+import assert from "node:assert/strict";
+import {after, before, describe} from "node:test";
+import {readFileSync} from "node:fs";
+import path from "node:path";
+import {it} from "./limits.mjs";
+import {ask, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+
+const LIMIT = {timeout: 120_000};
+let made, browser;
+
+before(async () => {
+  made = makeFolder();
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  made?.remove();
+});
+
+const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
+
+/** `tubeplan serve CELL READINGS`, compared by itself and diagnosed by a click. */
+async function diagnosed(name, options) {
+  simulate(made.folder, name, options);
+  const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
+  const tab = await openTab(browser, `${server.address}`);
+  await tab.click(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+  await tab.waitForSelector(".explanation", LIMIT);
+  await idle(tab);
+  return {
+    tab,
+    server,
+    close: async () => {
+      assert.deepEqual(tab.errors, []);
+      await tab.context().close();
+      await server.stop();
+    },
+  };
+}
+
+describe("the models as steps", () => {
+  it("are gone back to by a click; effects and fitted numbers are switched off and on", async () => {
+    const {tab, server, close} = await diagnosed("steps", {hide: "hysteresis@theta4:0.06deg"});
+    await tab.click(".next:has-text('Add')");
+    await tab.waitForSelector(".models >> text=+ hysteresis@theta4", LIMIT);
+    await idle(tab);
+    const steps = ".model-panel ol button";
+    await tab.click(".model-steps summary");
+    assert.deepEqual(await tab.locator(`${steps} span`).allInnerTexts(), ["as given", "+ hysteresis@theta4"]);
+    await tab.click(`${steps} >> nth=0`);
+    await tab.waitForSelector(`${steps}[aria-current] >> text=as given`);
+    assert.equal((await stateOf(server)).model, 0);
+    await tab.click(`${steps} >> nth=1`);
+    await tab.waitForSelector(`${steps}[aria-current] >> text=+ hysteresis@theta4`);
+    const fitted = (await stateOf(server)).models[0].free.length;
+    assert.equal(await tab.locator(".model-panel input:checked").count(), fitted + 1);
+
+    await tab.click(".model-panel label:has-text('hysteresis at theta4') input");
+    await tab.waitForSelector(`${steps}[aria-current] >> text=− hysteresis@theta4`, LIMIT);
+    await idle(tab);
+    assert.deepEqual((await stateOf(server)).models.at(-1).effects, []);
+    await tab.waitForFunction(() => document.querySelectorAll(".rung").length === 4);
+    await tab.click(".model-panel label:has-text('hysteresis at theta4') input");
+    await tab.waitForFunction(() => document.querySelectorAll(".model-panel ol button").length === 4, null, LIMIT);
+    await idle(tab);
+    await tab.click(".model-panel label:has-text('forearm.joint_stiffness.z') input");
+    await tab.waitForFunction(() => document.querySelectorAll(".model-panel ol button").length === 5, null, LIMIT);
+    await idle(tab);
+    assert.equal(await tab.locator(".model-panel input:checked").count(), fitted);
+    // Esc closes the topmost alone.
+    await tab.focus(".model-panel input >> nth=0");
+    await tab.keyboard.press("Escape");
+    await tab.waitForSelector(".model-panel", {state: "hidden"});
+    await close();
+  });
+});
+
+describe("several explanations", () => {
+  it("stand side by side, and the run sheet that is to split them is filled in, dropped back, and moves the posterior", async () => {
+    const {tab, server, close} = await diagnosed("open", {
+      hide: "backlash@tool.z:0.15deg",
+      readings: 90,
+      seed: 12,
+      spread: "0",
+    });
+    await tab.waitForSelector(".verdict h1 >> text=/A or B|of several|alternatives|ambiguous/i");
+    await tab.waitForFunction(() => document.querySelectorAll(".plots.two .uplot").length === 2);
+    const titles = await tab.locator(".plot-title").allInnerTexts();
+    assert.match(titles[0], /^A /);
+    assert.match(titles[1], /^B /);
+    await tab.click(".explanation >> nth=1 >> text=Draw");
+    await tab.waitForSelector(".plot-title >> nth=0 >> text=/^B/");
+    await tab.selectOption("select[aria-label='Explanation beside']", "-1");
+    await tab.waitForFunction(() => document.querySelectorAll(".plots .uplot").length === 1);
+
+    await tab.click(".next:has-text('What would tell them apart')");
+    const rows = tab.locator(".run-sheet tbody tr");
+    await rows.first().waitFor();
+    const count = await rows.count();
+    assert.ok(count >= 3);
+    const text = (await ask(server, "results/diagnose")).body.run_sheet;
+    const [header, ...lines] = text.trim().split("\n");
+    assert.equal(lines.length, count);
+    const columns = header.split(",");
+    const at = (prefix) => columns.findIndex((name) => name.startsWith(prefix));
+    /** Where the model has the tip: somebody measured that. */
+    const place = async (line) => {
+      const fields = line.split(",");
+      const joints = [1, 2, 3, 4].map((k) => Number(fields[columns.indexOf(`theta${k}_deg`)]));
+      return (await ask(server, "pose", {joints, load: Number(fields[at("load")])})).body.tip.flexible;
+    };
+    // By hand: the coordinates of the first.
+    const first = await place(lines[0]);
+    const id = lines[0].split(",")[0];
+    for (const [k, axis] of ["x_in", "y_in", "z_in"].entries())
+      await tab.fill(`input[aria-label='${axis} of ${id}']`, first[k].toFixed(4));
+    assert.ok(await tab.isChecked(`input[aria-label='Reading ${id} is taken']`));
+    await tab.reload();
+    await tab.click(".tabs >> text=A or B");
+    assert.equal(await tab.inputValue(`input[aria-label='x_in of ${id}']`), first[0].toFixed(4));
+    await tab.click(".run-sheet >> text=Add 1 reading");
+    await tab.waitForSelector(".verdict-figures dd >> text=91", LIMIT);
+    await tab.waitForSelector(".run-sheet tr.here", LIMIT);
+    await idle(tab);
+    assert.equal((await stateOf(server)).measurements.readings, 91);
+    await tab.waitForSelector(".posterior svg", LIMIT);
+
+    // As a file: the second is filled in, the others are still empty.
+    const second = lines[1].split(",");
+    (await place(lines[1])).forEach((value, k) => (second[at(["x_", "y_", "z_"][k])] = value.toFixed(4)));
+    await drop(tab, "run-sheet.csv", [header, lines[0], second.join(","), ...lines.slice(2), ""].join("\n"));
+    await tab.waitForFunction(() => document.querySelectorAll(".run-sheet tr.here").length === 2, null, LIMIT);
+    await idle(tab);
+    assert.equal((await stateOf(server)).measurements.readings, 92);
+    await tab.waitForFunction(() => /92/.test(document.querySelector(".posterior svg")?.textContent), null, LIMIT);
+    await drop(tab, "run-sheet.csv", text);
+    await tab.waitForSelector(".notice >> text=/No row of this run sheet is filled in/");
+    await tab.keyboard.press("Escape");
+    await close();
+  });
+
+  it("other readings that are dropped join those that are here, or take their place", async () => {
+    const file = simulate(made.folder, "first", {hide: "hysteresis@theta4:0.06deg", readings: 40});
+    const server = await serve(made.folder, "bench.yaml", [file]);
+    const tab = await openTab(browser, `${server.address}`);
+    await tab.waitForSelector(".verdict-figures dd >> text=40", LIMIT);
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    const [header, ...lines] = readFileSync(simulate(made.folder, "second", {readings: 30, seed: 9}), "utf8")
+      .trim()
+      .split("\n");
+    const others = [header, ...lines.map((line) => `x${line}`), ""].join("\n");
+    await drop(tab, "second.csv", others);
+    await tab.click("dialog[open] >> text=Add them to these");
+    await tab.waitForSelector(".verdict-figures dd >> text=70", LIMIT);
+    await idle(tab);
+    await drop(tab, "third.csv", others.replaceAll("\nx", "\ny"));
+    await tab.click("dialog[open] >> text=Open them instead");
+    await tab.waitForSelector(".chip-more >> text=third.csv", LIMIT);
+    await tab.waitForSelector(".verdict-figures dd >> text=30", LIMIT);
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await server.stop();
+  });
+});
