@@ -12,7 +12,7 @@ export function isNumber(value) {
 export function fixed(value, digits) {
   if (!isNumber(value)) return MISSING;
   const text = value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits});
-  return text.replace("-", "\u2212");
+  return /[1-9]/.test(text) ? text.replace("-", "\u2212") : text.replace("-", "");
 }
 
 /** About three figures: 0.0302, 12.4, 4,674, 3.1e-8. @param {unknown} value */
@@ -126,4 +126,22 @@ export function plainUnit(unit) {
 export function inverseUnit(unit) {
   const [over, ...under] = unit.split("/");
   return plainUnit(`${under.join("*") || "1"}${over === "1" ? "" : `/${over}`}`);
+}
+
+/** How many decimals a length has more or fewer than one in inches. @type {Record<string, number>} */
+const DECIMALS = {in: 0, mm: -1, cm: 0, m: 2, ft: 1};
+
+/** A length to so many decimals of an inch, or as fine in another unit. @param {unknown} value @param {string} unit */
+export function lengthFigure(value, unit, decimals = 3) {
+  return fixed(value, Math.max(0, decimals + (DECIMALS[unit] ?? 0)));
+}
+
+/** @param {unknown} value @param {string} unit */
+export function lengthText(value, unit, decimals = 3) {
+  return isNumber(value) ? `${lengthFigure(value, unit, decimals)} ${unit}` : MISSING;
+}
+
+/** Decimals of a joint's reading, by its unit. @param {string} unit */
+export function jointDecimals(unit) {
+  return unit === "deg" ? 2 : unit === "rad" ? 4 : 3 + (DECIMALS[unit] ?? 0);
 }

@@ -1,6 +1,6 @@
 // What an error may be drawn against: anything that differs between the readings, by the name that formulas and the
 // program's findings give it.
-import {isNumber} from "./numbers.js";
+import {isNumber, plainUnit} from "./numbers.js";
 import {rangeOf} from "./scales.js";
 
 /** @typedef {"joint" | "sense" | "load" | "moment" | "temperature" | "time" | "position" | "set-up" | "point" |
@@ -33,9 +33,14 @@ function momentVariables(source, found) {
   const least = LEAST_MOMENT * Math.max(0, ...spans);
   return names.flatMap((name, k) =>
     spans[k] > least
-      ? [variable("moment", name, name, unit, (/** @type {VariedReading} */ reading) => ofReading(reading, k))]
+      ? [variable("moment", name, momentName(name), unit, (/** @type {VariedReading} */ reading) => ofReading(reading, k))]
       : [],
   );
+}
+
+/** "moment about base link y" of the symbol that formulas have for it. @param {string} symbol */
+function momentName(symbol) {
+  return symbol.replace(/^moment_/, "moment about ").replaceAll("_", " ");
 }
 
 /**
@@ -88,7 +93,7 @@ export function variablesOf(source, unit, found = null) {
 
 /** "load, lbf" of an axis. @param {Variable} variable */
 export function variableTitle({name, unit}) {
-  return `${name}${unit ? `, ${unit.replace("degree", "deg")}` : ""}`;
+  return `${name}${unit ? `, ${plainUnit(unit)}` : ""}`;
 }
 
 /**

@@ -118,11 +118,12 @@ TEST_F(LiveTest, AReadingThatJoinsMovesThePosterior) {
     for (std::size_t k = first; k < jobs.size(); ++k) kinds.push_back(jobs[k]["kind"]);
     return kinds;
   };
-  ASSERT_EQ(send(kHeader + row(1001)).status, 202);
+  const auto joined = send(kHeader + row(41));
+  ASSERT_EQ(joined.status, 202) << joined.text;
   EXPECT_EQ(kindsSince(1), std::vector<std::string>{"compare"}) << "nobody asked for a diagnosis yet";
   (void)ended(get("/api/state").body["jobs"].back()["id"]);
   done("/api/diagnose", {{"effects", 1}});
-  ASSERT_EQ(send(kHeader + row(1002)).status, 202);
+  ASSERT_EQ(send(kHeader + row(42)).status, 202);
   EXPECT_EQ(kindsSince(3), (std::vector<std::string>{"compare", "diagnose"}));
   EXPECT_EQ(ended(get("/api/state").body["jobs"].back()["id"])["status"], "done");
   EXPECT_EQ(get("/api/results/diagnose").body["readings"].size(), 32u);

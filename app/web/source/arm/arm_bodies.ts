@@ -3,24 +3,27 @@ import {CapsuleGeometry, Group, Mesh, MeshStandardMaterial, Quaternion, SphereGe
 import type {Frame, SceneDocument} from "../server/documents";
 import {layAlong, solidOf, vector} from "./solids";
 
-/** A member that the file gives no body: a slim rod from its frame to the next. */
-const ROD = 0.9;
+/** A member that the file gives no body: a slim rod from its frame to the next. As shares of the picture's reach. */
+const ROD = 0.016,
+  TIP = 0.012,
+  SHORTEST = 0.004;
 
 export interface ArmBodies {
   group: Group;
   rows: Group[];
   rods: (Mesh | null)[];
   tip: Mesh;
+  reach: number;
 }
 
-export function makeArm(document: SceneDocument, material: MeshStandardMaterial): ArmBodies {
+export function makeArm(document: SceneDocument, material: MeshStandardMaterial, reach: number): ArmBodies {
   const group = new Group(),
     rows: Group[] = [],
     rods: (Mesh | null)[] = [];
   for (const row of document.arm) {
     const frame = new Group();
     for (const body of row.bodies) {
-      const solid = solidOf(body, material);
+      const solid = solidOf(body, material, document.units);
       if (solid) frame.add(solid);
     }
     const rod = row.bodies.length === 0 ? new Mesh(new CapsuleGeometry(ROD, 1, 6, 16), material) : null;
@@ -29,9 +32,9 @@ export function makeArm(document: SceneDocument, material: MeshStandardMaterial)
     rods.push(rod);
     group.add(frame);
   }
-  const tip = new Mesh(new SphereGeometry(0.7, 16, 12), material);
+  const tip = new Mesh(new SphereGeometry(TIP * reach, 16, 12), material);
   group.add(tip);
-  return {group, rows, rods, tip};
+  return {group, rows, rods, tip, reach};
 }
 
 export function placeArm(arm: ArmBodies, frames: Frame[], tip: Vector3): void {
@@ -42,16 +45,16 @@ export function placeArm(arm: ArmBodies, frames: Frame[], tip: Vector3): void {
     const [w, x, y, z] = frame.quaternion;
     row.quaternion.set(x, y, z, w);
     const rod = arm.rods[i];
-    if (rod) placeRod(rod, vector(frame.position), i + 1 < frames.length ? vector(frames[i + 1].position) : tip);
+    if (rod) placeRod(arm, rod, vector(frame.position), i + 1 < frames.length ? vector(frames[i + 1].position) : tip);
   });
   arm.tip.position.copy(tip);
 }
 
-function placeRod(rod: Mesh, a: Vector3, b: Vector3): void {
+function placeRod({reach}: ArmBodies, rod: Mesh, a: Vector3, b: Vector3): void {
   const long = a.distanceTo(b);
-  rod.visible = long > 0.2;
+  rod.visible = long > SHORTEST * reach;
   layAlong(rod, a, b);
-  rod.scale.set(1, long / (1 + 2 * ROD), 1);
+  rod.scale.set(reach, long / (1 + 2 * ROD), reach);
 }
 
 /** The deflected frame with its displacement and turn away from the rigid one taken several times. */

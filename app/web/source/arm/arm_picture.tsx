@@ -5,11 +5,11 @@ import {useEffect, useRef} from "preact/hooks";
 import {Vector3} from "three";
 import {palette} from "../drawing/colours";
 import {MarkIcon} from "../drawing/marks";
-import {fixed, short, whole} from "../../../drawing/numbers.js";
+import {lengthText, short, whole} from "../../../drawing/numbers.js";
 import {sceneDocument, units} from "../server/workbench";
 import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
-import {ArmStage, reachOf} from "./arm_stage";
+import {ArmStage, pictureReach} from "./arm_stage";
 import {readingErrors, type ReadingErrors} from "../error/residuals";
 import {factorOf} from "./error_arrow";
 import {fieldFactor} from "./error_field";
@@ -102,7 +102,7 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
           value={undefined}
           onChoose={(from) => stage.current?.look(from)}
         />
-        {reading ? <ShownErrors reading={reading} factor={factorOf(reading, reachOf(sheet.value))} /> : null}
+        {reading ? <ShownErrors reading={reading} factor={factorOf(reading, pictureReach.value)} /> : null}
         {!isSmall && readingErrors.value ? <FieldBar errors={readingErrors.value} /> : null}
         {isSmall || reading ? null : (
           <span class="arm-legend">
@@ -142,7 +142,7 @@ function FieldBar({errors}: {errors: ReadingErrors}) {
           <MarkIcon mark={errors.series[1].mark} size={12} /> after
         </label>
       ) : null}
-      {isFieldShown.value ? <span class="muted">drawn ×{whole(fieldFactor(errors, reachOf(sheet.value)))}</span> : null}
+      {isFieldShown.value ? <span class="muted">drawn ×{whole(fieldFactor(errors, pictureReach.value))}</span> : null}
     </span>
   );
 }
@@ -174,6 +174,6 @@ function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
       : null;
   figure.style.display = at ? "" : "none";
   if (!at || !clearance) return;
-  figure.textContent = `${fixed(clearance.distance, 2)} ${units.peek().length}`;
+  figure.textContent = `${lengthText(clearance.distance, units.peek().length, 2)}`;
   figure.style.transform = `translate(${Math.round(at[0] + 10)}px, ${Math.round(at[1] - 10)}px)`;
 }

@@ -2,6 +2,7 @@
 // the line to what is nearest. It draws only when something has changed.
 import {
   AmbientLight,
+  Box3,
   BufferGeometry,
   DirectionalLight,
   Group,
@@ -17,6 +18,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
+import {signal} from "@preact/signals";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Palette} from "../drawing/colours";
 import type {ReadingErrors} from "../error/residuals";
@@ -38,13 +40,21 @@ const IS_SOFTWARE = (() => {
   return /swiftshader|llvmpipe|software|basic render/i.test(words);
 })();
 
-/** How far the picture goes from its middle. */
-export function reachOf(sheet: SheetModel | null): number {
-  return sheet ? sheet.radius : 90;
+/** How far the picture goes from its middle, in the cell's unit of length: what is drawn by no figure of the cell is a
+ * share of it. */
+export const pictureReach = signal(1);
+
+/** Without a sheet: as a share of the length of the arm's members, one after another. */
+const BESIDE_ARM = 0.6;
+/** An arm whose length is another by more is another arm: the picture is framed anew. */
+const SAME_ARM = 0.3;
+
+function lengthAlong(places: readonly Vector3[]): number {
+  return places.slice(1).reduce((sum, place, i) => sum + place.distanceTo(places[i]), 0);
 }
 
 export class ArmStage {
-  readonly camera = new PerspectiveCamera(34, 1, 0.5, 4000);
+  readonly camera = new PerspectiveCamera(34, 1, 0.01, 100);
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer;
   private readonly controls: OrbitControls;
@@ -56,7 +66,9 @@ export class ArmStage {
   private solid: ArmBodies | null = null;
   private isDisposed = false;
   private isAsked = false;
-  private reach = reachOf(null);
+  private reach = 1;
+  private length = 0;
+  private cell: {document: SceneDocument; sheet: SheetModel | null} | null = null;
   private focus = new Vector3();
   private pose: PoseDocument | null = null;
   private magnified = 1;
@@ -133,24 +145,44 @@ export class ArmStage {
   /** The cell: what stands still, and the bodies of the arm. */
   setCell(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
     this.palette = palette;
+    this.cell = {document, sheet};
+    if (sheet) this.frame(sheet.radius, new Vector3(0, sheet.isOneLeg ? 0.42 * sheet.radius : 0, -0.38 * sheet.radius));
+    else if (this.pose) this.frameArm(this.pose);
+    this.build(document, sheet, palette);
+    if (this.pose) this.setPose(this.pose, this.magnified);
+    this.ask();
+  }
+
+  private frame(reach: number, focus: Vector3): void {
+    this.reach = pictureReach.value = reach;
+    this.focus.copy(focus);
+    this.camera.near = 0.005 * reach;
+    this.camera.far = 40 * reach;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Without a sheet: about the arm as it stands. */
+  private frameArm(pose: PoseDocument): void {
+    const places = [...pose.frames.rigid.map((frame) => vector(frame.position)), vector(pose.tip.rigid)];
+    this.length = lengthAlong(places);
+    if (this.length > 0) this.frame(BESIDE_ARM * this.length, new Box3().setFromPoints(places).getCenter(new Vector3()));
+  }
+
+  private build(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
     disposeAll(this.statics);
     this.statics.clear();
     const colours = {fill: palette.rim, edge: palette.muted};
     const wall = document.shapes.find((shape) => shape.kind === "keep_side" && Math.abs(shape.normal?.[1] ?? 0) > 0.5);
     const side = Math.sign(wall?.normal?.[1] ?? 0) as -1 | 0 | 1;
     for (const shape of document.shapes) {
-      const object = shape.kind === "inside_of.sphere" ? bowlOf(shape, side, colours) : obstacleOf(shape, colours);
+      const object = shape.kind === "inside_of.sphere" ? bowlOf(shape, side, colours) : obstacleOf(shape, document.units, colours);
       if (object) this.statics.add(object);
     }
     if (sheet) this.statics.add(plateOf(sheet, palette));
-    else this.statics.add(floorOf(palette));
+    else this.statics.add(floorOf(palette, this.reach));
     const {center, diameter} = sheet?.manway ?? {};
     if (center && diameter) this.statics.add(openingOf(center, diameter, colours));
     this.replaceArms(document, palette);
-    this.reach = reachOf(sheet);
-    this.focus.set(0, sheet?.isOneLeg ? 0.42 * this.reach : 0, sheet ? -0.38 * this.reach : 25);
-    if (this.pose) this.setPose(this.pose, this.magnified);
-    this.ask();
   }
 
   private replaceArms(document: SceneDocument, palette: Palette): void {
@@ -168,8 +200,10 @@ export class ArmStage {
         depthWrite: false,
         roughness: 1,
       }),
+      this.reach,
     );
-    this.solid = makeArm(document, new MeshStandardMaterial({color: palette.accent, roughness: 0.55, metalness: 0.1}));
+    const look = new MeshStandardMaterial({color: palette.accent, roughness: 0.55, metalness: 0.1});
+    this.solid = makeArm(document, look, this.reach);
     this.scene.add(this.ghost.group, this.solid.group);
   }
 
@@ -181,10 +215,12 @@ export class ArmStage {
       below: [0, -0.02, -2.7],
       front: [0.05, -2.7, -0.2],
     } as const;
+    const way = new Vector3(...directions[from]);
+    if (!this.cell?.sheet && from !== "below") way.z *= -1; // no sheet hides it: from above
     this.controls.target.copy(this.focus);
     this.camera.position
       .copy(this.focus)
-      .add(new Vector3(...directions[from]).multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
+      .add(way.multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
     this.controls.update();
     this.ask();
   }
@@ -192,6 +228,11 @@ export class ArmStage {
   setPose(pose: PoseDocument, magnified: number): void {
     this.pose = pose;
     this.magnified = magnified;
+    if (this.isOtherArm(pose) && this.cell && this.palette) {
+      this.frameArm(pose);
+      this.build(this.cell.document, null, this.palette);
+      this.look("corner");
+    }
     if (!this.ghost || !this.solid || !this.palette) return;
     placeArm(this.ghost, pose.frames.rigid, vector(pose.tip.rigid));
     const frames = pose.frames.flexible.map((frame, i) => magnifiedFrame(pose.frames.rigid[i], frame, magnified));
@@ -200,6 +241,12 @@ export class ArmStage {
     placeArm(this.solid, frames, rigidTip.addScaledVector(sag, magnified));
     this.drawClearance(pose, this.palette);
     this.ask();
+  }
+
+  private isOtherArm(pose: PoseDocument): boolean {
+    if (!this.cell || this.cell.sheet) return false;
+    const length = lengthAlong([...pose.frames.rigid.map((frame) => vector(frame.position)), vector(pose.tip.rigid)]);
+    return length > 0 && Math.abs(this.length / length - 1) > SAME_ARM;
   }
 
   /** The line to what is nearest; magnified, the arm is not where it could touch anything. */
@@ -218,7 +265,7 @@ export class ArmStage {
     this.marks.add(line);
     for (const end of [a, b]) {
       const dot = new Mesh(
-        new SphereGeometry(0.45, 12, 8),
+        new SphereGeometry(0.008 * this.reach, 12, 8),
         new MeshBasicMaterial({color: palette.rose, depthTest: false}),
       );
       dot.position.copy(end);
@@ -259,7 +306,7 @@ export class ArmStage {
     if (points && points.length > 1) {
       const tour = new Line(
         new BufferGeometry().setFromPoints(points),
-        new LineDashedMaterial({color: palette.violet, dashSize: 2, gapSize: 1.2}),
+        new LineDashedMaterial({color: palette.violet, dashSize: 0.035 * this.reach, gapSize: 0.02 * this.reach}),
       );
       tour.computeLineDistances();
       tour.name = "tour";

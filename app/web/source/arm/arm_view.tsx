@@ -2,11 +2,12 @@
 import {Segments} from "../drawing/segments";
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {fixed} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals, lengthFigure, lengthText} from "../../../drawing/numbers.js";
 import type {JointInfo, TipPose} from "../server/documents";
 import {cell, report, units} from "../server/workbench";
 import {picked, sheet} from "../shell/page_state";
 import {ArmPicture} from "./arm_picture";
+import {pictureReach} from "./arm_stage";
 import {isFollowing, isLive} from "./live";
 import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
@@ -62,20 +63,24 @@ function ReadOut() {
       <div class="panel-body">
         <div class="readout-grid">
           {PLACES.map((name, k) => (
-            <Figure name={name} value={answer?.flexible.position[k]} digits={3} unit={length} />
+            <Figure name={name} figure={lengthFigure(answer?.flexible.position[k], length)} unit={length} />
           ))}
           {TURNS.map((name, k) => (
-            <Figure name={name} value={answer?.flexible.fixed_angles[k]} digits={2} unit={angle} />
+            <Figure
+              name={name}
+              figure={fixed(answer?.flexible.fixed_angles[k], jointDecimals(angle))}
+              unit={angle}
+            />
           ))}
         </div>
         <dl class="figures">
           <dt>sag</dt>
-          <dd>{answer ? `${fixed(sagOf(answer.change), 3)} ${length}` : "–"}</dd>
+          <dd>{answer ? lengthText(sagOf(answer.change), length) : "–"}</dd>
           <dt>from rigid</dt>
-          <dd>{answer ? answer.change.position.map((value) => fixed(value, 3)).join("  ") : "–"}</dd>
+          <dd>{answer ? answer.change.position.map((value) => lengthFigure(value, length)).join("  ") : "–"}</dd>
           <dt>clearance</dt>
           <dd class={(answer?.clearance?.distance ?? 1) < 0 ? "bad" : ""}>
-            {answer?.clearance ? `${fixed(answer.clearance.distance, 3)} ${length}` : "–"}
+            {answer?.clearance ? lengthText(answer.clearance.distance, length) : "–"}
           </dd>
           <dt></dt>
           <dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>
@@ -105,11 +110,11 @@ function sagOf(change: TipPose): number {
   return Math.hypot(...change.position);
 }
 
-function Figure({name, value, digits, unit}: {name: string; value: number | undefined; digits: number; unit: string}) {
+function Figure({name, figure, unit}: {name: string; figure: string; unit: string}) {
   return (
     <div class="figure">
       <span>{name}</span>
-      <b>{fixed(value, digits)}</b>
+      <b class={figure.length > 7 ? "long" : ""}>{figure}</b>
       <small>{unit}</small>
     </div>
   );
@@ -184,10 +189,16 @@ function HoleBox() {
   );
 }
 
+/** How far a joint without limits is moved by its slider either way: a turn, or the picture's reach along a slide. */
+function unlimitedOf(unit: string): number {
+  return unit === "deg" ? 360 : unit === "rad" ? 2 * Math.PI : pictureReach.value;
+}
+
 function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
   const value = poseRequest.joints.value[index] ?? joint.home;
-  const lower = joint.lower ?? -360,
-    upper = joint.upper ?? 360;
+  const turn = unlimitedOf(joint.unit),
+    lower = joint.lower ?? -turn,
+    upper = joint.upper ?? turn;
   return (
     <label class="slider">
       <span>{joint.name}</span>
@@ -204,7 +215,7 @@ function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
       />
       <NumberBox
         value={value}
-        digits={2}
+        digits={jointDecimals(joint.unit)}
         onChange={(next) => setJoint(index, Math.min(upper, Math.max(lower, next)))}
         label={joint.name}
       />

@@ -17,6 +17,7 @@ import {
   ShapeGeometry,
 } from "three";
 import type {Palette} from "../drawing/colours";
+import {roundDown125} from "../../../drawing/scales.js";
 import type {SheetModel} from "../sheet/sheet_model";
 
 /** Pixels across the picture of the holes that lies on the sheet's face. */
@@ -39,7 +40,7 @@ export function plateOf(sheet: SheetModel, palette: Palette): Object3D {
     face,
     new MeshBasicMaterial({map: pictureOf(sheet, palette), side: DoubleSide, transparent: true, depthWrite: false}),
   );
-  plate.position.z = 0.05;
+  plate.position.z = 0.001 * sheet.radius;
   group.add(plate, divider(sheet, palette));
   return group;
 }
@@ -90,9 +91,11 @@ function divider(sheet: SheetModel, palette: Palette): Object3D {
 }
 
 /** Without a sheet: the plane that the arm stands on, as a grid. */
-export function floorOf(palette: Palette): Object3D {
+export function floorOf(palette: Palette, reach: number): Object3D {
   const points: number[] = [];
-  for (let k = -10; k <= 10; ++k) points.push(k * 12, -120, 0, k * 12, 120, 0, -120, k * 12, 0, 120, k * 12, 0);
+  const step = 2 * roundDown125(0.1 * reach),
+    end = 10 * step;
+  for (let k = -10; k <= 10; ++k) points.push(k * step, -end, 0, k * step, end, 0, -end, k * step, 0, end, k * step, 0);
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
   return new LineSegments(geometry, new LineBasicMaterial({color: new Color(palette.line)}));

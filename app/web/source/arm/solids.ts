@@ -19,7 +19,7 @@ import {
   Vector3,
   type Material,
 } from "three";
-import type {SolidShape, Vector3 as Triple} from "../server/documents";
+import type {SolidShape, Units, Vector3 as Triple} from "../server/documents";
 
 const UP = new Vector3(0, 1, 0);
 
@@ -35,14 +35,18 @@ export function layAlong(object: Object3D, a: Vector3, b: Vector3): void {
 }
 
 /** A solid of the file in its own frame; null for half spaces and insides, which are drawn as what bounds the scene. */
-export function solidOf(shape: SolidShape, material: Material): Object3D | null {
+export function solidOf(shape: SolidShape, material: Material, units: Units | undefined): Object3D | null {
   const geometry = geometryOf(shape);
   if (!geometry) return null;
   const mesh = new Mesh(geometry, material);
   if (shape.from && shape.to) layAlong(mesh, vector(shape.from), vector(shape.to));
   else if (shape.center) mesh.position.set(...shape.center);
-  if (shape.rpy) mesh.rotation.set(...(shape.rpy.map((angle) => (angle * Math.PI) / 180) as Triple), "ZYX");
+  if (shape.rpy) mesh.rotation.set(...(shape.rpy.map((angle) => inRadians(angle, units)) as Triple), "ZYX");
   return mesh;
+}
+
+function inRadians(angle: number, units: Units | undefined): number {
+  return units?.angle === "rad" ? angle : (angle * Math.PI) / 180;
 }
 
 function geometryOf(shape: SolidShape): BufferGeometry | null {
@@ -64,10 +68,15 @@ function geometryOf(shape: SolidShape): BufferGeometry | null {
 }
 
 /** An obstacle: filled, with its edges, so that it reads in any light. */
-export function obstacleOf(shape: SolidShape, colours: {fill: string; edge: string}): Object3D | null {
+export function obstacleOf(
+  shape: SolidShape,
+  units: Units | undefined,
+  colours: {fill: string; edge: string},
+): Object3D | null {
   const solid = solidOf(
     shape,
     new MeshStandardMaterial({color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85}),
+    units,
   );
   if (!(solid instanceof Mesh)) return null;
   solid.add(new LineSegments(new EdgesGeometry(solid.geometry, 30), new LineBasicMaterial({color: colours.edge})));

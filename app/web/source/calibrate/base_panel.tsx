@@ -1,5 +1,5 @@
 // Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
-import {fixed, isNumber, short} from "../../../drawing/numbers.js";
+import {fixed, isNumber, lengthFigure, short} from "../../../drawing/numbers.js";
 import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
 import {units} from "../server/workbench";
 import {ProblemWords} from "../shell/states";
@@ -100,9 +100,9 @@ export function BasePanel() {
                 <td>
                   {row.from} to {row.to}
                 </td>
-                <td class="number">{fixed(row.by_arm, 3)}</td>
-                <td class="number">{fixed(row.on_sheet, 3)}</td>
-                <td class="number">{fixed(row.difference, 4)}</td>
+                <td class="number">{lengthFigure(row.by_arm, length)}</td>
+                <td class="number">{lengthFigure(row.on_sheet, length)}</td>
+                <td class="number">{lengthFigure(row.difference, length, 4)}</td>
               </tr>
             ))}
           </tbody>

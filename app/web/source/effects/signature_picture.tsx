@@ -1,7 +1,7 @@
 // What an effect does to the tip of this arm, drawn against what it follows.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {short, unitText} from "../../../drawing/numbers.js";
+import {tickTexts, unitText} from "../../../drawing/numbers.js";
 import {roundTicks} from "../../../drawing/scales.js";
 import type {SignatureDocument} from "../server/documents";
 import {get} from "../server/requests";
@@ -64,19 +64,21 @@ function Curve({document}: {document: SignatureDocument}) {
       return step;
     })
     .join("");
+  const ticks = roundTicks(low, high, 4),
+    along = roundTicks(values[0], values.at(-1)!, 6);
   return (
     <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={`The tip's shift against ${variable}`}>
-      {roundTicks(low, high, 4).map((tick) => (
+      {ticks.map((tick, k) => (
         <>
           <line class={tick === 0 ? "zero" : "grid"} x1={LEFT} x2={WIDTH - RIGHT} y1={y(tick)} y2={y(tick)} />
           <text x={LEFT - 6} y={y(tick) + 4} text-anchor="end">
-            {short(tick)}
+            {tickTexts(ticks)[k]}
           </text>
         </>
       ))}
-      {(isTwoLevels ? values : roundTicks(values[0], values.at(-1)!, 6)).map((tick) => (
+      {(isTwoLevels ? values : along).map((tick, k) => (
         <text x={x(tick)} y={HEIGHT - BOTTOM + 15} text-anchor="middle">
-          {isTwoLevels ? (tick < 0 ? "−" : "+") : short(tick)}
+          {isTwoLevels ? (tick < 0 ? "−" : "+") : tickTexts(along)[k]}
         </text>
       ))}
       <text class="axis" x={(LEFT + WIDTH - RIGHT) / 2} y={HEIGHT - 4} text-anchor="middle">

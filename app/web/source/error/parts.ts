@@ -69,7 +69,7 @@ export function partsOf(source: PartSource): Part[] {
   const tools = source.ids.map((id) => leverage.tool[id]);
   return [
     ...parts,
-    ...RADIAL.map(([name, words], k) => along(name, `error ${words}`, (index) => radials[index]?.[k])),
+    ...RADIAL.map(([name, words], k) => along(name, words, (index) => radials[index]?.[k])),
     ...["x", "y", "z"].map((name, k) =>
       along(`tool ${name}`, `error along the tool's ${name}`, (index) => tools[index]?.slice(3 * k, 3 * k + 3)),
     ),
@@ -83,9 +83,9 @@ const UNITS: Vector3[] = [
   [0, 0, 1],
 ];
 const RADIAL = [
-  ["radial", "away from the base's axis"],
-  ["tangential", "around the base's axis"],
-  ["up", "upwards"],
+  ["radial", "radial error"],
+  ["tangential", "tangential error"],
+  ["up", "error upwards"],
 ] as const;
 
 export function jointKey(name: string): string {

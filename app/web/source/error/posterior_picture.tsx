@@ -1,9 +1,9 @@
 // The posterior over the number of readings: one line for each explanation, named at its end with what it has now.
-import {probability} from "../../../drawing/numbers.js";
+import {MISSING, probability} from "../../../drawing/numbers.js";
 import {posteriorHistory} from "./posterior_history";
 
 const WIDTH = 460,
-  HEIGHT = 120,
+  HEIGHT = 100,
   LEFT = 34,
   RIGHT = 200,
   TOP = 8,
@@ -46,7 +46,7 @@ export function PosteriorPicture() {
             <polyline points={steps.map(({readings}, s) => `${x(readings).toFixed(1)},${y(of(title, s)).toFixed(1)}`).join(" ")} />
             <circle cx={x(last)} cy={y(now[k])} r={2.5} />
             <text x={WIDTH - RIGHT + 8} y={Math.min(names[k], HEIGHT)}>
-              {probability(now[k])} {title.length > 26 ? `${title.slice(0, 25)}…` : title}
+              {title in steps.at(-1)!.of ? probability(now[k]) : MISSING} {title.length > 26 ? `${title.slice(0, 25)}…` : title}
               <title>{title}</title>
             </text>
           </g>

@@ -6,7 +6,7 @@ import type uPlot from "uplot";
 import {MarkIcon} from "../drawing/marks";
 import {palette, type Palette} from "../drawing/colours";
 import {explanationTitle} from "../../../drawing/explanations.js";
-import {exact, isNumber, tickTexts} from "../../../drawing/numbers.js";
+import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js";
 import {roundTicks, symmetric, widened} from "../../../drawing/scales.js";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
@@ -102,8 +102,8 @@ interface ErrorPlotProps {
 
 function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
   const plot = useMemo(
-    () => (errors && view ? makePlot(errors, view, palette.peek(), most) : null),
-    [errors, view, palette.value, most],
+    () => (errors && view ? makePlot(errors, view, palette.peek(), most, index >= 0) : null),
+    [errors, view, palette.value, most, index],
   );
   const box = useRef<HTMLDivElement>(null);
   const pointing = usePointing(box, plot?.rows ?? null);
@@ -168,7 +168,7 @@ function PlotLegend({errors, hasLaw, isBrief}: {errors: ReadingErrors | null; ha
   return (
     <SeriesLegend errors={errors} isBrief={isBrief}>
       <span>
-        <i class="means-sign" /> means {errors?.judged === 1 ? "after" : "before"} ± 2 s.e.
+        <i class="means-sign" /> means {isBrief ? "" : errors?.judged === 1 ? "after " : "before "}± 2 s.e.
       </span>
       {hasLaw ? (
         <span title="What the chosen cause takes away from the error, as a mean along the variable; the band is its spread">
@@ -200,7 +200,7 @@ function spread(isLevel: boolean, value: number, index: number): number {
   return isLevel ? value + 0.5 * besideLevel(index) : value;
 }
 
-function makePlot(errors: ReadingErrors, view: View, colours: Palette, most: number | null): MadePlot {
+function makePlot(errors: ReadingErrors, view: View, colours: Palette, most: number | null, isBrief: boolean): MadePlot {
   const {variable, part} = view;
   const isLevel = variable.kind === "sense" || variable.levels !== undefined;
   const xs = errors.readings.map((reading, index) => variable.of(reading, index));
@@ -217,7 +217,7 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette, most: num
       )
     : [];
   const name = variableTitle(variable);
-  const title = `${part.title}, ${part.unit}`;
+  const title = `${part.title}, ${plainUnit(part.unit)}`;
   return {
     rows,
     law,
@@ -247,7 +247,7 @@ function makePlot(errors: ReadingErrors, view: View, colours: Palette, most: num
           splits: isLevel ? () => levelTicks(variable.levels) : undefined,
           values: (_plot: uPlot, splits: number[]) => splits.map((value) => variable.levels?.[value] ?? exact(value)),
         }),
-        axis(colours, title, {
+        axis(colours, isBrief ? `${part.key}, ${plainUnit(part.unit)}` : title, {
           side: 3,
           splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
           values: (_plot: uPlot, splits: number[]) => tickTexts(splits),

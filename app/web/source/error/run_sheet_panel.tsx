@@ -1,6 +1,6 @@
 // The run sheet on the page: printed or taken along as CSV, ticked off, filled in or dropped back.
 import {Icon} from "../drawing/icons";
-import {isNumber, plural, short} from "../../../drawing/numbers.js";
+import {fixed, isNumber, plural, short} from "../../../drawing/numbers.js";
 import {senseArrow} from "../../../drawing/conditions.js";
 import {poseRequest} from "../arm/pose_link";
 import {cell} from "../server/workbench";
@@ -104,8 +104,8 @@ function SheetTable({sheet, table}: {sheet: RunSheet; table: RunSheetTable}) {
               </td>
               <td>{row[0]}</td>
               {joints.map(({k, sense}) => (
-                <td class="number">
-                  {row[k]}
+                <td class="number" title={row[k]}>
+                  {fixed(Number(row[k]), 2)}
                   {sense >= 0 ? senseArrow(Number(row[sense])) : ""}
                 </td>
               ))}

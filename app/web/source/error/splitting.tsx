@@ -13,8 +13,9 @@ export function Splitting({document}: {document: DiagnoseDocument | null}) {
   return (
     <div class="splitting">
       <PosteriorPicture />
-      {document ? <Proposals document={document} /> : null}
+      {document?.splitting?.advice ? <p>{document.splitting.advice}</p> : null}
       <RunSheetPanel />
+      {document ? <Proposals document={document} /> : null}
     </div>
   );
 }
@@ -34,7 +35,6 @@ function Proposals({document}: {document: DiagnoseDocument}) {
   }
   return (
     <>
-      {splitting?.advice ? <p>{splitting.advice}</p> : null}
       {readings.length > 0 && !document.run_sheet ? <ReadingTable readings={readings} /> : null}
       {others.length > 0 ? (
         <ul>

@@ -2,7 +2,7 @@
 import {useEffect, useRef} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
-import {clock, fixed, probability, short} from "../../../drawing/numbers.js";
+import {clock, lengthFigure, probability, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
 import type {PlanDocument, PlannedTube} from "../server/documents";
 import {units} from "../server/workbench";
@@ -94,7 +94,7 @@ function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds:
         )}
       </span>
       <span class="number">{probability(tube.probability_by_steps?.[3])}</span>
-      <span class="number">{score ? fixed(score.error, 4) : "–"}</span>
+      <span class="number">{lengthFigure(score?.error, units.value.length, 4)}</span>
       <span class="number">{short(tube.tilt)}</span>
       <span class="number">{Number.isFinite(arrivals.value[index]) ? clock(arrivals.value[index]) : "–"}</span>
     </div>

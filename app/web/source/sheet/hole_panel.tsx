@@ -1,5 +1,5 @@
 // What is known of the hole that is pointed out, and the posture that brings the tool under it.
-import {fixed} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals, lengthFigure} from "../../../drawing/numbers.js";
 import type {InverseDocument} from "../server/documents";
 import {cell, units} from "../server/workbench";
 import {picked, selection, toggleSelected, view} from "../shell/page_state";
@@ -36,7 +36,7 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
         <dl class="figures">
           <dt>x, y, z</dt>
           <dd>
-            {[0, 1, 2].map((k) => fixed(model.world[3 * hole + k], 3)).join("  ")} {units.value.length}
+            {[0, 1, 2].map((k) => lengthFigure(model.world[3 * hole + k], units.value.length)).join("  ")} {units.value.length}
           </dd>
           <dt>state</dt>
           <dd>{model.stateWords[model.state[hole]]}</dd>
@@ -65,7 +65,7 @@ function Posture({inverse}: {inverse: InverseDocument | null}) {
           <>
             <dt>{joints[i]?.name}</dt>
             <dd>
-              {fixed(value, 3)} {joints[i]?.unit}
+              {fixed(value, jointDecimals(joints[i]?.unit ?? ""))} {joints[i]?.unit}
             </dd>
           </>
         ))}

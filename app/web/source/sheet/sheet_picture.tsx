@@ -4,7 +4,7 @@ import {useEffect, useMemo, useRef} from "preact/hooks";
 import {useSignal, useSignalEffect} from "@preact/signals";
 import {palette} from "../drawing/colours";
 import {Icon} from "../drawing/icons";
-import {fixed} from "../../../drawing/numbers.js";
+import {lengthFigure, lengthText} from "../../../drawing/numbers.js";
 import {units} from "../server/workbench";
 import type {Colouring} from "./colourings";
 import {sheetWords} from "../../../drawing/sheet_model.js";
@@ -120,7 +120,8 @@ function HoleTip({
         {sheet.legWords} · {holeName(sheet, hole)}
       </b>
       <span>
-        x {fixed(sheet.world[3 * hole], 3)}, y {fixed(sheet.world[3 * hole + 1], 3)} {units.value.length}
+        x {lengthFigure(sheet.world[3 * hole], units.value.length)}, y{" "}
+        {lengthText(sheet.world[3 * hole + 1], units.value.length)}
       </span>
       <span>{sheet.stateWords[sheet.state[hole]]}</span>
       {colouring.words(hole).map((line) => (
