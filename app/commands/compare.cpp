@@ -20,7 +20,8 @@ namespace tubeplan::app {
 namespace {
 
 struct CompareOptions {
-  std::string cell, json, report;
+  std::string cell, json;
+  ReportTarget report;
   ReadingFiles measurements;
   MeasurementOptions given;
   ComparisonRequest request;
@@ -29,11 +30,10 @@ struct CompareOptions {
 int run(const CompareOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
-  if (!options.report.empty()) checkWritableFile(options.report, "--report");
+  checkReportTarget(options.report);
   const auto [comparison, warnings, figures] = compareModel(input, options.request, terminalWorkHooks());
   writeJson(options.json, figures);
-  if (!options.report.empty())
-    writeFileAtomically(options.report, comparisonPage(input, options.request.seed, figures), "--report");
+  if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
   if (printsText(options.json)) {
     fmt::print("{}{}", checksText(input.checks, input.cell.units),
                comparisonText(comparison, input.readings, input.cell.units));
@@ -49,7 +49,7 @@ Run configureCompare(CLI::App& cli) {
   addCell(cli, options->cell);
   addReadings(cli, options->measurements);
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--report", options->report, "write a report with maps and curves of the error to this file (HTML)");
+  addReportOptions(cli, options->report, "write a report with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
   cli.add_option("--seed", options->request.seed, "seed of the folds");

@@ -22,7 +22,8 @@ namespace tubeplan::app {
 namespace {
 
 struct DiagnoseOptions {
-  std::string cell, json, report, run_sheet;
+  std::string cell, json, run_sheet;
+  ReportTarget report;
   ReadingFiles measurements;
   MeasurementOptions given;
   DiagnosisRequest request;
@@ -31,11 +32,11 @@ struct DiagnoseOptions {
 int run(const DiagnoseOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
-  if (!options.report.empty()) checkWritableFile(options.report, "--report");
+  checkReportTarget(options.report);
   if (!options.run_sheet.empty()) checkWritableFile(options.run_sheet, "--run-sheet");
   const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
-  if (!options.report.empty())
-    writeFileAtomically(options.report, diagnosisPage(input, options.request.seed, outcome.figures), "--report");
+  if (options.report.isWanted())
+    writeReport(options.report, diagnosisPage(input, options.request.seed, outcome.figures));
   writeJson(options.json, outcome.figures);
   const std::string& sheet = outcome.run_sheet;
   if (!options.run_sheet.empty() && !sheet.empty()) writeFileAtomically(options.run_sheet, sheet, "--run-sheet");
@@ -72,7 +73,7 @@ Run configureDiagnose(CLI::App& cli) {
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
   cli.add_option("--run-sheet", options->run_sheet,
                  "write the proposed readings (CSV), to be filled in and given back after the readings");
-  cli.add_option("--report", options->report, "write a self-contained report (HTML) to this file");
+  addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

@@ -21,7 +21,8 @@ namespace tubeplan::app {
 namespace {
 
 struct LadderOptions {
-  std::string measurements, json, report;
+  std::string measurements, json;
+  ReportTarget report;
   std::vector<std::string> cells;
   MeasurementOptions given;
   LadderRequest request;
@@ -42,15 +43,14 @@ std::vector<LadderModel> modelsOf(const LadderOptions& options) {
 
 int run(const LadderOptions& options) {
   checkJsonTarget(options.json);
-  if (!options.report.empty()) checkWritableFile(options.report, "--report");
+  checkReportTarget(options.report);
   const auto models = modelsOf(options);
   const auto outcome = climbLadder(models, options.request, terminalWorkHooks());
   nlohmann::json figures = outcome.figures;
   addChecks(models.back().input.checks, models.front().input.cell.units, figures);
   writeJson(options.json, figures);
-  if (!options.report.empty())
-    writeFileAtomically(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed),
-                        "--report");
+  if (options.report.isWanted())
+    writeReport(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed));
   const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
     fmt::print("{}{}{}", checksText(models.back().input.checks, units), modelComparisonText(outcome.comparison, units),
@@ -65,7 +65,7 @@ Run configureLadder(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
   cli.add_option("CELL", options->cells, "models, one cell file each, in the order of comparison")->required();
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--report", options->report, "write a report to this file (HTML)");
+  addReportOptions(cli, options->report, "write a report to this file (HTML)");
   cli.add_flag("--rigid", options->with_rigid, "begin with the first model as a rigid arm");
   cli.add_option("--truth", options->request.truth,
                  "the cell of the true arm for the step table (default: the best of the models, with an unmodelled "

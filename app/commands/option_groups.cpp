@@ -1,6 +1,10 @@
 #include "app/commands/option_groups.hpp"
 
+#include <filesystem>
+
+#include "app/cli/browser.hpp"
 #include "app/files/assumptions.hpp"
+#include "app/files/atomic_file.hpp"
 
 namespace tubeplan::app {
 
@@ -31,6 +35,20 @@ void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume) {
                      "; as-is: continue despite all warnings")
       ->delimiter(',')
       ->allow_extra_args(false);
+}
+
+void addReportOptions(CLI::App& cli, ReportTarget& target, const std::string& words) {
+  auto* report = cli.add_option("--report", target.file, words);
+  cli.add_flag("--open", target.open, "open the report in a browser")->needs(report);
+}
+
+void checkReportTarget(const ReportTarget& target) {
+  if (target.isWanted()) checkWritableFile(target.file, "--report");
+}
+
+void writeReport(const ReportTarget& target, const std::string& page) {
+  writeFileAtomically(target.file, page, "--report");
+  if (target.open) openInBrowser(std::filesystem::absolute(target.file).string());
 }
 
 }  // namespace tubeplan::app

@@ -17,4 +17,21 @@ void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 /// --assume alone, of commands that take readings beside their own question.
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
+/// A page about what was found: --report FILE, and --open.
+struct ReportTarget {
+  std::string file;  ///< empty: none is wanted
+  bool open = false;
+
+  [[nodiscard]] bool isWanted() const { return !file.empty(); }
+};
+
+/// `words`: what the page shows, for --help.
+void addReportOptions(CLI::App& cli, ReportTarget& target, const std::string& words);
+
+/// Before the work: whether it can be written. Throws InputError.
+void checkReportTarget(const ReportTarget& target);
+
+/// Writes the page, and opens it in a browser where that was asked for.
+void writeReport(const ReportTarget& target, const std::string& page);
+
 }  // namespace tubeplan::app

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/browser.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -22,7 +23,7 @@ namespace {
 struct PlanOptions {
   PlanRequest request;
   std::string out, from;
-  bool resume = false, trajectory = false;
+  bool resume = false, trajectory = false, open = false;
 };
 
 int explainStop(PlanCheckpoint& checkpoint, const OutputFolder& folder) {
@@ -82,6 +83,7 @@ int run(const PlanOptions& options) {
   writePlan(options.request, outcome, folder);
   fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : keptText(options.from, outcome),
              (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
+  if (options.open) openInBrowser(std::filesystem::absolute(folder.path() / "report.html").string());
   return kDone;
 }
 
@@ -130,6 +132,7 @@ Run configurePlan(CLI::App& cli) {
                "continue the plan that was stopped in the folder; refuse if its options differ");
   cli.add_option("--from", options->from,
                  "the folder of an earlier plan: reuse what is still valid of it and plan the rest anew");
+  cli.add_flag("--open", options->open, "open the report in a browser");
   cli.add_flag("--trajectory", options->trajectory, "write trajectory.yaml too, a ROS 2 JointTrajectory");
   return [options] { return run(*options); };
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/browser.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 struct ReportOptions {
   std::string project, out, pdf, files, json;
+  bool open = false;
 };
 
 std::filesystem::path besideProject(const std::string& project, const char* ending) {
@@ -52,6 +54,7 @@ int run(const ReportOptions& options) {
   if (!options.files.empty()) writeProjectFiles(session, options.files);
   writeFileAtomically(out, renderProjectReport(report), "--out");
   if (!options.pdf.empty()) printPage(out, options.pdf);
+  if (options.open) openInBrowser(std::filesystem::absolute(out).string());
   writeJson(options.json, report);
   if (!printsText(options.json)) return kDone;
   fmt::print("wrote {}\n", out);
@@ -66,6 +69,7 @@ Run configureReport(CLI::App& cli) {
   const auto options = std::make_shared<ReportOptions>();
   cli.add_option("PROJECT", options->project, "a project that the workbench has saved")->required();
   cli.add_option("--out", options->out, "write the report to this file (the project's name, .html)");
+  cli.add_flag("--open", options->open, "open the report in a browser");
   cli.add_option("--pdf", options->pdf, "print it to this file too, by headless Chromium");
   cli.add_option("--files", options->files,
                  "write the readings in use and every model into this folder, as the report's command lines take them");

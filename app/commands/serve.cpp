@@ -1,7 +1,5 @@
 // tubeplan serve: the workbench, a web page on loopback.
 #include <fmt/format.h>
-#include <spawn.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/cli/browser.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/files/input_error.hpp"
@@ -46,14 +45,6 @@ void requireToken(const DoorRules& door) {
                      fmt::format("{} or more letters, digits, - and _", kShortestToken));
 }
 
-void openBrowser(std::string address) {
-  std::string program = "xdg-open";
-  char* const words[] = {program.data(), address.data(), nullptr};
-  pid_t process = 0;
-  if (::posix_spawnp(&process, program.c_str(), nullptr, nullptr, words, environ) != 0)
-    fmt::print(stderr, "no browser could be opened\n");
-}
-
 /// Readings are compared as soon as they are here, however they came.
 void compareAtOnce(Workbench& workbench) {
   const Session session = workbench.session();
@@ -73,7 +64,7 @@ int run(const ServeOptions& options) {
     fmt::print("postures as lines: 127.0.0.1 port {}\n", lines->port());
   }
   std::fflush(stdout);
-  if (options.open) openBrowser(server.address());
+  if (options.open) openInBrowser(server.address());
   std::thread serving([&server] { server.run(); });
   compareAtOnce(workbench);
   WatchedFile watched(options.watch);

@@ -33,7 +33,34 @@ function tellingNumbers({parameters}) {
     number !== null && isNumber(number?.value) ? [{...number, name: plainName(name)}] : [],
   );
   const fitted = all.filter((number) => isNumber(number.sigma));
-  return fitted.length > 0 ? fitted : all.filter((number) => number.value !== 0);
+  return asWave(fitted.length > 0 ? fitted : all.filter((number) => number.value !== 0));
+}
+
+/**
+ * A sine and a cosine, as what one sees of them: sine sin(q) + cosine cos(q) = amplitude sin(q + phase).
+ * @param {NamedNumber[]} numbers @returns {NamedNumber[]}
+ */
+function asWave(numbers) {
+  const sine = numbers.find(({name}) => name === "sine"),
+    cosine = numbers.find(({name}) => name === "cosine");
+  if (!sine || !cosine) return numbers;
+  const amplitude = Math.hypot(sine.value, cosine.value);
+  const isKnown = isNumber(sine.sigma) && isNumber(cosine.sigma) && amplitude > 0;
+  /** @param {number} a @param {number} b */
+  const spread = (a, b) =>
+    isKnown ? Math.hypot(a * Number(sine.sigma), b * Number(cosine.sigma)) / amplitude : undefined;
+  const turn = 180 / Math.PI,
+    doubt = spread(cosine.value, sine.value);
+  return [
+    {name: "amplitude", value: amplitude, sigma: spread(sine.value, cosine.value), unit: sine.unit},
+    {
+      name: "phase",
+      value: turn * Math.atan2(cosine.value, sine.value),
+      sigma: doubt === undefined ? undefined : (turn * doubt) / amplitude,
+      unit: "deg",
+    },
+    ...numbers.filter((number) => number !== sine && number !== cosine),
+  ];
 }
 
 /** "half width 0.0586 +- 0.0010 deg". @param {FoundEffect} effect */
@@ -49,7 +76,7 @@ export function sizeText(effect) {
  */
 function stiffnessText({name, value, sigma, unit}) {
   const isKnown = /compliance/.test(name) && value > 0 && (!isNumber(sigma) || sigma < 0.3 * value);
-  return isKnown && unit ? ` (stiffness ${short(1 / value)} ${inverseUnit(unit)})` : "";
+  return isKnown && unit ? `, stiffness ${short(1 / value)} ${inverseUnit(unit)}` : "";
 }
 
 /** How much of what an effect does shows in the readings; empty where that is not known. @param {unknown} fraction */

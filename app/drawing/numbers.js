@@ -137,7 +137,7 @@ export function lengthFigure(value, unit, decimals = 3) {
 }
 
 /** @param {unknown} value @param {string} unit */
-export function lengthText(value, unit, decimals = 3) {
+export function lengthAndUnit(value, unit, decimals = 3) {
   return isNumber(value) ? `${lengthFigure(value, unit, decimals)} ${unit}` : MISSING;
 }
 

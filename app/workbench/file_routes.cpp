@@ -5,10 +5,12 @@
 
 #include "app/documents/foreign_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_writer.hpp"
 #include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/text_file.hpp"
+#include "app/workbench/job_routes.hpp"
 #include "app/workbench/leverage_json.hpp"
 #include "app/workbench/moments_json.hpp"
 #include "app/workbench/project.hpp"
@@ -78,7 +80,53 @@ Answer takeText(Workbench& workbench, const std::string& text, const std::string
   auto [readings, checks] = parseAndCheck(text, set->name, cell, options);
   set->readings = std::move(readings);
   set->checks = std::move(checks);
+  set->source = std::make_shared<ReadingSource>(ReadingSource{{}, text, options.sigma, {}});
   take(workbench, set);
+  return answerOf(stateJson(workbench));
+}
+
+/// The readings of a source once more, with what is said to be wrong with them, for a cell that is changed where its
+/// base is said not to be known.
+ReadingsWithChecks readAgain(const ReadingSource& source, const std::string& name, Cell& cell) {
+  MeasurementOptions options;
+  options.sigma = source.sigma;
+  options.assume = source.assumed;
+  return source.files.empty() ? parseAndCheck(source.text, name, cell, options)
+                              : readAndCheck(source.files, cell, options);
+}
+
+/// {"assume": ["coordinates=in"]}: what a check of the readings suspects is taken to be so, as --assume of the commands
+/// does; `as-is`: they are as they should be.
+Answer assume(Workbench& workbench, const Request& request) {
+  const auto names = textsOf(objectOf(request), "assume");
+  if (names.empty()) throw InputError("assume", "nothing", "NAME=VALUE as --assume of the commands takes it");
+  if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
+  const Session session = workbench.session();
+  if (!session.readings) return noReadings();
+  if (!session.readings->source)
+    return refusal(409, InputError("readings", "readings whose file is not at hand any more", "ones that were opened",
+                                   "open their file again"));
+  ReadingSource source = *session.readings->source;
+  source.assumed.insert(source.assumed.end(), names.begin(), names.end());
+  Cell cell = currentModel(session).cell;
+  const bool was_known = cell.base_known;
+  auto set = std::make_shared<ReadingSet>();
+  set->name = session.readings->name;
+  auto [readings, checks] = readAgain(source, set->name, cell);
+  set->readings = std::move(readings);
+  set->checks = std::move(checks);
+  set->change = session.readings->change + 1;
+  set->source = std::make_shared<ReadingSource>(std::move(source));
+  take(workbench, set);
+  if (was_known && !cell.base_known) {
+    const Cell& known = currentModel(session).cell;
+    const BaseChange unknown{known.X_WB, std::nullopt, false};
+    const Cell open = rereadCell(known, cellTextWithBase(known, unknown, known.path));
+    workbench.change([&](Session& now) {
+      (void)pushModel(now, "base not known", "assumption", open);
+      return true;
+    });
+  }
   return answerOf(stateJson(workbench));
 }
 
@@ -242,6 +290,7 @@ constexpr Route kFileRoutes[] = {
     {"POST", "measurements/open", openReadingsFile},
     {"POST", "measurements/set-aside", setAside},
     {"POST", "measurements/hold-out", holdOut},
+    {"POST", "measurements/assume", assume},
     {"POST", "cell/open", openCellFile},
     {"POST", "project/open", openProject},
     {"POST", "project/save", saveProject},

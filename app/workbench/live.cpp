@@ -117,6 +117,7 @@ void joinArrived(Workbench& workbench) {
     const auto arrived = workbench.arrivals().hand();
     joined->readings.insert(joined->readings.end(), arrived.begin(), arrived.end());
     ++joined->change;
+    joined->source.reset();  // it has not all of them
     session.readings = std::move(joined);
     forgetResultsOfReadings(session);
     return true;

@@ -18,6 +18,14 @@
 
 namespace tubeplan::app {
 
+/// Where readings were read from, to be read again with what is said to be wrong with them.
+struct ReadingSource {
+  std::vector<std::string> files;    ///< taken together; none where they came as text
+  std::string text;                  ///< of a measurement file
+  double sigma = 0;                  ///< as MeasurementOptions has it
+  std::vector<std::string> assumed;  ///< as takeAssumptions() wants them: taken already
+};
+
 /// Readings of one or more files.
 struct ReadingSet {
   std::string name;
@@ -25,6 +33,8 @@ struct ReadingSet {
   calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
   std::set<std::string> set_aside = {};            ///< ids of those that no fit sees
   int change = 0;                                  ///< how often that has changed
+  std::shared_ptr<const ReadingSource> source =
+      {};  ///< none of simulated readings, a kept session, or where others joined
 };
 
 /// Those that are not set aside.

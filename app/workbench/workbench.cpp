@@ -110,6 +110,7 @@ std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& f
   auto [readings, checks] = readAndCheck(files, own, {});
   set->readings = std::move(readings);
   set->checks = std::move(checks);
+  set->source = std::make_shared<ReadingSource>(ReadingSource{files, "", 0, {}});
   for (const auto& file : files) set->name += (set->name.empty() ? "" : " + ") + fs::path(file).filename().string();
   return set;
 }

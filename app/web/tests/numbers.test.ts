@@ -1,5 +1,18 @@
 import {describe, expect, it} from "vitest";
-import {chance, clock, duration, probability, short} from "../../drawing/numbers.js";
+import {sizeText} from "../../drawing/explanations.js";
+import {
+  chance,
+  clock,
+  duration,
+  fixed,
+  inverseUnit,
+  jointDecimals,
+  lengthAndUnit,
+  plainUnit,
+  probability,
+  short,
+  tickTexts,
+} from "../../drawing/numbers.js";
 import {rootTicks, roundDown125, roundTicks, roundUp125, symmetric} from "../../drawing/scales.js";
 import {valueAndSigma, withSigma} from "../../drawing/sigma_text.js";
 
@@ -15,12 +28,43 @@ describe("figures", () => {
   it("have as many digits as sigma tells", () => {
     expect(withSigma(0.0585900745, 0.00101218, "deg")).toBe("0.0586 ± 0.0010\u00a0deg");
     expect(withSigma(2, null, "in")).toBe("2.00\u00a0in");
-    expect(withSigma(9927495, 67123, "lbf/in^2")).toBe("(9.927 ± 0.067)e6\u00a0lbf/in^2");
+    expect(withSigma(9927495, 67123, "lbf/in^2")).toBe("(9.927 ± 0.067)e6\u00a0lbf/in²");
     expect(withSigma(2.8658879e16, 1.8571527e16, "lbf")).toBe("(2.9 ± 1.9)e16\u00a0lbf");
     expect(withSigma(-0.000182, 0.000075)).toBe("(−1.82 ± 0.75)e−4");
     expect(withSigma(3812, 640)).toBe("3,810 ± 640");
     expect(valueAndSigma(12.34567, 0.0123)).toEqual(["12.346", "0.012"]);
     expect(valueAndSigma(319800, 151571)).toEqual(["3.2e5", "1.5e5"]);
+  });
+  it("have units as drawings write them, and a stiffness beside a compliance", () => {
+    expect(plainUnit("deg/lbf/in")).toBe("deg/(lbf·in)");
+    expect(plainUnit("1/lbf/in^2")).toBe("1/(lbf·in²)");
+    expect(plainUnit("lbf*in/deg")).toBe("lbf·in/deg");
+    expect(inverseUnit("deg/lbf/in")).toBe("lbf·in/deg");
+    expect(inverseUnit("1/lbf/in^2")).toBe("lbf·in²");
+    const compliance = {value: 0.0005, sigma: 0.00001, unit: "deg/lbf/in"};
+    const size = (numbers: object) => sizeText({effect: "joint-compliance", at: "tool.z", parameters: numbers});
+    expect(size({compliance})).toBe("compliance (5.00 ± 0.10)e−4\u00a0deg/(lbf·in), stiffness 2,000 lbf·in/deg");
+    expect(size({compliance: {...compliance, sigma: 0.0004}})).not.toContain("stiffness");
+  });
+  it("of a sine and a cosine are an amplitude and a phase", () => {
+    const number = (value: number) => ({value, sigma: 0.001, unit: "deg"});
+    expect(
+      sizeText({effect: "transmission-error", at: "q", parameters: {sine: number(0.03), cosine: number(0.04)}}),
+    ).toBe("amplitude 0.0500 ± 0.0010\u00a0deg, phase 53.1 ± 1.1\u00a0deg");
+    expect(sizeText({effect: "transmission-error", at: "q", parameters: {sine: number(0.03)}})).toMatch(/^sine 0\.03/);
+  });
+  it("are as fine in any unit of length, and zero has no sign", () => {
+    expect(lengthAndUnit(-0.0361234, "m")).toBe("−0.03612 m");
+    expect(lengthAndUnit(917.456, "mm")).toBe("917.46 mm");
+    expect(lengthAndUnit(36.12345, "in")).toBe("36.123 in");
+    expect(fixed(-0.00001, 3)).toBe("0.000");
+    expect(fixed(-0.01, 2)).toBe("−0.01");
+    expect([jointDecimals("deg"), jointDecimals("rad"), jointDecimals("m")]).toEqual([2, 4, 5]);
+  });
+  it("of one axis have the same decimals", () => {
+    expect(tickTexts([-0.1, -0.05, 0, 0.05, 0.1])).toEqual(["−0.10", "−0.05", "0", "0.05", "0.10"]);
+    expect(tickTexts([0, 200, 400])).toEqual(["0", "200", "400"]);
+    expect(tickTexts([0, 1e-5, 2e-5])).toEqual(["0", "1.0e−5", "2.0e−5"]);
   });
   it("say certainty only where it is certain", () => {
     expect(probability(0.9997)).toBe(">\u00a099.9\u00a0%");

@@ -4,7 +4,9 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "app/files/cell_reader.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -110,6 +112,21 @@ TEST_F(CompareCommand, badInputExitsWithTwo) {
   const Outcome missing = run("compare " + shipped("bench.yaml") + " nowhere.csv --json -");
   EXPECT_EQ(missing.exit_code, 2);
   expectSays(missing.err, "nowhere.csv");
+}
+
+TEST_F(CompareCommand, openShowsTheReportInABrowser) {
+  write("readings.csv", readingsWith(0));
+  write("browser", "#!/bin/sh\necho \"$1\" >shown.txt.new && mv shown.txt.new shown.txt\n");
+  std::filesystem::permissions(folder / "browser", std::filesystem::perms::owner_all);
+  ASSERT_EQ(::setenv("BROWSER", (folder / "browser").c_str(), 1), 0);
+  const auto outcome = run("compare " + shipped("bench.yaml") + " readings.csv --report page.html --open");
+  ASSERT_EQ(::unsetenv("BROWSER"), 0);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!std::filesystem::exists(folder / "shown.txt") && std::chrono::steady_clock::now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(contentOf(folder / "shown.txt"), std::filesystem::canonical(folder / "page.html").string() + "\n");
+  EXPECT_NE(run("compare " + shipped("bench.yaml") + " readings.csv --open").exit_code, 0) << "without a report";
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
+#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <set>
 
@@ -182,6 +183,31 @@ TEST_F(WorkbenchRoutes, readingsAreLoadedOrRefusedWithTheReadersOwnWords) {
   EXPECT_EQ(post("/api/measurements/open", {{"file", "../readings.csv"}}).status, 422);
   EXPECT_EQ(post("/api/measurements/open", {{"file", "bench.yaml"}}).status, 422);
   EXPECT_EQ(get("/api/files").body["measurements"], json({"readings.csv"}));
+}
+
+TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
+  serve("bench.yaml");
+  simulate();
+  std::string text = get("/api/export/measurements.csv").text;
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=mm"}}}).status, 409) << "simulated, not opened";
+  const std::string header = text.substr(0, text.find('\n'));
+  text.replace(0, header.size(), boost::replace_all_copy(header, "x_in,y_in,z_in", "x_mm,y_mm,z_mm"));
+  const Reply wrong = replyOf(client->Post("/api/measurements?name=mm.csv", text, "text/csv"));
+  ASSERT_EQ(wrong.status, 200) << wrong.text;
+  const json check = wrong.body["measurements"]["checks"][0];
+  EXPECT_EQ(check["severity"], "mistake");
+  EXPECT_EQ(check["assume"], "coordinates=in");
+  EXPECT_EQ(post("/api/measurements/assume").status, 422);
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=parsec"}}}).status, 422);
+  const json mended = post("/api/measurements/assume", {{"assume", {check["assume"]}}}).body["measurements"];
+  for (const auto& left : mended["checks"]) EXPECT_NE(left["severity"], "mistake") << left.dump();
+  EXPECT_EQ(mended["readings"], 30);
+  done("/api/compare");
+  EXPECT_LT(get("/api/results/compare").body["rms"]["after"], 0.5);
+
+  const json open = post("/api/measurements/assume", {{"assume", {"base=unknown"}}}).body;
+  EXPECT_EQ(open["models"].back()["label"], "base not known");
+  EXPECT_EQ(get("/api/export/cell.yaml").text.find("known: true"), std::string::npos);
 }
 
 TEST_F(WorkbenchRoutes, momentsAreThoseThatFormulasName) {

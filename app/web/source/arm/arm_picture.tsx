@@ -5,7 +5,7 @@ import {useEffect, useRef} from "preact/hooks";
 import {Vector3} from "three";
 import {palette} from "../drawing/colours";
 import {MarkIcon} from "../drawing/marks";
-import {lengthText, short, whole} from "../../../drawing/numbers.js";
+import {lengthAndUnit, short, whole} from "../../../drawing/numbers.js";
 import {sceneDocument, units} from "../server/workbench";
 import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
@@ -174,6 +174,6 @@ function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
       : null;
   figure.style.display = at ? "" : "none";
   if (!at || !clearance) return;
-  figure.textContent = `${lengthText(clearance.distance, units.peek().length, 2)}`;
+  figure.textContent = `${lengthAndUnit(clearance.distance, units.peek().length, 2)}`;
   figure.style.transform = `translate(${Math.round(at[0] + 10)}px, ${Math.round(at[1] - 10)}px)`;
 }

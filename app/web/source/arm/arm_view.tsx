@@ -2,7 +2,7 @@
 import {Segments} from "../drawing/segments";
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {fixed, jointDecimals, lengthFigure, lengthText} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals, lengthFigure, lengthAndUnit} from "../../../drawing/numbers.js";
 import type {JointInfo, TipPose} from "../server/documents";
 import {cell, report, units} from "../server/workbench";
 import {picked, sheet} from "../shell/page_state";
@@ -75,12 +75,12 @@ function ReadOut() {
         </div>
         <dl class="figures">
           <dt>sag</dt>
-          <dd>{answer ? lengthText(sagOf(answer.change), length) : "–"}</dd>
+          <dd>{answer ? lengthAndUnit(sagOf(answer.change), length) : "–"}</dd>
           <dt>from rigid</dt>
           <dd>{answer ? answer.change.position.map((value) => lengthFigure(value, length)).join("  ") : "–"}</dd>
           <dt>clearance</dt>
           <dd class={(answer?.clearance?.distance ?? 1) < 0 ? "bad" : ""}>
-            {answer?.clearance ? lengthText(answer.clearance.distance, length) : "–"}
+            {answer?.clearance ? lengthAndUnit(answer.clearance.distance, length) : "–"}
           </dd>
           <dt></dt>
           <dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>

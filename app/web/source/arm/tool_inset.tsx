@@ -2,7 +2,7 @@
 // off it is.
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
-import {fixed, lengthText} from "../../../drawing/numbers.js";
+import {fixed, lengthAndUnit} from "../../../drawing/numbers.js";
 import type {PoseDocument} from "../server/documents";
 import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
@@ -39,11 +39,11 @@ export function ToolInset() {
       <canvas ref={canvas} width={2} height={2} />
       <dl class="figures">
         <dt>off centre</dt>
-        <dd>{lengthText(centring?.distance, units.value.length, 4)}</dd>
+        <dd>{lengthAndUnit(centring?.distance, units.value.length, 4)}</dd>
         <dt>tilt</dt>
         <dd>{centring ? `${fixed(centring.tilt, 2)} ${units.value.angle}` : "–"}</dd>
         <dt>height</dt>
-        <dd>{lengthText(centring?.height, units.value.length, 4)}</dd>
+        <dd>{lengthAndUnit(centring?.height, units.value.length, 4)}</dd>
       </dl>
       <p class="inset-case">
         {kind ? (

@@ -1,7 +1,7 @@
 // What an effect does to the tip of this arm, drawn against what it follows.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {tickTexts, unitText} from "../../../drawing/numbers.js";
+import {plainUnit, tickTexts} from "../../../drawing/numbers.js";
 import {roundTicks} from "../../../drawing/scales.js";
 import type {SignatureDocument} from "../server/documents";
 import {get} from "../server/requests";
@@ -83,7 +83,7 @@ function Curve({document}: {document: SignatureDocument}) {
       ))}
       <text class="axis" x={(LEFT + WIDTH - RIGHT) / 2} y={HEIGHT - 4} text-anchor="middle">
         {variable}
-        {unit === "1" ? "" : `, ${unitText(unit)}`}
+        {unit === "1" ? "" : `, ${plainUnit(unit)}`}
       </text>
       <text class="axis" x={-(TOP + HEIGHT - BOTTOM) / 2} y={11} transform="rotate(-90)" text-anchor="middle">
         shift, {shift_unit}

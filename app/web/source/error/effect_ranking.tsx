@@ -52,6 +52,7 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
 }
 
 function RankingTable({rows}: {rows: Row[]}) {
+  if (rows.length === 0) return null;
   return (
     <table>
       <thead>
@@ -156,7 +157,7 @@ function RankedRow({row}: {row: Row}) {
         </span>
       </td>
       <td class="number">{fall.text}</td>
-      <td class="size">
+      <td class="size" title={`${size.name} ${size.text}`}>
         {size.name} {size.text}
       </td>
       <td class="number">

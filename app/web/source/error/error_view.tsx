@@ -29,7 +29,7 @@ import {
   startDiagnose,
 } from "./loop";
 import {ParameterTable} from "./parameter_table";
-import {ReadingChecks} from "./reading_checks";
+import {assume, mistake, ReadingChecks} from "./reading_checks";
 import {runSheet} from "./run_sheet";
 import {ResidualPlot} from "./residual_plot";
 import {SelectionBar} from "./selection_bar";
@@ -45,7 +45,9 @@ interface Answer {
 }
 
 function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: string}, items: string[]): Answer {
-  return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items};
+  // What the command line would say is a button here.
+  const plain = items.map((item) => item.replace(/ \(--assume [^)]*\)/g, ""));
+  return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: plain};
 }
 
 /** What the top of the view says: of the newest document about the model as it is now. */
@@ -187,6 +189,14 @@ function tryFormula(): void {
 function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const first = diagnosis?.explanations[0];
+  if (mistake.value) {
+    const {sentence, way} = mistake.value;
+    return (
+      <button class="button first large next" title={sentence} disabled={isBusy} onClick={() => void assume(way)}>
+        Take {way}
+      </button>
+    );
+  }
   if (diagnosis?.verdict === "unexplained") {
     return (
       <button class="button first large next" onClick={tryFormula}>
@@ -205,6 +215,13 @@ function NextStep({isBusy}: {isBusy: boolean}) {
     return (
       <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}>
         <span>Add {explanationTitle(first)}</span>
+      </button>
+    );
+  }
+  if (diagnosis?.verdict === "inconclusive") {
+    return (
+      <button class="button first large next" onClick={() => (dialog.value = "open")}>
+        Open more readings
       </button>
     );
   }

@@ -1,5 +1,5 @@
-// What the last fit found, each number with its interval and a word on whether it can be told.
-import {exact} from "../../../drawing/numbers.js";
+// What the last fit found, each parameter with its interval and whether the readings identify it.
+import {exact, plainUnit, short} from "../../../drawing/numbers.js";
 import {valueAndSigma} from "../../../drawing/sigma_text.js";
 import type {IdentifyDocument} from "../server/documents";
 
@@ -8,12 +8,12 @@ export function ParameterTable({document}: {document: IdentifyDocument}) {
     <table>
       <thead>
         <tr>
-          <th>number</th>
+          <th>parameter</th>
           <th class="number">value</th>
           <th class="number">± sigma</th>
           <th class="number">start</th>
           <th>unit</th>
-          <th>told</th>
+          <th>identifiable</th>
         </tr>
       </thead>
       <tbody>
@@ -23,8 +23,8 @@ export function ParameterTable({document}: {document: IdentifyDocument}) {
             {valueAndSigma(parameter.value, parameter.sigma).map((figure) => (
               <td class="number">{figure}</td>
             ))}
-            <td class="number">{exact(parameter.start)}</td>
-            <td>{parameter.unit}</td>
+            <td class="number" title={exact(parameter.start)}>{short(parameter.start)}</td>
+            <td>{plainUnit(parameter.unit === "1" ? "" : parameter.unit)}</td>
             <td class={parameter.identifiable === "yes" ? "" : "bad"}>{parameter.identifiable}</td>
           </tr>
         ))}

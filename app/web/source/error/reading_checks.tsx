@@ -1,8 +1,11 @@
 // What looked wrong with the readings when they were opened: one line for each, and how to mend it.
+import {computed} from "@preact/signals";
 import {MarkIcon, type Mark} from "../drawing/marks";
 import {short} from "../../../drawing/numbers.js";
-import type {ReadingCheck, ReadingsInfo} from "../server/state_documents";
-import {units} from "../server/workbench";
+import type {ReadingCheck, ReadingsInfo, WorkbenchState} from "../server/state_documents";
+import {post} from "../server/requests";
+import {report, runningJobs, state, takeState, units} from "../server/workbench";
+import {startCompare} from "./loop";
 
 const MARKS: Record<ReadingCheck["severity"], Mark> = {
   mistake: {shape: "triangle", colour: "case0"},
@@ -34,9 +37,31 @@ export function ReadingChecks({readings}: {readings: ReadingsInfo}) {
   );
 }
 
+function waysOf(check: ReadingCheck): string[] {
+  return [check.assume, ...check.equally].filter((way): way is string => way !== null && way !== "");
+}
+
+/** The mistake that must be settled before any verdict on the model; null where there is none, or none that is known. */
+export const mistake = computed(() => {
+  const checks = state.value?.measurements?.checks ?? [];
+  const found = checks.find((check) => check.severity === "mistake" && waysOf(check).length > 0);
+  return found ? {sentence: found.sentence, way: waysOf(found)[0]} : null;
+});
+
+/** Takes what is suspected to be so, in memory, and looks at what is left. */
+export async function assume(way: string): Promise<void> {
+  try {
+    takeState(await post<WorkbenchState>("/api/measurements/assume", {assume: [way]}));
+  } catch (error) {
+    report("The readings cannot be taken so", error);
+    return;
+  }
+  await startCompare();
+}
+
 function Check({check}: {check: ReadingCheck}) {
   const {error_as_is: asIs, error_if_mended: mended} = check;
-  const ways = [check.assume, ...check.equally].filter((way) => way !== null);
+  const ways = waysOf(check);
   return (
     <li class={check.severity}>
       <MarkIcon mark={MARKS[check.severity]} size={16} />
@@ -47,13 +72,32 @@ function Check({check}: {check: ReadingCheck}) {
             : error {short(asIs)} → {short(mended)} {units.value.length}
           </>
         )}
-        {ways.map((way, k) => (
-          <span key={way}>
-            {k ? " or " : "; "}
-            <code>--assume {way}</code>
-          </span>
-        ))}
       </span>
+      {ways.length > 0 ? (
+        <span class="mends">
+          {ways.map((way) => (
+            <button
+              key={way}
+              class={`button small ${check.severity === "mistake" && way === ways[0] ? "first" : ""}`}
+              disabled={runningJobs.value.length > 0}
+              title={`The readings are taken with ${way}; their file stays as it is`}
+              onClick={() => void assume(way)}
+            >
+              Take {way}
+            </button>
+          ))}
+          {check.severity === "mistake" ? (
+            <button
+              class="button small"
+              disabled={runningJobs.value.length > 0}
+              title="Nothing is wrong with them: go on"
+              onClick={() => void assume("as-is")}
+            >
+              Leave as they are
+            </button>
+          ) : null}
+        </span>
+      ) : null}
     </li>
   );
 }

@@ -212,7 +212,7 @@ function jointsOf(document: CompareDocument): string[] {
 
 export const readingErrors = computed<ReadingErrors | null>(() => {
   const diagnosed = currentDiagnosis.value;
-  if (diagnosed) return ofDiagnosis(diagnosed, drawnIndex(diagnosed));
+  if (diagnosed && diagnosed.readings.length > 0) return ofDiagnosis(diagnosed, drawnIndex(diagnosed));
   const compared = compare.value.document;
   if (!compared) return null;
   const earlier = modelBefore.value,

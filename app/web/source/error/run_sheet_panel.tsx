@@ -5,8 +5,8 @@ import {senseArrow} from "../../../drawing/conditions.js";
 import {poseRequest} from "../arm/pose_link";
 import {cell} from "../server/workbench";
 import {view} from "../shell/page_state";
-import {change, freshRows, joinReadings, openColumns, putRunSheetAway, runSheet, tableOf, takenIds, withTyped} from "./run_sheet";
-import type {RunSheet, RunSheetTable} from "./run_sheet";
+import {change, freshRows, joinReadings, putRunSheetAway, runSheet, takenIds} from "./run_sheet";
+import {openColumns, tableOf, withTyped, type RunSheet, type RunSheetTable} from "./run_sheet_table";
 
 export function RunSheetPanel() {
   const sheet = runSheet.value;

@@ -4,7 +4,7 @@ import {useEffect, useMemo, useRef} from "preact/hooks";
 import {useSignal, useSignalEffect} from "@preact/signals";
 import {palette} from "../drawing/colours";
 import {Icon} from "../drawing/icons";
-import {lengthFigure, lengthText} from "../../../drawing/numbers.js";
+import {lengthFigure, lengthAndUnit} from "../../../drawing/numbers.js";
 import {units} from "../server/workbench";
 import type {Colouring} from "./colourings";
 import {sheetWords} from "../../../drawing/sheet_model.js";
@@ -121,7 +121,7 @@ function HoleTip({
       </b>
       <span>
         x {lengthFigure(sheet.world[3 * hole], units.value.length)}, y{" "}
-        {lengthText(sheet.world[3 * hole + 1], units.value.length)}
+        {lengthAndUnit(sheet.world[3 * hole + 1], units.value.length)}
       </span>
       <span>{sheet.stateWords[sheet.state[hole]]}</span>
       {colouring.words(hole).map((line) => (
