@@ -69,7 +69,8 @@ std::string exportedTemplate(const Session& s) {
 std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");
-  if (sheet == figures.end()) throw InputError("export", "no readings proposed", "a diagnosis that leaves something open");
+  if (sheet == figures.end())
+    throw InputError("export", "no readings proposed", "a diagnosis that leaves something open");
   return sheet->get<std::string>();
 }
 std::string exportedPlan(const Session& s) { return planFileText(s.plan_request, planOf(s)); }

@@ -258,9 +258,9 @@ Answer simulate(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kLoopRoutes[] = {
-    {"POST", "compare", compare}, {"POST", "diagnose", diagnose}, {"POST", "identify", identify}, {"POST", "add", add},
-    {"POST", "remove", remove},   {"POST", "ladder", ladder},     {"POST", "improve", improve},
-    {"POST", "simulate", simulate},
+    {"POST", "compare", compare}, {"POST", "diagnose", diagnose}, {"POST", "identify", identify},
+    {"POST", "add", add},         {"POST", "remove", remove},     {"POST", "ladder", ladder},
+    {"POST", "improve", improve}, {"POST", "simulate", simulate},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/documents/figures.hpp"
 #include "app/documents/plan_files.hpp"
@@ -36,12 +37,28 @@ Answer reach(Workbench& workbench, const Request& request) {
       [](const Session& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
+/// The situation with that model as the current one. Throws InputError for a number of none.
+Session atModel(Session session, int id) {
+  const auto at = findModel(session, id);
+  if (!at) throw InputError("request (model)", std::to_string(id), "the number of a model");
+  session.current = *at;
+  return session;
+}
+
+/// {"of", "model"?}: of the current model, where no other is named.
 Answer field(Workbench& workbench, const Request& request) {
-  const std::string of = textOf(objectOf(request), "of", "centring");
+  const auto body = objectOf(request);
+  const std::string of = textOf(body, "of", "centring");
   requireField(of);
   (void)workcellOf(currentModel(workbench.session()).cell, "look at its holes");
-  return beginResultJob(workbench, "field", of + " over the sheet",
-                        [of](const Session& began, JobContext& context) { return fieldOf(began, of, context); });
+  const int model = integerOf(body, "model", currentModel(workbench.session()).id, 0, std::numeric_limits<int>::max());
+  (void)atModel(workbench.session(), model);  // refused at once, if at all
+  return beginJob(workbench, "field", of + " over the sheet", [=, &workbench](JobContext& context) {
+    const Session began = workbench.session();
+    const auto document = fieldOf(atModel(began, model), of, context);
+    finishJob(workbench, began, [&](Session& session) { putResult(session, "field", model, document); });
+    return "field";
+  });
 }
 
 json branchJson(const planner::TubeBranch& branch, const Model& model, double load) {

@@ -10,6 +10,13 @@ std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set) {
   return readings;
 }
 
+std::optional<std::size_t> findModel(const Session& session, int id) {
+  const auto at = std::find_if(session.models.begin(), session.models.end(),
+                               [&](const ModelPointer& model) { return model->id == id; });
+  if (at == session.models.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - session.models.begin());
+}
+
 ResultPointer findResult(const Session& session, const std::string& name) {
   const auto named = session.results.find(name);
   if (named == session.results.end() || named->second.empty()) return nullptr;

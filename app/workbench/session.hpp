@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -72,6 +73,9 @@ struct Session {
 };
 
 [[nodiscard]] inline const Model& currentModel(const Session& session) { return *session.models[session.current]; }
+
+/// Where on the stack the model of that number is; nothing where there is none.
+[[nodiscard]] std::optional<std::size_t> findModel(const Session& session, int id);
 
 /// The result of the current model, else the newest of another; null where there is none.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name);

@@ -1,5 +1,4 @@
 // The shared state, its results, undo and the jobs.
-#include <algorithm>
 #include <limits>
 
 #include "app/files/input_error.hpp"
@@ -51,11 +50,9 @@ Answer goTo(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const int id = integerOf(body, "model", -1, 0, std::numeric_limits<int>::max());
   const bool found = workbench.change([&](Session& session) {
-    const auto at = std::find_if(session.models.begin(), session.models.end(),
-                                 [&](const ModelPointer& model) { return model->id == id; });
-    if (at == session.models.end()) return false;
-    session.current = static_cast<std::size_t>(at - session.models.begin());
-    return true;
+    const auto at = findModel(session, id);
+    if (at) session.current = *at;
+    return at.has_value();
   });
   if (!found) return refusal(404, InputError("model", std::to_string(id), "the number of a model"));
   return answerOf(stateJson(workbench));

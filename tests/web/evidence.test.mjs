@@ -53,11 +53,10 @@ const opensOn = (tab, wanted) =>
     timeout: 10000,
   });
 
+// Every effect of the catalogue is opened by app/web/tests/opening.test.ts.
 const FOUND = [
   ["hysteresis@theta4:0.06deg", "theta4_dir", "as theta4"],
   ["base-slip@base:x=0.08,y=0.05,time=90", "time", ""],
-  ["backlash@tool.z:0.15deg", "moment_tool_z", "as tool.z"],
-  ["thermal-growth@arm", "temperature", ""],
 ];
 
 describe("the plot of the errors", () => {

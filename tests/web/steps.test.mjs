@@ -5,7 +5,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, drop, ended, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 const LIMIT = {timeout: 120_000};
 let made, browser;
@@ -224,6 +224,31 @@ describe("the arm's picture", () => {
       return strong / (data.length / 4);
     }, picture.toString("base64"));
     assert.ok(share > 0.005 && share < 0.25, `coloured share ${share}`);
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await server.stop();
+  });
+});
+
+describe("the sheet", () => {
+  it("goes from before to after the last change of the model, in bands of one scale", async () => {
+    const server = await serve(made.folder, "mockup.yaml", ["--truth", path.join(made.folder, "mockup-true.yaml")]);
+    for (const hole of [500, 2500, 4000]) await ask(server, "touch", {hole});
+    assert.equal(await ended(server, (await ask(server, "calibrate", {})).body.id), "done");
+    const tab = await openTab(browser, `${server.address}#sheet`);
+    await tab.click(".sheet-view .segments >> text=Sag");
+    await tab.click("text=Work out the sag", LIMIT);
+    await tab.waitForSelector(".before-after >> text=after", LIMIT);
+    await tab.waitForFunction(() => !document.querySelector(".to-compute"), null, LIMIT);
+    await tab.click(".before-after >> text=before"); // worked out by itself
+    await tab.waitForSelector(".before-after .muted >> text=as given");
+    await tab.waitForFunction(() => !document.querySelector(".to-compute") && !document.querySelector(".job"), null, LIMIT);
+    const bands = () => tab.locator(".legend span").allInnerTexts();
+    const before = await bands();
+    assert.ok(before.length > 2);
+    await tab.click(".before-after .segments >> text=after");
+    await tab.waitForFunction((was) => !document.querySelector(".before-after .muted").innerText.includes(was), "as given");
+    assert.deepEqual(await bands(), before);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
     await server.stop();

@@ -276,6 +276,9 @@ TEST_F(WorkbenchRoutes, proposalsReachAndFields) {
   EXPECT_EQ(reach["reachable"].size(), 96u);
   for (std::size_t k = 0; k < 96; ++k)
     EXPECT_EQ(reach["reachable"][k] == 1, reach["branches"][k] > 0) << reach["reason"][k];
+  EXPECT_EQ(post("/api/field", {{"of", "sag"}, {"model", 7}}).status, 422);
+  done("/api/field", {{"of", "sag"}, {"model", 0}});
+  EXPECT_EQ(get("/api/results/field?model=0").body["of"], "sag");
   for (const char* of : {"sag", "centring"}) {
     done("/api/field", {{"of", of}});
     const json field = get("/api/results/field").body;

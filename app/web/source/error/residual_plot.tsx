@@ -129,16 +129,11 @@ function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
 /** The largest error of either, where both are drawn as the same part: one scale. */
 function commonMost(...plots: [ReadingErrors, View][]): number | null {
   if (new Set(plots.map(([, {part}]) => part.key)).size > 1) return null;
-  return plots.reduce(
-    (most, [errors, {part}]) =>
-      Math.max(
-        most,
-        ...errors.series.flatMap((series) =>
-          series.errors.map((error, i) => Math.abs(error ? (part.of(error, i) ?? 0) : 0)),
-        ),
-      ),
-    0,
-  );
+  let most = 0;
+  for (const [errors, {part}] of plots)
+    for (const series of errors.series)
+      series.errors.forEach((error, i) => (most = Math.max(most, Math.abs(error ? (part.of(error, i) ?? 0) : 0))));
+  return most;
 }
 
 export function SeriesLegend({

@@ -91,6 +91,7 @@ export interface ReachDocument {
 
 export interface FieldDocument {
   of: string;
+  model: number;
   meaning?: string;
   values: (number | null)[];
   unit: string;

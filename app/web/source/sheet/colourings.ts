@@ -100,8 +100,13 @@ const BANDS: {shape: Shape; colour: ColourName}[] = [
 const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
 
 /** Bands of a figure over the holes, at quantiles rounded to two digits, small to large. */
-export function byField(sheet: SheetModel, field: FieldDocument, title: string): Colouring {
-  const known = field.values.filter(isNumber).sort((a, b) => a - b);
+export function byField(
+  sheet: SheetModel,
+  field: FieldDocument,
+  title: string,
+  onOneScale: readonly FieldDocument[] = [field],
+): Colouring {
+  const known = onOneScale.flatMap(({values}) => values.filter(isNumber)).sort((a, b) => a - b);
   const edges = bandEdges(known);
   const kinds = BANDS.slice(0, edges.length + 1).map((band, i) => ({
     name: bandName(edges, i, field.unit),

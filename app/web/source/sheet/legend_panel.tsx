@@ -4,7 +4,12 @@ import {MarkIcon} from "../drawing/marks";
 import {whole} from "../../../drawing/numbers.js";
 import {select} from "../shell/page_state";
 import type {Colouring} from "./colourings";
-import {chosen} from "./sheet_choice";
+import {Segments} from "../drawing/segments";
+import {currentModel} from "../server/workbench";
+import {chosen, isBefore, modelBefore, showBefore, type Choice} from "./sheet_choice";
+
+/** Colourings that are of a model. */
+const FIELDS: ReadonlySet<Choice> = new Set<Choice>(["centring", "residual", "sag"]);
 
 /** Kinds of the colouring whose holes are not drawn. */
 export const hiddenKinds = signal<ReadonlySet<number>>(new Set());
@@ -50,6 +55,20 @@ export function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; 
           ),
         )}
       </ul>
+      {FIELDS.has(chosen.value) && modelBefore.value ? (
+        <div class="before-after">
+          <Segments
+            label="Model"
+            choices={[
+              {value: "before", words: "before", hint: modelBefore.value.label},
+              {value: "after", words: "after", hint: currentModel.value?.label},
+            ]}
+            value={isBefore.value ? "before" : "after"}
+            onChoose={(which) => showBefore(which === "before")}
+          />
+          <span class="muted">{isBefore.value ? modelBefore.value.label : currentModel.value?.label}</span>
+        </div>
+      ) : null}
       {shown.meaning ? <p class="meaning muted">{shown.meaning}</p> : null}
     </section>
   );

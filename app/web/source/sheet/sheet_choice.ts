@@ -1,7 +1,8 @@
 // What the sheet's holes are coloured by, and the colouring where it is known.
-import {computed, signal} from "@preact/signals";
-import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
-import {result} from "../server/workbench";
+import {computed, effect, signal} from "@preact/signals";
+import type {FieldDocument, Model, PlanDocument, ReachDocument} from "../server/documents";
+import {get} from "../server/requests";
+import {report, result, runJob, state} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {byField, byReach, byState, bySteps, type Colouring} from "./colourings";
 import type {SheetModel} from "./sheet_model";
@@ -24,6 +25,54 @@ const reach = result<ReachDocument>("reach"),
   field = result<FieldDocument>("field"),
   plan = result<PlanDocument>("plan");
 
+// ---- before and after: the field of the model that the current one was made of, on one scale with its own
+
+/** The model below the current one on the stack. */
+export const modelBefore = computed<Model | null>(() => {
+  const now = state.value;
+  const at = now?.models.findIndex((model) => model.id === now.model) ?? -1;
+  return at > 0 ? now!.models[at - 1] : null;
+});
+
+/** Whether the sheet shows that one. */
+export const isBefore = signal(false);
+effect(() => {
+  void state.value?.model;
+  isBefore.value = false;
+});
+
+const fieldBefore = signal<FieldDocument | null>(null);
+const beforeKey = computed(() => {
+  const id = modelBefore.value?.id,
+    mark = state.value?.results.field;
+  return id !== undefined && mark?.models.includes(id) ? `${id} ${mark.revision} ${state.value?.revision}` : "";
+});
+effect(() => {
+  const wanted = beforeKey.value;
+  if (wanted === "") {
+    fieldBefore.value = null;
+    return;
+  }
+  get<FieldDocument>(`/api/results/field?model=${modelBefore.peek()!.id}`).then(
+    (document) => {
+      if (beforeKey.peek() === wanted) fieldBefore.value = document;
+    },
+    (error) => report("The model before", error),
+  );
+});
+
+/** Works out what the sheet is coloured by, of the model that is shown. */
+export async function computeField(choice: Choice): Promise<void> {
+  const model = isBefore.peek() ? modelBefore.peek()?.id : undefined;
+  await runJob(TITLES[choice], "/api/field", {of: choice, model});
+}
+
+/** Shows the model before, or the current one again; what is not known yet is worked out. */
+export function showBefore(before: boolean): void {
+  isBefore.value = before;
+  if (colouring.peek() === null) void computeField(chosen.peek());
+}
+
 export const colouring = computed<Colouring | null>(() => {
   const model = sheet.value;
   if (!model) return null;
@@ -35,8 +84,15 @@ function madeColouring(model: SheetModel, choice: Choice): Colouring | null {
   if (choice === "reach")
     return fits(reach.value.document?.reachable, model) ? byReach(model, reach.value.document!) : null;
   if (choice === "steps") return plan.value.document ? bySteps(model, plan.value.document, "predicted") : null;
-  const found = field.value.document;
-  return found && found.of === choice && fits(found.values, model) ? byField(model, found, TITLES[choice]) : null;
+  const own = isOf(field.value.document, choice, model) && field.value.document!.model === state.value?.model,
+    before = isOf(fieldBefore.value, choice, model);
+  const both = [...(own ? [field.value.document!] : []), ...(before ? [fieldBefore.value!] : [])];
+  const shown = isBefore.value ? (before ? fieldBefore.value : null) : own ? field.value.document : null;
+  return shown ? byField(model, shown, TITLES[choice], both) : null;
+}
+
+function isOf(document: FieldDocument | null, choice: Choice, model: SheetModel): boolean {
+  return document !== null && document.of === choice && fits(document.values, model);
 }
 
 function fits(values: unknown[] | undefined, model: SheetModel): boolean {

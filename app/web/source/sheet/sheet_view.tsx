@@ -8,7 +8,7 @@ import {byState} from "./colourings";
 import {HolePanel} from "./hole_panel";
 import {hiddenKinds, LegendPanel} from "./legend_panel";
 import {SelectionPanel} from "./selection_panel";
-import {CHOICES, chosen, colouring, TITLES, type Choice} from "./sheet_choice";
+import {CHOICES, chosen, colouring, computeField, type Choice} from "./sheet_choice";
 import type {SheetModel} from "./sheet_model";
 import {SheetPanel, WithSheet} from "./with_sheet";
 
@@ -23,7 +23,7 @@ const HOW: Record<string, {words: string; action: string}> = {
 function compute(choice: Choice): void {
   if (choice === "steps") view.value = "plan";
   else if (choice === "reach") void runJob("Reach", "/api/reach");
-  else void runJob(TITLES[choice], "/api/field", {of: choice});
+  else void computeField(choice);
 }
 
 export function SheetView() {
