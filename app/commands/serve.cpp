@@ -14,7 +14,6 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/files/input_error.hpp"
 #include "app/workbench/http_server.hpp"
-#include "app/workbench/job_routes.hpp"
 #include "app/workbench/line_server.hpp"
 #include "app/workbench/live.hpp"
 
@@ -45,13 +44,6 @@ void requireToken(const DoorRules& door) {
                      fmt::format("{} or more letters, digits, - and _", kShortestToken));
 }
 
-/// Readings are compared as soon as they are here, however they came.
-void compareAtOnce(Workbench& workbench) {
-  const Session session = workbench.session();
-  const int model = currentModel(session).id;
-  if (session.readings && !findResult(session, "compare", model)) (void)beginComparison(workbench, {}, true);
-}
-
 int run(const ServeOptions& options) {
   requireToken(options.door);
   Workbench workbench(options.workbench);
@@ -66,7 +58,6 @@ int run(const ServeOptions& options) {
   std::fflush(stdout);
   if (options.open) openInBrowser(server.address());
   std::thread serving([&server] { server.run(); });
-  compareAtOnce(workbench);
   WatchedFile watched(options.watch);
   while (!stopRequested()) {
     std::this_thread::sleep_for(kGlanceAtArm);

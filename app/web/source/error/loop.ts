@@ -1,7 +1,8 @@
 // The loop as orders to the program: compare, diagnose, add, and what the page does of itself in between.
-import {computed} from "@preact/signals";
+import {computed, effect} from "@preact/signals";
 import type {CompareDocument, DiagnoseDocument, EffectAt, IdentifyDocument, LadderDocument} from "../server/documents";
-import {result, runJob, state} from "../server/workbench";
+import {post, ServerProblem} from "../server/requests";
+import {report, result, runJob, state} from "../server/workbench";
 
 export const compare = result<CompareDocument>("compare");
 export const diagnose = result<DiagnoseDocument>("diagnose");
@@ -22,6 +23,25 @@ export const currentComparison = computed(() => {
 export async function startCompare(): Promise<void> {
   const hasLadder = state.value?.results.ladder?.model === state.value?.model;
   await runJob("Compare", "/api/compare", {ladder: !hasLadder});
+}
+
+// Readings that the program was started with are compared as soon as somebody looks.
+let isFirst = true;
+effect(() => {
+  const now = state.value;
+  if (!now || !isFirst) return;
+  isFirst = false;
+  const isBusy = now.jobs.some((job) => job.status === "running");
+  if (now.measurements && !now.results.compare && !isBusy) queueMicrotask(() => void compareAtOnce());
+});
+
+async function compareAtOnce(): Promise<void> {
+  try {
+    await post("/api/compare", {ladder: true});
+  } catch (error) {
+    const isBegun = error instanceof ServerProblem && error.status === 409; // another browser was faster
+    if (!isBegun) report("Compare", error);
+  }
 }
 
 export function startDiagnose(): Promise<boolean> {
