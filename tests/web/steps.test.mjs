@@ -73,6 +73,13 @@ describe("the models as steps", () => {
     await tab.focus(".model-panel input >> nth=0");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector(".model-panel", {state: "hidden"});
+    await tab.click(".model-steps summary");
+    await tab.evaluate(() => document.activeElement.blur());
+    await tab.keyboard.press("Escape");
+    await tab.waitForSelector(".model-panel", {state: "hidden"});
+    await tab.click(".model-steps summary");
+    await tab.mouse.click(640, 700);
+    await tab.waitForSelector(".model-panel", {state: "hidden"});
     await close();
   });
 });

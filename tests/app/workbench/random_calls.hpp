@@ -71,6 +71,8 @@ class RandomCalls {
                                               "[0,30,-60,20]",
                                               "[10,45,-70,10]",
                                               "[0,1,2]",
+                                              "[\"joint-offset@theta3\"]",
+                                              "[\"coordinates=mm\"]",
                                               "[]",
                                               "{}",
                                               "NaN",
@@ -84,9 +86,9 @@ class RandomCalls {
 
   std::string object(int depth) {
     static constexpr const char* kKeys[] = {
-        "joints",  "load", "hole",   "text",     "tubes",        "file",      "effects", "effect", "at",
-        "formula", "seed", "of",     "goal",     "count",        "free",      "hide",    "design", "readings",
-        "folds",   "next", "branch", "simulate", "compensation", "overwrite", "steps"};
+        "joints", "load",     "hole",         "text",      "tubes", "file",   "effects", "effect",   "at",    "formula",
+        "seed",   "of",       "goal",         "count",     "free",  "hide",   "design",  "readings", "folds", "next",
+        "branch", "simulate", "compensation", "overwrite", "steps", "causes", "model",   "assume"};
     std::string text = "{";
     for (std::uint64_t k = draw() % 5; k > 0; --k)
       text += "\"" + one(kKeys) + "\":" + value(depth) + (k > 1 ? "," : "");
@@ -128,6 +130,7 @@ class RandomCalls {
                                           "/api/export/cell.yaml",
                                           "/api/export/plan.json",
                                           "/api/export/measurements.csv",
+                                          "/api/export/run-sheet.csv",
                                           "/api/export/compare.html",
                                           "/",
                                           "/index.html"};
@@ -140,6 +143,7 @@ class RandomCalls {
                                            "/api/measurements/open",
                                            "/api/measurements/set-aside",
                                            "/api/measurements/hold-out",
+                                           "/api/measurements/assume",
                                            "/api/live/encoders",
                                            "/api/live/readings",
                                            "/api/project/open",
@@ -148,6 +152,8 @@ class RandomCalls {
                                            "/api/cell/save",
                                            "/api/undo",
                                            "/api/redo",
+                                           "/api/models/go",
+                                           "/api/remove",
                                            "/api/compare",
                                            "/api/identify",
                                            "/api/ladder",

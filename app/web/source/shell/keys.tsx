@@ -65,6 +65,15 @@ function isTyping(event: KeyboardEvent): boolean {
   );
 }
 
+/** An open menu that the focus has left, as by a button of it that can be pressed no more; whether there was one. */
+function closeMenu(): boolean {
+  const menu = document.querySelector<HTMLDetailsElement>("details.menu[open]");
+  if (!menu) return false;
+  menu.open = false;
+  menu.querySelector("summary")?.focus();
+  return true;
+}
+
 function onKey(event: KeyboardEvent): void {
   if (isTyping(event) || event.defaultPrevented) return;
   const key = event.key.toLowerCase();
@@ -84,6 +93,7 @@ function onKey(event: KeyboardEvent): void {
   else if (key === "o") dialog.value = "open";
   else if (key === "?") dialog.value = "keys";
   else if (key === "d") chooseScheme(isDark() ? "light" : "dark");
+  else if (key === "escape" && dialog.value === "" && closeMenu()) event.stopPropagation();
   else if (key === "escape" && notices.value.length > 0) dismiss(notices.value[notices.value.length - 1].id);
   else if (key === "escape" && dialog.value === "" && pickedOut.value.size > 0) pickedOut.value = new Set();
   else return;

@@ -1,7 +1,7 @@
 // The models as steps with names and figures, to go back to any of them; effects and free numbers of the current one, to
 // be switched off and on.
 import {computed} from "@preact/signals";
-import {useRef} from "preact/hooks";
+import {useEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
@@ -82,6 +82,13 @@ async function goTo(model: Model): Promise<void> {
 export function ModelSteps() {
   const now = state.value;
   const menu = useRef<HTMLDetailsElement>(null);
+  useEffect(() => {
+    const away = (event: PointerEvent) => {
+      if (menu.current && !menu.current.contains(event.target as Node)) menu.current.open = false;
+    };
+    document.addEventListener("pointerdown", away);
+    return () => document.removeEventListener("pointerdown", away);
+  }, []);
   if (!now) return null;
   const at = now.models.findIndex((model) => model.id === now.model);
   const isBusy = runningJobs.value.length > 0;
