@@ -1,6 +1,6 @@
 // Effects and explanations of a diagnosis in words. What an effect is stands beside its name in the documents.
-import {inverseUnit, isNumber, percent, short} from "./numbers.js";
-import {withSigma} from "./sigma_text.js";
+import {inverseUnit, isNumber, percent} from "./numbers.js";
+import {valueAndSigma, withSigma} from "./sigma_text.js";
 
 /**
  * @typedef {{effect: string, at: string, words?: string, parameters?: object,
@@ -14,9 +14,32 @@ export function effectTitle({effect, at}) {
   return `${effect}${at ? ` at ${at}` : ""}`;
 }
 
-/** @param {{effects: readonly {effect: string, at?: string}[]}} explanation */
+/** Effects at their places, those of one kind together. @param {{effects: readonly {effect: string, at?: string}[]}} explanation */
 export function explanationTitle({effects}) {
-  return effects.map(effectTitle).join(" and ");
+  return titleOf(effects, Infinity);
+}
+
+/** The same for a button: more than two places of one effect are counted. @param {{effects: readonly {effect: string, at?: string}[]}} explanation */
+export function briefTitle({effects}) {
+  return titleOf(effects, 2);
+}
+
+/** @param {readonly {effect: string, at?: string}[]} effects @param {number} most */
+function titleOf(effects, most) {
+  /** @type {Map<string, string[]>} */
+  const places = new Map();
+  for (const {effect, at} of effects) places.set(effect, [...(places.get(effect) ?? []), ...(at ? [at] : [])]);
+  return [...places]
+    .map(([effect, at]) => effectTitle({effect, at: at.length > most ? `${at.length} places` : at.join(", ")}))
+    .join(" and ");
+}
+
+/** What the fit found, effect by effect; with its place where there are several. @param {BareExplanation} explanation */
+export function sizesOf({effects}) {
+  return effects.flatMap((effect) => {
+    const text = sizeText(effect);
+    return text === "" ? [] : [effects.length > 1 ? `${effect.at}: ${text}` : text];
+  });
 }
 
 /** "half_width" for a reader. @param {unknown} name */
@@ -70,13 +93,18 @@ export function sizeText(effect) {
     .join(", ");
 }
 
+/** @param {number} compliance @param {number | null | undefined} sigma */
+function stiffnessOf(compliance, sigma) {
+  return valueAndSigma(1 / compliance, isNumber(sigma) ? sigma / compliance ** 2 : null)[0];
+}
+
 /**
  * Drawings and data sheets have the stiffness, not its inverse: said where the compliance is known well enough.
  * @param {NamedNumber} number
  */
 function stiffnessText({name, value, sigma, unit}) {
   const isKnown = /compliance/.test(name) && value > 0 && (!isNumber(sigma) || sigma < 0.3 * value);
-  return isKnown && unit ? `, stiffness ${short(1 / value)} ${inverseUnit(unit)}` : "";
+  return isKnown && unit ? `, stiffness ${stiffnessOf(value, sigma)} ${inverseUnit(unit)}` : "";
 }
 
 /** How much of what an effect does shows in the readings; empty where that is not known. @param {unknown} fraction */

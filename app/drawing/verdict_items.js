@@ -1,5 +1,5 @@
 // A verdict as a list: every sentence of it, figures to as many digits as noise carries, nothing cut.
-import {explanationTitle, sizeText} from "./explanations.js";
+import {explanationTitle, sizesOf} from "./explanations.js";
 import {isNumber, percent, short} from "./numbers.js";
 
 /** @typedef {import("./explanations.js").FoundEffect} FoundEffect */
@@ -12,6 +12,9 @@ import {isNumber, percent, short} from "./numbers.js";
  *    grounds?: string[]}} Compared
  */
 
+/** Of more effects the sizes stand on the card alone. */
+const MOST_SIZES = 3;
+
 /** @param {Diagnosed} document */
 export function verdictItems(document) {
   return [...findingItems(document), ...sentencesOf(document.splitting?.advice ?? "")];
@@ -23,7 +26,7 @@ function findingItems(document) {
     first = explanations[0];
   const error = lengthsOf(document);
   if (first && (verdict === "explained" || verdict === "partly-explained")) {
-    const sizes = first.effects.map(sizeText).filter((text) => text !== "");
+    const sizes = first.effects.length > MOST_SIZES ? [] : sizesOf(first);
     return [
       `Missing: ${explanationTitle(first)}${sizes.length > 0 ? ` (${sizes.join("; ")})` : ""}.`,
       `With it ${fallText(error)}`,

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {sizeText} from "../../drawing/explanations.js";
+import {briefTitle, explanationTitle, sizesOf, sizeText} from "../../drawing/explanations.js";
 import {
   chance,
   clock,
@@ -45,6 +45,19 @@ describe("figures", () => {
     const size = (numbers: object) => sizeText({effect: "joint-compliance", at: "tool.z", parameters: numbers});
     expect(size({compliance})).toBe("compliance (5.00 ± 0.10)e−4\u00a0deg/(lbf·in), stiffness 2,000 lbf·in/deg");
     expect(size({compliance: {...compliance, sigma: 0.0004}})).not.toContain("stiffness");
+  });
+  it("of several effects stand with their places, effects of one kind together", () => {
+    const effects = ["link1.z", "link2.z", "link3.z"].map((at) => ({
+      effect: "joint-compliance",
+      at,
+      parameters: {compliance: {value: 3e-6, sigma: 2e-7, unit: "deg/N/mm"}},
+    }));
+    const more = [...effects, {effect: "hysteresis", at: "A1"}];
+    expect(explanationTitle({effects: more})).toBe("joint-compliance at link1.z, link2.z, link3.z and hysteresis at A1");
+    expect(briefTitle({effects: more})).toBe("joint-compliance at 3 places and hysteresis at A1");
+    expect(sizesOf({effects: more})[1]).toBe(
+      "link2.z: compliance (3.00 ± 0.20)e−6\u00a0deg/(N·mm), stiffness 3.33e5 N·mm/deg",
+    );
   });
   it("of a sine and a cosine are an amplitude and a phase", () => {
     const number = (value: number) => ({value, sigma: 0.001, unit: "deg"});

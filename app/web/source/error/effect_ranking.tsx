@@ -5,7 +5,7 @@ import {
   explanationTitle,
   explanationWords,
   isEnough,
-  sizeText,
+  sizesOf,
 } from "../../../drawing/explanations.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
 import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
@@ -107,10 +107,7 @@ function ExplanationCard({
             </span>
           ))}
         <span>
-          {explanation.effects
-            .map(sizeText)
-            .filter((text) => text !== "")
-            .join("; ")}
+          {sizesOf(explanation).join("; ")}
           {isNumber(leaves) ? ` · leaves ${short(leaves)} ${unit} held out` : ""}
         </span>
       </div>

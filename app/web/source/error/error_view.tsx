@@ -2,7 +2,7 @@
 import {computed, signal} from "@preact/signals";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
-import {explanationTitle} from "../../../drawing/explanations.js";
+import {briefTitle} from "../../../drawing/explanations.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import {comparisonItems, sentencesOf, verdictItems} from "../../../drawing/verdict_items.js";
@@ -214,7 +214,7 @@ function NextStep({isBusy}: {isBusy: boolean}) {
   if (diagnosis && first && ADDED.has(diagnosis.verdict)) {
     return (
       <button class="button first large next" disabled={isBusy} onClick={() => addEffects(first.effects)}>
-        <span>Add {explanationTitle(first)}</span>
+        <span>Add {briefTitle(first)}</span>
       </button>
     );
   }
