@@ -143,7 +143,7 @@ export function explanationsOf(document) {
 export const WITHOUT_IT = "refitted without it";
 /** @param {BareExplanation} explanation */
 export function withIt(explanation) {
-  return `with ${isEnough(explanation) ? "" : "the closest, "}${explanationTitle(explanation)}`;
+  return `with ${isEnough(explanation) ? "" : "the closest, "}${briefTitle(explanation)}`;
 }
 
 /** What errors are called of a model as it stands, and refitted. */

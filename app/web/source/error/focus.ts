@@ -6,7 +6,7 @@ import {cell, units} from "../server/workbench";
 import {leverage} from "./leverage";
 import {compare, currentDiagnosis} from "./loop";
 import {moments} from "./moments";
-import {followedShare, viewOfCause, type View} from "./own_variable";
+import {followedShare, viewOfCauses, type View} from "./own_variable";
 import {findPart, jointKey, partsOf, type Part} from "./parts";
 import {errorsBeside, readingErrors, type ReadingErrors} from "./residuals";
 import {findVariable, variablesOf, type Variable} from "../../../drawing/variables.js";
@@ -81,7 +81,7 @@ export const suggestedView = computed<View | null>(() => {
   if (!errors || variables.value.length === 0) return null;
   const ofCause =
     errors.causes.length > 0
-      ? viewOfCause(errors.causes[0], doneBy(errors), errors.readings, variables.value, parts.value)
+      ? viewOfCauses(errors.causes, doneBy(errors), errors.readings, variables.value, parts.value)
       : null;
   return ofCause ?? viewOfRemainder(errors) ?? viewOfPattern() ?? {variable: variables.value[0], part: parts.value[0]};
 });
@@ -107,7 +107,7 @@ export const viewBeside = computed<View | null>(() => {
   if (!errors) return null;
   const own =
     errors.causes.length > 0
-      ? viewOfCause(errors.causes[0], doneBy(errors), errors.readings, variables.value, parts.value)
+      ? viewOfCauses(errors.causes, doneBy(errors), errors.readings, variables.value, parts.value)
       : null;
   return own ?? suggestedView.value;
 });

@@ -44,6 +44,26 @@ export function groupsOf<T extends readonly [number, ...unknown[]]>(rows: readon
 export interface View {
   variable: Variable;
   part: Part;
+  /** The share of what the cause does there that follows the variable. */
+  score?: number;
+}
+
+/** Of several causes, the view of the one that shows best: an earlier one unless another is clearly better. */
+export function viewOfCauses(
+  effects: readonly EffectAt[],
+  ...where: [
+    done: readonly (Vector3 | null)[],
+    readings: Parameters<Variable["of"]>[0][],
+    variables: readonly Variable[],
+    parts: readonly Part[],
+  ]
+): View | null {
+  return effects
+    .map((effect) => viewOfCause(effect, ...where))
+    .reduce<View | null>(
+      (best, view) => (view && (!best || (view.score ?? 0) > (best.score ?? 0) + CLEARLY) ? view : best),
+      null,
+    );
 }
 
 /** The joint or axis that an effect turns: "theta3" of "theta3<-theta2", "forearm.z". */
