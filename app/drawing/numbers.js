@@ -43,7 +43,8 @@ export function tickTexts(values) {
   const step = Math.min(...steps.filter((size) => size > 0));
   const most = Math.max(...values.map(Math.abs));
   if (!isNumber(step) || most >= 1e6 || most < 5e-4) return values.map(short);
-  const digits = [0, 1, 2, 3, 4, 5, 6, 7].find((n) => Math.abs(step * 10 ** n - Math.round(step * 10 ** n)) < 1e-6) ?? 7;
+  const digits =
+    [0, 1, 2, 3, 4, 5, 6, 7].find((n) => Math.abs(step * 10 ** n - Math.round(step * 10 ** n)) < 1e-6) ?? 7;
   return values.map((value) => (Math.abs(value) < 1e-9 * most ? "0" : fixed(value, digits)));
 }
 

@@ -33,7 +33,11 @@ function momentVariables(source, found) {
   const least = LEAST_MOMENT * Math.max(0, ...spans);
   return names.flatMap((name, k) =>
     spans[k] > least
-      ? [variable("moment", name, momentName(name), unit, (/** @type {VariedReading} */ reading) => ofReading(reading, k))]
+      ? [
+          variable("moment", name, momentName(name), unit, (/** @type {VariedReading} */ reading) =>
+            ofReading(reading, k),
+          ),
+        ]
       : [],
   );
 }

@@ -25,6 +25,10 @@ async function compared(name, hide, more = {}) {
   await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared at once
   await tab.waitForSelector(".rung >> text=as given, rigid"); // the ladder, not what the comparison shows before it
   await tab.waitForFunction(() => !document.querySelector(".job"));
+  // Moments and levers come by themselves, and the plot is made anew with them: a loop would be lost.
+  await tab.waitForFunction(() =>
+    ["moment_tool_z", "as theta4"].every((value) => document.querySelector(`.residual-plot option[value='${value}']`)),
+  );
   return {
     tab,
     server,

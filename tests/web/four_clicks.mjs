@@ -20,10 +20,16 @@ async function cardOf(tab, name) {
   const titles = await tab.locator(".explanation-words > b").allInnerTexts();
   const words = name.replace("@", " at ");
   const exact = titles.indexOf(words);
-  return exact >= 0 ? exact : Math.max(0, titles.findIndex((title) => title.includes(words)));
+  return exact >= 0
+    ? exact
+    : Math.max(
+        0,
+        titles.findIndex((title) => title.includes(words)),
+      );
 }
 
-const heldOut = async (tab) => parseFloat((await tab.locator(".rung.now .bar-text").last().innerText()).replace(/,/g, ""));
+const heldOut = async (tab) =>
+  parseFloat((await tab.locator(".rung.now .bar-text").last().innerText()).replace(/,/g, ""));
 
 async function run(browser, folder, row, index) {
   const {hide} = row,
@@ -48,7 +54,9 @@ async function run(browser, folder, row, index) {
     const verdict = await tab.innerText(".verdict h1");
     const k = await cardOf(tab, name);
     const found = await tab.locator(".explanation-words > b").nth(k).innerText();
-    const promised = parseFloat(/leaves ([\d.e−-]+)/.exec(await tab.locator(".explanation-words").nth(k).innerText())?.[1]);
+    const promised = parseFloat(
+      /leaves ([\d.e−-]+)/.exec(await tab.locator(".explanation-words").nth(k).innerText())?.[1],
+    );
     const opened = await variable(tab);
     const isOwn = new RegExp(row.opens_on).test(opened);
     const rungs = await tab.locator(".rung").count();

@@ -249,12 +249,19 @@ describe("the sheet", () => {
     await tab.waitForFunction(() => !document.querySelector(".to-compute"), null, LIMIT);
     await tab.click(".before-after >> text=before"); // worked out by itself
     await tab.waitForSelector(".before-after .muted >> text=as given");
-    await tab.waitForFunction(() => !document.querySelector(".to-compute") && !document.querySelector(".job"), null, LIMIT);
+    await tab.waitForFunction(
+      () => !document.querySelector(".to-compute") && !document.querySelector(".job"),
+      null,
+      LIMIT,
+    );
     const bands = () => tab.locator(".legend span").allInnerTexts();
     const before = await bands();
     assert.ok(before.length > 2);
     await tab.click(".before-after .segments >> text=after");
-    await tab.waitForFunction((was) => !document.querySelector(".before-after .muted").innerText.includes(was), "as given");
+    await tab.waitForFunction(
+      (was) => !document.querySelector(".before-after .muted").innerText.includes(was),
+      "as given",
+    );
     assert.deepEqual(await bands(), before);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();

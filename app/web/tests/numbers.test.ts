@@ -53,7 +53,9 @@ describe("figures", () => {
       parameters: {compliance: {value: 3e-6, sigma: 2e-7, unit: "deg/N/mm"}},
     }));
     const more = [...effects, {effect: "hysteresis", at: "A1"}];
-    expect(explanationTitle({effects: more})).toBe("joint-compliance at link1.z, link2.z, link3.z and hysteresis at A1");
+    expect(explanationTitle({effects: more})).toBe(
+      "joint-compliance at link1.z, link2.z, link3.z and hysteresis at A1",
+    );
     expect(briefTitle({effects: more})).toBe("joint-compliance at 3 places and hysteresis at A1");
     expect(sizesOf({effects: more})[1]).toBe(
       "link2.z: compliance (3.00 ± 0.20)e−6\u00a0deg/(N·mm), stiffness 3.33e5 N·mm/deg",

@@ -165,7 +165,8 @@ export class ArmStage {
   private frameArm(pose: PoseDocument): void {
     const places = [...pose.frames.rigid.map((frame) => vector(frame.position)), vector(pose.tip.rigid)];
     this.length = lengthAlong(places);
-    if (this.length > 0) this.frame(BESIDE_ARM * this.length, new Box3().setFromPoints(places).getCenter(new Vector3()));
+    if (this.length > 0)
+      this.frame(BESIDE_ARM * this.length, new Box3().setFromPoints(places).getCenter(new Vector3()));
   }
 
   private build(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
@@ -175,7 +176,8 @@ export class ArmStage {
     const wall = document.shapes.find((shape) => shape.kind === "keep_side" && Math.abs(shape.normal?.[1] ?? 0) > 0.5);
     const side = Math.sign(wall?.normal?.[1] ?? 0) as -1 | 0 | 1;
     for (const shape of document.shapes) {
-      const object = shape.kind === "inside_of.sphere" ? bowlOf(shape, side, colours) : obstacleOf(shape, document.units, colours);
+      const object =
+        shape.kind === "inside_of.sphere" ? bowlOf(shape, side, colours) : obstacleOf(shape, document.units, colours);
       if (object) this.statics.add(object);
     }
     if (sheet) this.statics.add(plateOf(sheet, palette));

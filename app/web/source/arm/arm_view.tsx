@@ -66,11 +66,7 @@ function ReadOut() {
             <Figure name={name} figure={lengthFigure(answer?.flexible.position[k], length)} unit={length} />
           ))}
           {TURNS.map((name, k) => (
-            <Figure
-              name={name}
-              figure={fixed(answer?.flexible.fixed_angles[k], jointDecimals(angle))}
-              unit={angle}
-            />
+            <Figure name={name} figure={fixed(answer?.flexible.fixed_angles[k], jointDecimals(angle))} unit={angle} />
           ))}
         </div>
         <dl class="figures">

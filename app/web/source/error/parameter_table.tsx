@@ -23,7 +23,9 @@ export function ParameterTable({document}: {document: IdentifyDocument}) {
             {valueAndSigma(parameter.value, parameter.sigma).map((figure) => (
               <td class="number">{figure}</td>
             ))}
-            <td class="number" title={exact(parameter.start)}>{short(parameter.start)}</td>
+            <td class="number" title={exact(parameter.start)}>
+              {short(parameter.start)}
+            </td>
             <td>{plainUnit(parameter.unit === "1" ? "" : parameter.unit)}</td>
             <td class={parameter.identifiable === "yes" ? "" : "bad"}>{parameter.identifiable}</td>
           </tr>

@@ -26,7 +26,11 @@ export function PosteriorPicture() {
   return (
     <figure class="posterior">
       <figcaption class="muted">Probability of each explanation, reading after reading</figcaption>
-      <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={titles.map((title, k) => `${title} ${probability(now[k])}`).join("; ")}>
+      <svg
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        role="img"
+        aria-label={titles.map((title, k) => `${title} ${probability(now[k])}`).join("; ")}
+      >
         {[0, 0.5, 1].map((share) => (
           <g key={share}>
             <line class="grid" x1={LEFT} x2={WIDTH - RIGHT} y1={y(share)} y2={y(share)} />
@@ -43,10 +47,13 @@ export function PosteriorPicture() {
         </text>
         {titles.map((title, k) => (
           <g key={title} class={`series${k}`}>
-            <polyline points={steps.map(({readings}, s) => `${x(readings).toFixed(1)},${y(of(title, s)).toFixed(1)}`).join(" ")} />
+            <polyline
+              points={steps.map(({readings}, s) => `${x(readings).toFixed(1)},${y(of(title, s)).toFixed(1)}`).join(" ")}
+            />
             <circle cx={x(last)} cy={y(now[k])} r={2.5} />
             <text x={WIDTH - RIGHT + 8} y={Math.min(names[k], HEIGHT)}>
-              {title in steps.at(-1)!.of ? probability(now[k]) : MISSING} {title.length > 26 ? `${title.slice(0, 25)}…` : title}
+              {title in steps.at(-1)!.of ? probability(now[k]) : MISSING}{" "}
+              {title.length > 26 ? `${title.slice(0, 25)}…` : title}
               <title>{title}</title>
             </text>
           </g>

@@ -195,7 +195,13 @@ function spread(isLevel: boolean, value: number, index: number): number {
   return isLevel ? value + 0.5 * besideLevel(index) : value;
 }
 
-function makePlot(errors: ReadingErrors, view: View, colours: Palette, most: number | null, isBrief: boolean): MadePlot {
+function makePlot(
+  errors: ReadingErrors,
+  view: View,
+  colours: Palette,
+  most: number | null,
+  isBrief: boolean,
+): MadePlot {
   const {variable, part} = view;
   const isLevel = variable.kind === "sense" || variable.levels !== undefined;
   const xs = errors.readings.map((reading, index) => variable.of(reading, index));

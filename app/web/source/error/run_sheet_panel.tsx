@@ -19,7 +19,10 @@ export function RunSheetPanel() {
     <section class="run-sheet">
       <header>
         <h2>
-          Run sheet <small class="muted">{taken > 0 ? `${taken} of ${table.rows.length} are here` : plural(table.rows.length, "reading")}</small>
+          Run sheet{" "}
+          <small class="muted">
+            {taken > 0 ? `${taken} of ${table.rows.length} are here` : plural(table.rows.length, "reading")}
+          </small>
         </h2>
         <div class="row no-print">
           {isReady ? (

@@ -36,7 +36,8 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
         <dl class="figures">
           <dt>x, y, z</dt>
           <dd>
-            {[0, 1, 2].map((k) => lengthFigure(model.world[3 * hole + k], units.value.length)).join("  ")} {units.value.length}
+            {[0, 1, 2].map((k) => lengthFigure(model.world[3 * hole + k], units.value.length)).join("  ")}{" "}
+            {units.value.length}
           </dd>
           <dt>state</dt>
           <dd>{model.stateWords[model.state[hole]]}</dd>

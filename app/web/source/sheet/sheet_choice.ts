@@ -36,8 +36,9 @@ export const modelBefore = computed<Model | null>(() => {
 
 /** Whether the sheet shows that one. */
 export const isBefore = signal(false);
+const modelNow = computed(() => state.value?.model);
 effect(() => {
-  void state.value?.model;
+  void modelNow.value;
   isBefore.value = false;
 });
 

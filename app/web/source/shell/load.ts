@@ -30,7 +30,9 @@ function hasOthers(text: string): boolean {
   const here = takenIds.peek();
   const {columns, rows} = tableOf(text);
   const id = columns.indexOf("id");
-  return here.size > 0 && id >= 0 && columns.includes("kind") && rows.length > 0 && rows.every((row) => !here.has(row[id]));
+  return (
+    here.size > 0 && id >= 0 && columns.includes("kind") && rows.length > 0 && rows.every((row) => !here.has(row[id]))
+  );
 }
 
 /** Readings that may join: their file's name and text. */

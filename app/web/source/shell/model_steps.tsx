@@ -16,7 +16,9 @@ const heldOut = computed<Map<number, number | null>>(() => {
   if (!now || !document) return new Map();
   const top = now.models.findIndex((model) => model.id === document.model);
   const first = document.rungs.length - 1 - top;
-  return new Map(now.models.slice(0, top + 1).map((model, k) => [model.id, document.rungs[first + k]?.rms.heldout ?? null]));
+  return new Map(
+    now.models.slice(0, top + 1).map((model, k) => [model.id, document.rungs[first + k]?.rms.heldout ?? null]),
+  );
 });
 
 interface Switch {
@@ -31,7 +33,11 @@ function keyOf({effect, at}: EffectAt): string {
   return `${effect}@${at}`;
 }
 
-function known<T>(models: readonly Model[], of: (model: Model) => readonly T[], key: (entry: T) => string): Map<string, T> {
+function known<T>(
+  models: readonly Model[],
+  of: (model: Model) => readonly T[],
+  key: (entry: T) => string,
+): Map<string, T> {
   // The newest has the last word on an effect's numbers.
   return new Map(models.flatMap((model) => of(model).map((entry): [string, T] => [key(entry), entry])));
 }
