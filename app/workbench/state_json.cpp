@@ -16,6 +16,7 @@
 #include "app/workbench/project.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "deflection/effects/formula.hpp"
 
 namespace tubeplan::app {
 
@@ -78,6 +79,7 @@ json effectJson(const deflection::Arm& arm, const deflection::Effect& effect, co
   json entry = {{"effect", deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).name},
                 {"at", deflection::placeText(arm, effect)},
                 {"parameters", parameters}};
+  if (effect.formula) entry["formula"] = effect.formula->text;
   addEffectWords(entry["effect"], entry);
   return entry;
 }

@@ -51,6 +51,7 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   state = get("/api/state").body;
   EXPECT_EQ(state["models"].size(), 3u);  // what could be done again is gone
   EXPECT_EQ(state["models"][2]["origin"], "formula");
+  EXPECT_EQ(state["models"][2]["effects"][0]["formula"], "theta3 += c*sin(2*theta1)");
   EXPECT_EQ(state["can_redo"], false);
 }
 

@@ -35,6 +35,8 @@ export interface EffectAt {
   varies_with?: string[];
   /** As the order to add it takes it, with the sizes that were found. */
   add?: string;
+  /** The law of a formula of the user. */
+  formula?: string;
   /** Other names of it, that no reading could tell from it. */
   also?: {effect: string; at: string}[];
   parameters?: Record<string, EffectNumber | number | string>;

@@ -5,7 +5,7 @@ import {useEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
-import {addEffects, ladder, removeCauses, startCompare} from "../error/loop";
+import {addEffects, addFormula, ladder, removeCauses, startCompare} from "../error/loop";
 import type {EffectAt, EffectNumber, Model} from "../server/documents";
 import {currentModel, order, runningJobs, state, units} from "../server/workbench";
 
@@ -77,6 +77,7 @@ function causeOf(effect: EffectAt): EffectAt {
 
 async function toggle({key, isOn, effect}: Switch): Promise<void> {
   if (isOn) await removeCauses([effect ? key : `free@${key}`]);
+  else if (effect?.formula) await addFormula(effect.formula);
   else await addEffects([effect ? causeOf(effect) : {effect: "free", at: key}]);
 }
 
