@@ -43,8 +43,6 @@ async function run(browser, folder, row, index) {
   try {
     await tab.waitForSelector(".rail-entry");
     await tab.waitForSelector(".error-view", {timeout: 5000}).catch(() => click(".rail-entry:has-text('Error')"));
-    await tab.waitForSelector(".verdict .next", LIMIT);
-    if (await tab.locator(".next:has-text('Compare')").count()) await click(".next:has-text('Compare')");
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     await idle(tab);
     const before = await heldOut(tab);
