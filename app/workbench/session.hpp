@@ -34,8 +34,8 @@ struct ReadingSet {
   calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
   std::set<std::string> set_aside = {};            ///< ids of those that no fit sees
   int change = 0;                                  ///< how often that has changed
-  std::shared_ptr<const ReadingSource> source =
-      {};  ///< none of simulated readings, a kept session, or where others joined
+  /// None of simulated readings, of a kept session, or where others joined.
+  std::shared_ptr<const ReadingSource> source = {};
 };
 
 /// Those that are not set aside.
