@@ -34,7 +34,7 @@ std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& ca
 double bestOf(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
               const DiscriminationOptions& options) {
   return leastExpected(rivals, predictions,
-                       chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop), 1);
+                       chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop));
 }
 
 template <class Change>
@@ -163,18 +163,6 @@ void addLinks(const std::vector<RivalModel>& rivals, const std::vector<ReadingCa
 }
 
 }  // namespace
-
-double leastExpected(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
-                     const std::vector<DiscriminationStep>& steps, int times) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int a = 0; a < static_cast<int>(rivals.size()); ++a)
-    for (int b = 0; b < static_cast<int>(rivals.size()); ++b) {
-      if (a == b) continue;
-      const double now = rivals[static_cast<std::size_t>(b)].criterion - rivals[static_cast<std::size_t>(a)].criterion;
-      least = std::min(least, now + (steps.empty() ? 0 : expectedRise(rivals, predictions, steps, a, b, times).mean));
-    }
-  return least;
-}
 
 std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vector<RivalModel>& rivals,
                                                                  const std::vector<Explanation>& explanations,

@@ -9,11 +9,6 @@
 
 namespace tubeplan::calibration {
 
-/// The least, over all ordered pairs, of the other's criterion less that of the truth, in the mean, after these steps.
-[[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
-                                   const std::vector<RivalPrediction>& predictions,
-                                   const std::vector<DiscriminationStep>& steps, int times);
-
 /// The means that pass the gap, best first; then the direct checks, which need no figure.
 [[nodiscard]] std::vector<AlternativeMeasurements> findAlternativeMeasurements(
     const std::vector<RivalModel>& rivals, const std::vector<Explanation>& explanations,

@@ -213,8 +213,6 @@ bool isStep(const Cause& cause) {
          effectKindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
 }
 
-namespace {
-
 Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   const auto& placed = arm.effects[static_cast<std::size_t>(effect)];
   const auto& parameter =
@@ -231,8 +229,6 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.upper = number.upper - unknown.start;
   return unknown;
 }
-
-}  // namespace
 
 std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level) {
   if (!cause.frees.empty()) return chooseUnknowns(placed, {cause.frees, false}).list;

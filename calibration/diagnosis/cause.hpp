@@ -45,6 +45,9 @@ struct Cause {
 /// size is the largest that a real machine has.
 [[nodiscard]] std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level);
 
+/// A number of an effect that the arm carries, 0 where it stands; its typical size is the largest usual one.
+[[nodiscard]] Unknown numberUnknown(const deflection::Arm& arm, int effect, int value);
+
 /// The unknown of a scanned shape that has a derivative (a knee), for a fit that begins at `level`; `effect` is the
 /// index that the cause's effect got in the arm.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);

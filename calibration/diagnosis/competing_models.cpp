@@ -130,7 +130,7 @@ bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& t
 }
 
 double logPriorOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
-  double log = std::log(kCount[std::min(terms.size(), kCount.size() - 1)]);
+  double log = logPriorOfCount(terms.size());
   for (std::size_t k = 0; k < terms.size(); ++k)
     log += std::log(std::max(1e-300, work.cause(terms[k].cause).prior)) + std::log(static_cast<double>(k + 1));
   return log;
@@ -297,6 +297,47 @@ std::vector<ModelTerm> fullTerms(const DiagnosisWork& work, std::vector<ModelTer
   return terms;
 }
 
+double logShareOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
+  double log_share = 0;
+  for (const ModelTerm& term : terms) log_share += logShareOf(work, term);
+  return log_share;
+}
+
+/// Of each of these causes the term that is best beside the others'.
+std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<int>& causes) {
+  CompetingModel seed = work.models.front();
+  std::vector<ModelTerm> terms;
+  for (int pass = 0; pass < 2; ++pass)
+    for (const int cause : causes) {
+      seed.terms = terms;
+      std::erase_if(seed.terms, [&](const ModelTerm& term) { return term.cause == cause; });
+      seed.log_share = logShareOf(work, seed.terms);
+      terms = bestBeside(work, seed, cause, true).terms;
+    }
+  return terms;
+}
+
+/// Sizes of the terms' numbers in these effects, in units; none where all of them are neutral.
+VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
+                 const std::vector<deflection::Effect>& effects) {
+  std::vector<double> sizes;
+  for (const ModelTerm& term : terms) {
+    const Cause& cause = work.cause(term.cause);
+    const auto same = std::find_if(effects.begin(), effects.end(), [&](const deflection::Effect& effect) {
+      return effect.kind == cause.effects.front().kind && effect.place == cause.effects.front().place;
+    });
+    PlacedArm placed = work.basis.fitted;
+    const auto numbers = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(term.level)]);
+    for (const int number : term.numbers) {
+      const Unknown& unknown = numbers[static_cast<std::size_t>(number)];
+      const double value = same->values[static_cast<std::size_t>(unknown.path.value)];
+      sizes.push_back(variableAt(unknown, value) / unknown.typical);
+    }
+  }
+  const VectorXd all = Eigen::Map<const VectorXd>(sizes.data(), static_cast<Index>(sizes.size()));
+  return all.isZero(0) ? VectorXd() : all;
+}
+
 /// A model that says the best fitted one otherwise and is not fitted yet. Linear evidence asks for a further cause
 /// where only another's time or shape was coarse: without the causes that the fit found no size of. And it leaves out a
 /// number that a strong error elsewhere hid: with all numbers of the causes.
@@ -309,9 +350,7 @@ CompetingModel* unfittedVariant(DiagnosisWork& work) {
                                    [&](const CompetingModel& model) { return model.terms == terms; });
     if (same != work.models.end() && same->is_fitted) continue;
     if (same != work.models.end()) return &*same;
-    double log_share = 0;
-    for (const ModelTerm& term : terms) log_share += logShareOf(work, term);
-    work.models.push_back(weigh(work, terms, log_share));
+    work.models.push_back(weigh(work, terms, logShareOf(work, terms)));
     return &work.models.back();
   }
   return nullptr;
@@ -345,6 +384,8 @@ void fitNearest(DiagnosisWork& work) {
 }
 
 }  // namespace
+
+double logPriorOfCount(std::size_t causes) { return std::log(kCount[std::min(causes, kCount.size() - 1)]); }
 
 std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
   std::vector<int> causes;
@@ -382,6 +423,31 @@ WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& s
 
 const CompetingModel& modelOfNothing(const DiagnosisWork& work) {
   return *std::find_if(work.models.begin(), work.models.end(), saysNothing);
+}
+
+CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects) {
+  std::vector<int> causes;
+  for (int index = 0; index < static_cast<int>(work.causes.causes.size()); ++index) {
+    const auto& own = work.cause(index).effects;
+    if (own.size() == 1 && std::any_of(effects.begin(), effects.end(), [&](const deflection::Effect& effect) {
+          return effect.kind == own.front().kind && effect.place == own.front().place;
+        }))
+      causes.push_back(index);
+  }
+  if (causes.size() != effects.size()) return {};
+  const auto terms = bestTerms(work, causes), full = fullTerms(work, terms);
+  CompetingModel best;
+  best.log_evidence = -std::numeric_limits<double>::infinity();
+  const auto attempt = [&](const std::vector<ModelTerm>& as, const VectorXd& from) {
+    CompetingModel model = weigh(work, as, logShareOf(work, as));
+    if (from.size() > 0) model.sizes = from;
+    fitModel(work, model);
+    if (model.logWeight() > best.logWeight()) best = std::move(model);
+  };
+  attempt(terms, {});
+  if (full != terms) attempt(full, {});
+  if (const VectorXd from = sizesIn(work, full, effects); from.size() > 0) attempt(full, from);
+  return best;
 }
 
 double leaderWindow(double best, double nothing) { return std::max(kLeaderWindow, kLeaderShare * (best - nothing)); }

@@ -25,6 +25,12 @@ struct ModelTerm {
   bool operator==(const ModelTerm&) const = default;
 };
 
+/// That one of a model's terms is no cause: what else is unknown resembles it in part.
+struct Likeness {
+  std::size_t term = 0;
+  double log_weight = 0;  ///< prior times evidence
+};
+
 struct CompetingModel {
   std::vector<ModelTerm> terms;  ///< none: nothing named is missing
   double log_share = 0;          ///< of the terms among all ways to say their causes; part of the prior
@@ -40,11 +46,16 @@ struct CompetingModel {
   SourceEvidence source;               ///< of the discrepancy where it is most probably of a single source
   Eigen::VectorXd remainder;           ///< of a fit: whitened errors of the discrepancy, most probable; empty: none
   Eigen::VectorXd remainder_terms;     ///< its weights of the process's terms
+  std::vector<Likeness> likenesses;    ///< of a fit beside which something remains, term by term
   Explanation fit;                     ///< of a leader: fitted with everything that is free
   bool is_fitted = false;
+  double gain_by_fit = 0;  ///< of log evidence against that of the linearisation about the baseline
 
   [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
 };
+
+/// Log of the probability beforehand that so many causes are missing.
+[[nodiscard]] double logPriorOfCount(std::size_t causes);
 
 /// Their causes, ascending.
 [[nodiscard]] std::vector<int> causesOf(const std::vector<ModelTerm>& terms);
@@ -89,6 +100,10 @@ void compareModels(DiagnosisWork& work);
 
 /// Fits the leading ones and that of nothing missing. Unwinds where it was stopped.
 void fitLeaders(DiagnosisWork& work);
+
+/// The model of these effects, all their numbers, fitted from where linear evidence has them and, where their values are
+/// not neutral, from these: the more probable end. Without a fit where one of them is no cause.
+[[nodiscard]] CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects);
 
 /// That nothing is missing; `work.models` must be compared.
 [[nodiscard]] const CompetingModel& modelOfNothing(const DiagnosisWork& work);

@@ -314,28 +314,22 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readi
   }
 }
 
-std::vector<Explanation> competingExplanations(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                               const DiagnosisOptions& options, const std::string& effect,
-                                               const std::string& at) {
+CompetingExplanations competingExplanations(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                            const DiagnosisOptions& options,
+                                            const std::vector<std::vector<deflection::Effect>>& asked) {
   std::vector<Measurement> used = readings;
   std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
   try {
     Answer found = compareAll(fitBaseline(start, used, options), used, {}, options);
     if (!found.is_found) return {};
     fitLeaders(found.work);
-    const auto isAsked = [&](const CompetingModel& model) {
-      if (model.terms.empty()) return true;
-      const Cause& cause = found.work.cause(model.terms.front().cause);
-      return model.terms.size() == 1 && cause.effect == effect && cause.at == at;
-    };
-    std::vector<Explanation> explanations;
-    for (CompetingModel& model : found.work.models) {
-      if (!model.is_fitted && isAsked(model)) fitModel(found.work, model);
-      if (model.is_fitted && std::isfinite(model.log_evidence)) explanations.push_back(model.fit);
-    }
-    std::stable_sort(explanations.begin(), explanations.end(),
+    CompetingExplanations all;
+    for (const CompetingModel& model : found.work.models)
+      if (model.is_fitted && std::isfinite(model.log_evidence)) all.found.push_back(model.fit);
+    std::stable_sort(all.found.begin(), all.found.end(),
                      [](const Explanation& a, const Explanation& b) { return a.criterion < b.criterion; });
-    return explanations;
+    for (const auto& effects : asked) all.asked.push_back(fittedModelOf(found.work, effects).fit);
+    return all;
   } catch (const WorkStopped&) {
     return {};
   }

@@ -124,12 +124,16 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const DiagnosisOptions& options);
 
-/// The models that compete, each fitted with everything that is free, most probable first, and nothing missing and
-/// `effect` at `at` alone among them; without a verdict. Empty where the model cannot be fitted, or where it was asked
-/// to stop.
-[[nodiscard]] std::vector<Explanation> competingExplanations(const PlacedArm& start,
-                                                             const std::vector<Measurement>& readings,
-                                                             const DiagnosisOptions& options, const std::string& effect,
-                                                             const std::string& at);
+/// Models that compete, each fitted with everything that is free; without a verdict.
+struct CompetingExplanations {
+  std::vector<Explanation> found;  ///< those that the search fitted, nothing missing among them; most probable first
+  std::vector<Explanation> asked;  ///< as asked for, in that order; without effects where one cannot be fitted
+};
+
+/// Each model asked for is a list of effects; where their values are not neutral the fit is begun at these too, and the
+/// more probable end is taken. Nothing is found where the model cannot be fitted, or where it was asked to stop.
+[[nodiscard]] CompetingExplanations competingExplanations(
+    const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options,
+    const std::vector<std::vector<deflection::Effect>>& asked);
 
 }  // namespace tubeplan::calibration

@@ -188,7 +188,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   } else {
     for (const auto& step : steps) result.readings.push_back({step.candidate, step.a, step.b, step.separation});
     result.pairs = pairsOf(rivals, predictions, steps, separationNeeded(options.sure));
-    result.least_expected = leastExpected(rivals, predictions, steps, 1);
+    result.least_expected = leastExpected(rivals, predictions, steps);
     result.probability = chanceOfNaming(rivals, result.pairs);
     countTimes(rivals, predictions, steps, options, result);
     result.status = DiscriminationStatus::kDone;

@@ -166,14 +166,19 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   bare.most_leaders = kRivals;
   bare.baseline.free.names = namesOfOthers(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
-  const auto models =
-      competingExplanations(withoutEffect(c.start, effect), c.readings, bare, warning.effect, warning.at);
+  const PlacedArm without = withoutEffect(c.start, effect);
+  std::vector<std::vector<deflection::Effect>> asked;
+  if (const auto itself = deflection::makeEffect(without.arm, warning.effect, warning.at);
+      itself.status == deflection::EffectStatus::kMade)
+    asked.push_back({itself.effect});
+  const auto models = competingExplanations(without, c.readings, bare, asked);
   goOn(bare.hooks.stop);
   const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
-  for (const Explanation& model : models) {  // most probable first
+  for (const Explanation& model : models.found) {  // most probable first
     const Explanation*& of = model.effects.empty() ? nothing : find(model, warning) ? own : other;
     if (!of) of = &model;
   }
+  if (!own && !models.asked.empty() && !models.asked.front().effects.empty()) own = &models.asked.front();
   if (!nothing) return;
   const double gain = own ? nothing->criterion - own->criterion : -std::numeric_limits<double>::infinity();
   const bool is_beaten = own && other && other->criterion + c.limits.gap < own->criterion;

@@ -11,24 +11,14 @@ using Eigen::Index, Eigen::VectorXd;
 namespace {
 
 constexpr int kRefitIterations = 6;
+constexpr double kWidePrior = 10;  // of the largest usual size
 
-/// The numbers of the effects that an explanation adds, as its arm carries them, 0 where they stand.
+/// The numbers of an effect that an explanation adds, as its arm carries it, 0 where they stand.
 void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
   for (std::size_t v = 0; v < found.numbers.size(); ++v) {
     if (std::isnan(found.numbers[v].sigma)) continue;
-    const auto number = deflection::numberOf(model.placed.arm, found.fitted, static_cast<int>(v));
-    const auto& parameter = deflection::numbersOf(found.fitted)[v];
-    Unknown unknown;
-    unknown.name = found.effect + "@" + found.at + "." + parameter.name;
-    unknown.quantity = number.quantity;
-    unknown.path.effect = effect;
-    unknown.path.value = static_cast<int>(v);
-    unknown.start = found.fitted.values[v];
-    unknown.typical = parameter.plausible;
-    unknown.prior_sigma = 10 * unknown.typical;
-    unknown.lower = number.lower - unknown.start;
-    unknown.upper = number.upper - unknown.start;
-    model.unknowns.push_back(unknown);
+    model.unknowns.push_back(numberUnknown(model.placed.arm, effect, static_cast<int>(v)));
+    model.unknowns.back().prior_sigma = kWidePrior * model.unknowns.back().typical;
   }
 }
 

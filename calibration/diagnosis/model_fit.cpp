@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "calibration/diagnosis/noise_hypotheses.hpp"
 #include "calibration/estimation/fit.hpp"
@@ -22,6 +23,10 @@ constexpr double kMostSize = 10;     // of the largest usual: no machine has mor
 constexpr double kBeyondUsual = 2;   // sigmas past the largest usual size
 constexpr double kShapePrior = 3;    // of a knee's typical step
 constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
+// What an unknown effect has in common with the known one most like it, against what it has of its own, in noise sigmas.
+constexpr double kLikeness = 0.7;
+constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
+constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
 
 /// A model under way: what is free beside the baseline's numbers.
 struct Placed {
@@ -218,6 +223,40 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
+/// What the model leaves beyond the stated noise, in noise sigmas; 0 where nothing.
+double lengthLeft(const DiagnosisWork& work, const AtOptimum& at, std::size_t numbers) {
+  std::vector<int> columns(numbers);
+  std::iota(columns.begin(), columns.end(), 0);
+  const double expected = work.noise.front().options.noise_rows - static_cast<double>(numbers);
+  return std::sqrt(std::max(0., at.evidence->chi2() - at.evidence->fall(columns) - expected));
+}
+
+/// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
+/// left of it. So where something remains, each term competes with being such a likeness: its size is then of the order
+/// of what remains, and not of the order that its own cause has.
+void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std::vector<AtOptimum>& at,
+                     CompetingModel& model) {
+  if (model.terms.empty() || model.discrepancy_probability + model.scatter_probability < kHardlyLeft) return;
+  const double left = lengthLeft(work, at.front(), placed.sizes.size());
+  if (!(left > 0)) return;
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < model.terms.size(); first += placed.counts[t++]) {
+    const auto ofLikeness = [&](const NoiseHypothesis& noise, std::size_t n, double scale) {
+      auto sizes = priorsOf(placed, scale);
+      for (std::size_t k = first; k < first + placed.counts[t]; ++k)
+        sizes[k].sigma = kLikeness * left / std::max(kNeverSeen, at.front().evidence->visibility(static_cast<int>(k)));
+      return evidenceAt(at[n], noise, sizes);
+    };
+    CompetingModel unknown;
+    blendEvidence(work, model.terms.size() > 1, ofLikeness, unknown);
+    const double remains = unknown.discrepancy_probability + kUnknownScatter * unknown.scatter_probability;
+    const auto count = model.terms.size();
+    const double log_prior = model.log_prior + logPriorOfCount(count - 1) - logPriorOfCount(count) -
+                             std::log(static_cast<double>(count));
+    model.likenesses.push_back({t, log_prior + unknown.log_evidence + std::log(std::max(1e-300, remains))});
+  }
+}
+
 /// The errors that the discrepancy most probably makes.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
@@ -294,6 +333,7 @@ bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const P
 
 void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   model.is_fitted = true;
+  const double linear = model.log_evidence;
   const Placed placed = place(work, model);
   std::vector<Unknown> unknowns;
   const auto solution = minimize(work, model, placed, unknowns);
@@ -318,6 +358,8 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
     model.log_evidence = -std::numeric_limits<double>::infinity();
     return;
   }
+  model.gain_by_fit = model.log_evidence - linear;
+  weighLikenesses(work, placed, at, model);
   const std::size_t likely = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
   keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
   Explanation& fit = model.fit;

@@ -22,23 +22,46 @@ constexpr std::size_t kMostAlternatives = 8;
 constexpr double kCredible = 0.95;     // of what is missing, that the alternatives hold together
 constexpr double kLeastLikely = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
-constexpr double kNeverSeen = 1e-6;  // noise sigmas that a cause of the largest usual size shows
 
-double weightOf(const CompetingModel& model, double most) { return std::exp(model.logWeight() - most); }
+/// What one model says, or what it says if one of its terms is but a likeness of something unknown.
+struct Claim {
+  std::vector<int> causes;
+  double probability = 0;
+  double remainder_probability = 0, scatter_probability = 0;
+  const CompetingModel* model = nullptr;  ///< none of a likeness
+};
 
 /// A model that could not be fitted explains nothing.
 bool hasFit(const CompetingModel& model) { return model.is_fitted && std::isfinite(model.log_evidence); }
 
-double mostOf(const DiagnosisWork& work) {
-  double most = -std::numeric_limits<double>::infinity();
-  for (const auto& model : work.models) most = std::max(most, model.logWeight());
-  return most;
+/// What the linearisation about the baseline promises too much: by the models with causes that were fitted.
+double lossByFit(const DiagnosisWork& work) {
+  std::vector<double> losses;
+  for (const CompetingModel& model : work.models)
+    if (hasFit(model) && !model.terms.empty()) losses.push_back(-model.gain_by_fit);
+  return losses.empty() ? 0 : std::max(0., median(std::move(losses)));
 }
 
-double totalOf(const DiagnosisWork& work, double most) {
+/// All that the models claim, its probabilities one together. Those that were not fitted would have lost as others did.
+std::vector<Claim> claimsOf(const DiagnosisWork& work) {
+  std::vector<Claim> claims;
+  std::vector<double> logs;
+  const double loss = lossByFit(work);
+  for (const CompetingModel& model : work.models) {
+    claims.push_back({causesOf(model.terms), 0, model.discrepancy_probability, model.scatter_probability, &model});
+    logs.push_back(model.logWeight() - (model.is_fitted ? 0 : loss));
+    for (const Likeness& likeness : hasFit(model) ? model.likenesses : std::vector<Likeness>{}) {
+      auto others = model.terms;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(likeness.term));
+      claims.push_back({causesOf(others), 0, 1, 0, nullptr});
+      logs.push_back(likeness.log_weight);
+    }
+  }
+  const double most = *std::max_element(logs.begin(), logs.end());
   double total = 0;
-  for (const auto& model : work.models) total += weightOf(model, most);
-  return total;
+  for (const double log : logs) total += std::exp(log - most);
+  for (std::size_t k = 0; k < claims.size(); ++k) claims[k].probability = std::exp(logs[k] - most) / total;
+  return claims;
 }
 
 /// The one cause that each has and the other has not; nothing where they differ in more.
@@ -216,23 +239,23 @@ std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTe
 
 Posterior posteriorOf(const DiagnosisWork& work) {
   Posterior posterior{};
-  const double most = mostOf(work), total = totalOf(work, most);
   std::map<std::vector<int>, ModelClass> classes;
-  for (const CompetingModel& model : work.models) {
-    const double probability = weightOf(model, most) / total;
-    if (model.terms.empty()) {
-      posterior.scatter = probability * model.scatter_probability;
-      posterior.nothing = probability * (1 - model.discrepancy_probability) - posterior.scatter;
-      posterior.unknown = probability * model.discrepancy_probability;
+  for (const Claim& claim : claimsOf(work)) {
+    if (claim.causes.empty()) {
+      const double scatter = claim.probability * claim.scatter_probability;
+      posterior.scatter += scatter;
+      posterior.nothing += std::max(0., claim.probability * (1 - claim.remainder_probability) - scatter);
+      posterior.unknown += claim.probability * claim.remainder_probability;
       continue;
     }
-    ModelClass& one = classes[causesOf(model.terms)];
+    ModelClass& one = classes[claim.causes];
     ModelClass more;
-    more.probability = probability;
-    more.remainder_probability = model.discrepancy_probability;
-    more.scatter_probability = model.scatter_probability;
+    more.probability = claim.probability;
+    more.remainder_probability = claim.remainder_probability;
+    more.scatter_probability = claim.scatter_probability;
     mixIn(more, one);
-    if (hasFit(model) && (!one.model || model.logWeight() > one.model->logWeight())) one.model = &model;
+    const CompetingModel* model = claim.model;
+    if (model && hasFit(*model) && (!one.model || model->logWeight() > one.model->logWeight())) one.model = model;
   }
   for (auto& [causes, one] : classes) {
     one.causes = causes;
@@ -289,12 +312,11 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
 }
 
 void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
-  const double most = mostOf(work), total = totalOf(work, most);
   std::map<int, double> probability;
   std::map<int, const CompetingModel*> alone;
-  for (const CompetingModel& model : work.models) {
-    for (const int cause : causesOf(model.terms)) probability[cause] += weightOf(model, most) / total;
-    if (model.terms.size() == 1) alone[model.terms.front().cause] = &model;
+  for (const Claim& claim : claimsOf(work)) {
+    for (const int cause : claim.causes) probability[cause] += claim.probability;
+    if (claim.model && claim.causes.size() == 1) alone[claim.causes.front()] = claim.model;
   }
   const NoiseHypothesis& noise = work.noise.back();
   for (const auto& [index, model] : alone) {

@@ -231,4 +231,16 @@ ExpectedRise expectedRise(const std::vector<RivalModel>& rivals, const std::vect
           std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
 }
 
+double leastExpected(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
+                     const std::vector<DiscriminationStep>& steps) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < static_cast<int>(rivals.size()); ++a)
+    for (int b = 0; b < static_cast<int>(rivals.size()); ++b) {
+      if (a == b) continue;
+      const double now = rivals[static_cast<std::size_t>(b)].criterion - rivals[static_cast<std::size_t>(a)].criterion;
+      least = std::min(least, now + (steps.empty() ? 0 : expectedRise(rivals, predictions, steps, a, b, 1).mean));
+    }
+  return least;
+}
+
 }  // namespace tubeplan::calibration

@@ -48,4 +48,9 @@ struct ExpectedRise {
                                         const std::vector<RivalPrediction>& predictions,
                                         const std::vector<DiscriminationStep>& steps, int a, int b, int times);
 
+/// The least, over all ordered pairs, of the other's criterion less that of the truth, in the mean, after these steps.
+[[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
+                                   const std::vector<RivalPrediction>& predictions,
+                                   const std::vector<DiscriminationStep>& steps);
+
 }  // namespace tubeplan::calibration

@@ -136,7 +136,7 @@ def make_set(out, index, recipe, seed, arm):
         try:
             truth = draw_truth(arm, effects, wanted, stratum, rng)
         except NoPlace:
-            if stratum != "triple":
+            if len(effects) < 2:
                 raise
             effects = [CATALOGUE[i] for i in rng.choice(len(CATALOGUE), len(effects), replace=False)]
             continue

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""oracle.py TRUE_EVIDENCE DIR [--jobs 2] [--only pair,single]: what limits the diagnosis on sets whose truth is known.
+
+TRUE_EVIDENCE is build/tests/study/true_evidence. For every set with a known truth: the log weight (prior times evidence)
+of the true model fitted from the true sizes, less that of the best model that the diagnosis found. A set that was missed
+is lost to
+
+- the search, where the true model is the more probable and was not among those that were fitted,
+- the fit, where it was fitted and ended in a worse optimum,
+- the answer, where it was found as the most probable, and the verdict does not hold it,
+- the readings, where the true model is less probable than what was answered: no rule by evidence names it first.
+"""
+import argparse
+import collections
+from concurrent.futures import ThreadPoolExecutor
+import json
+import pathlib
+import subprocess
+import sys
+
+from arm_description import CELLS
+from true_numbers import true_numbers
+
+CLOSE = 1.   # of log weight: fits end so near each other
+
+
+def hidden_texts(truth):
+    """As `true_evidence` wants them: with the sizes that have a name in the program."""
+    for part in truth["hidden"]:
+        numbers = true_numbers(part["effect"], part["parameters"])
+        sizes = ",".join(f"{name}={value!r}" for name, value in numbers.items())
+        yield f"{part['effect']}@{part['at']}" + (f":{sizes}" if sizes else "")
+
+
+def ask(program, cells, folder):
+    truth = json.loads((folder / "truth.json").read_text())
+    cell = cells / ("bowl.yaml" if truth["design"] == "bowl" else "bench.yaml")
+    known = not any(part["effect"].startswith(("odd-", "none")) for part in truth["hidden"])
+    texts = list(hidden_texts(truth)) if known else []
+    run = subprocess.run([program, str(cell), str(folder / "measurements.csv"), *texts], capture_output=True, text=True)
+    return folder.name, truth, json.loads(run.stdout) if run.returncode == 0 else {"failed": run.stderr.strip()}
+
+
+def holds(wanted, model):
+    """Whether a model has the wanted effects and no others, by any of their names."""
+    return len(model["effects"]) == len(wanted) and all(any(name in names for names in model["effects"])
+                                                         for name in wanted)
+
+
+def cause_of_loss(wanted, answer):
+    """(one word, log weight of the truth less that of the best model that was found)."""
+    best = answer["found"][0]
+    ahead = answer["truth"][0]["log_weight"] - best["log_weight"] if answer["truth"][0]["effects"] else float("-inf")
+    if any(holds(wanted, alternative) for alternative in answer["alternatives"]):
+        return "in the answer", ahead
+    fitted = [model for model in answer["found"] if holds(wanted, model)]
+    if ahead < 0 and not (fitted and fitted[0] is best):
+        return "readings", ahead
+    if not fitted:
+        return "search", ahead
+    return ("fit" if answer["truth"][0]["log_weight"] > fitted[0]["log_weight"] + CLOSE else "answer"), ahead
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--only", default="single,pair,triple", help="strata, or names of sets")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--cells", type=pathlib.Path, default=CELLS, help="folder of bench.yaml and bowl.yaml")
+    options = parser.parse_args(arguments)
+    only = options.only.split(",")
+    folders = [path.parent for path in sorted(options.folder.glob("*/truth.json"))
+               if path.parent.name in only or json.loads(path.read_text())["stratum"].split("-")[0] in only]
+    with ThreadPoolExecutor(options.jobs) as pool:
+        cases = list(pool.map(lambda folder: ask(options.program, options.cells, folder), folders))
+    counts = collections.defaultdict(collections.Counter)
+    for name, truth, answer in cases:
+        wanted = [f"{part['effect']}@{part['at']}" for part in truth["hidden"]]
+        if answer.get("truth"):
+            word, ahead = cause_of_loss(wanted, answer)
+            counts[truth["stratum"].split("-")[0]][word] += 1
+            words = f"{word:14s} ahead {ahead:8.2f}"
+        else:
+            words = answer.get("failed", "")
+        best = answer["found"][0] if answer.get("found") else {"effects": []}
+        said = " + ".join(names[0] for names in best["effects"]) or "nothing"
+        beside = "/".join(f"{d:.0f}" for d in truth.get("d_beside", [truth["d"]]))
+        print(f"{name:12s} {words} d {beside:8s} hidden {' + '.join(wanted):60s} {answer.get('verdict')}, best {said}"
+              f" (remainder {best.get('remainder', 0):.2f})")
+    for stratum, of in counts.items():
+        print(f"{stratum}: " + ", ".join(f"{word} {count}" for word, count in of.most_common()))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
