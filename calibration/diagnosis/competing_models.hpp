@@ -101,8 +101,8 @@ void compareModels(DiagnosisWork& work);
 /// Fits the leading ones and that of nothing missing. Unwinds where it was stopped.
 void fitLeaders(DiagnosisWork& work);
 
-/// The model of these effects, all their numbers, fitted from where linear evidence has them and, where their values are
-/// not neutral, from these: the more probable end. Without a fit where one of them is no cause.
+/// The model of these effects, all their numbers, fitted from where linear evidence has them and, where their values
+/// are not neutral, from these: the more probable end. Without a fit where one of them is no cause.
 [[nodiscard]] CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects);
 
 /// That nothing is missing; `work.models` must be compared.

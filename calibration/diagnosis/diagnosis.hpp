@@ -132,8 +132,9 @@ struct CompetingExplanations {
 
 /// Each model asked for is a list of effects; where their values are not neutral the fit is begun at these too, and the
 /// more probable end is taken. Nothing is found where the model cannot be fitted, or where it was asked to stop.
-[[nodiscard]] CompetingExplanations competingExplanations(
-    const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options,
-    const std::vector<std::vector<deflection::Effect>>& asked);
+[[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,
+                                                          const std::vector<Measurement>& readings,
+                                                          const DiagnosisOptions& options,
+                                                          const std::vector<std::vector<deflection::Effect>>& asked);
 
 }  // namespace tubeplan::calibration

@@ -23,7 +23,8 @@ constexpr double kMostSize = 10;     // of the largest usual: no machine has mor
 constexpr double kBeyondUsual = 2;   // sigmas past the largest usual size
 constexpr double kShapePrior = 3;    // of a knee's typical step
 constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
-// What an unknown effect has in common with the known one most like it, against what it has of its own, in noise sigmas.
+// What an unknown effect has in common with the known one most like it, against what it has of its own, in noise
+// sigmas.
 constexpr double kLikeness = 0.7;
 constexpr double kHardlyLeft = 1e-3;  // probability of a discrepancy
 
@@ -249,8 +250,8 @@ void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std:
     CompetingModel unknown;
     blendEvidence(work, model.terms.size() > 1, ofLikeness, unknown);
     const auto count = model.terms.size();
-    const double log_prior = model.log_prior + logPriorOfCount(count - 1) - logPriorOfCount(count) -
-                             std::log(static_cast<double>(count));
+    const double log_prior =
+        model.log_prior + logPriorOfCount(count - 1) - logPriorOfCount(count) - std::log(static_cast<double>(count));
     const double log_remains = std::log(std::max(1e-300, unknown.discrepancy_probability));
     model.likenesses.push_back({t, log_prior + unknown.log_evidence + log_remains});
   }

@@ -42,8 +42,8 @@ TEST(Likeness, OfAnUnknownEffectIsNoSureCause) {
 
 TEST(Likeness, IsNotWhatExplainsNearlyAll) {
   const auto cell = shippedBench();
-  const auto readings = withMemory(benchReadings(cell, "tool-offset", "tool", {0.0004, 0.0003, 0.0011}, 90, 3),
-                                   0.03 * kDegree);
+  const auto readings =
+      withMemory(benchReadings(cell, "tool-offset", "tool", {0.0004, 0.0003, 0.0011}, 90, 3), 0.03 * kDegree);
   const auto found = diagnosisOf(cell, readings);
   EXPECT_EQ(found.verdict, Verdict::kPartlyExplained);
   ASSERT_FALSE(found.alternatives.empty());
