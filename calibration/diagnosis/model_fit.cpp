@@ -26,7 +26,8 @@ constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 // What an unknown effect has in common with the known one most like it, against what it has of its own, in noise
 // sigmas.
 constexpr double kLikeness = 0.7;
-constexpr double kHardlyLeft = 1e-3;  // probability of a discrepancy
+constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
+constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
 
 /// A model under way: what is free beside the baseline's numbers.
 struct Placed {
@@ -232,11 +233,11 @@ double lengthLeft(const DiagnosisWork& work, const AtOptimum& at, std::size_t nu
 }
 
 /// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
-/// left of it. So where a discrepancy remains, each term competes with being such a likeness: its size is then of the
-/// order of what remains, and not of the order that its own cause has. Scatter is more often a noise stated too small.
+/// left of it. So where something remains, each term competes with being such a likeness: its size is then of the order
+/// of what remains, and not of the order that its own cause has.
 void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
-  if (model.terms.empty() || model.discrepancy_probability < kHardlyLeft) return;
+  if (model.terms.empty() || model.discrepancy_probability + model.scatter_probability < kHardlyLeft) return;
   const double left = lengthLeft(work, at.front(), placed.sizes.size());
   if (!(left > 0)) return;
   std::size_t first = 0;
@@ -252,8 +253,8 @@ void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std:
     const auto count = model.terms.size();
     const double log_prior =
         model.log_prior + logPriorOfCount(count - 1) - logPriorOfCount(count) - std::log(static_cast<double>(count));
-    const double log_remains = std::log(std::max(1e-300, unknown.discrepancy_probability));
-    model.likenesses.push_back({t, log_prior + unknown.log_evidence + log_remains});
+    const double remains = unknown.discrepancy_probability + kUnknownScatter * unknown.scatter_probability;
+    model.likenesses.push_back({t, log_prior + unknown.log_evidence + std::log(std::max(1e-300, remains))});
   }
 }
 
