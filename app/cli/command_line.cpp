@@ -9,6 +9,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/version.hpp"
 
@@ -77,6 +78,7 @@ int runCommandLine(std::vector<std::string> words) {
   } catch (const CLI::ParseError& error) {
     refuse(error, name);
   }
+  const InputRecord inputs;  // of this command
   return runs.at(cli.get_subcommands().front()->get_name())();
 }
 

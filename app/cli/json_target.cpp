@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/atomic_file.hpp"
+#include "app/files/origin.hpp"
 
 namespace tubeplan::app {
 
@@ -12,8 +13,9 @@ void checkJsonTarget(const std::string& target) {
   if (!target.empty() && target != "-") checkWritableFile(target, "--json");
 }
 
-void writeJson(const std::string& target, const nlohmann::json& json) {
+void writeJson(const std::string& target, nlohmann::json json) {
   if (target.empty()) return;
+  stateOrigin(json);
   const std::string text = json.dump(2) + "\n";
   if (target == "-")
     fmt::print("{}", text);

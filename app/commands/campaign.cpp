@@ -14,6 +14,7 @@
 #include "app/files/atomic_file.hpp"
 #include "app/files/checkpoint/tally_checkpoint.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/studies/monte_carlo/centring_trial.hpp"
 #include "app/studies/monte_carlo/repeat_runs.hpp"
@@ -90,7 +91,8 @@ class CampaignDesk {
   }
 
   void report() {
-    const auto figures = campaign_.figures({runs_, schedule_->done().size()});
+    auto figures = campaign_.figures({runs_, schedule_->done().size()});
+    stateOrigin(figures);
     if (folder_) {
       keep(true);
       folder_->write("campaign.json", figures.dump(2) + "\n");

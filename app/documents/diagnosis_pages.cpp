@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/diagnosis_views_json.hpp"
+#include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
-#include "app/version.hpp"
 
 namespace tubeplan::app {
 
@@ -32,8 +32,8 @@ nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::u
   page.update({{"title", what + " of " + input.cell.name},
                {"cell", input.cell.name},
                {"measurements", input.file},
-               {"seed", seed},
-               {"version", kVersion}});
+               {"seed", seed}});
+  stateOrigin(page);
   return page;
 }
 

@@ -12,6 +12,7 @@
 #include "app/documents/work_list_export.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/joint_units.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/path_numbers.hpp"
 #include "app/files/touch_input.hpp"
 #include "app/files/units.hpp"
@@ -203,6 +204,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
 std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome) {
   json plan = planJson(request, outcome);
   plan["path_fingerprint"] = pathFingerprintOf(outcome);
+  stateOrigin(plan);
   return plan.dump(1) + "\n";
 }
 

@@ -12,9 +12,9 @@
 #include "app/documents/plan_files.hpp"
 #include "app/documents/sheet_json.hpp"
 #include "app/documents/step_chances_json.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
-#include "app/version.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "planner/scene/scene_shapes.hpp"
 
@@ -254,34 +254,35 @@ json reportJson(const PlanRequest& request, const PlanOutcome& outcome) {
     steps.push_back({{"diameter", lengthOf(step.diameter, units)}, {"tolerance", lengthOf(step.tolerance, units)}});
   const json plan = planJson(request, outcome);
   const json calibration = calibrationData(outcome);
-  return {{"title", outcome.cell.name + ": plan of tube visits"},
-          {"cell", outcome.cell.name},
-          {"version", kVersion},
-          {"seed", request.seed},
-          {"units", unitsJson(units)},
-          {"sheet", sheetPageJson(outcome.model.sheet, outcome.cell)},
-          {"bowl_radius", bowlRadius(outcome)},
-          {"steps", steps},
-          {"tubes", tubesData(outcome)},
-          {"unreachable", unreachableData(outcome)},
-          {"tour", tourData(outcome, path)},
-          {"touches", touchesData(outcome)},
-          {"distances", calibration.is_null() ? json(nullptr) : calibration["distances"]},
-          {"calibration", calibration},
-          {"side_views", sideViews(outcome)},
-          {"counts", plan["counts"]},
-          {"modes", plan["modes"]},
-          {"step_words", plan["step_words"]},
-          {"times",
-           {{"travel_time_s", plan["travel_time_s"]},
-            {"lower_bound_s", plan["lower_bound_s"]},
-            {"gap", plan["gap"]},
-            {"row_by_row_time_s", plan["row_by_row_time_s"]}}},
-          {"min_clearance", plan["min_clearance"]},
-          {"clearance_required", plan["clearance_required"]},
-          {"tightest", plan["tightest"]},
-          {"clearance_along", clearanceData(outcome, path)},
-          {"summary", summaryData(outcome)}};
+  json report = {{"title", outcome.cell.name + ": plan of tube visits"},
+                 {"cell", outcome.cell.name},
+                 {"seed", request.seed},
+                 {"units", unitsJson(units)},
+                 {"sheet", sheetPageJson(outcome.model.sheet, outcome.cell)},
+                 {"bowl_radius", bowlRadius(outcome)},
+                 {"steps", steps},
+                 {"tubes", tubesData(outcome)},
+                 {"unreachable", unreachableData(outcome)},
+                 {"tour", tourData(outcome, path)},
+                 {"touches", touchesData(outcome)},
+                 {"distances", calibration.is_null() ? json(nullptr) : calibration["distances"]},
+                 {"calibration", calibration},
+                 {"side_views", sideViews(outcome)},
+                 {"counts", plan["counts"]},
+                 {"modes", plan["modes"]},
+                 {"step_words", plan["step_words"]},
+                 {"times",
+                  {{"travel_time_s", plan["travel_time_s"]},
+                   {"lower_bound_s", plan["lower_bound_s"]},
+                   {"gap", plan["gap"]},
+                   {"row_by_row_time_s", plan["row_by_row_time_s"]}}},
+                 {"min_clearance", plan["min_clearance"]},
+                 {"clearance_required", plan["clearance_required"]},
+                 {"tightest", plan["tightest"]},
+                 {"clearance_along", clearanceData(outcome, path)},
+                 {"summary", summaryData(outcome)}};
+  stateOrigin(report);
+  return report;
 }
 
 }  // namespace tubeplan::app

@@ -15,6 +15,7 @@
 
 #include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/lower_case.hpp"
 
 namespace tubeplan::app {
@@ -132,6 +133,7 @@ void append(const aiMesh& part, const std::string& path, planner::TriangleMesh& 
 
 MeshFile readMeshFile(const std::string& path) {
   const std::string kind = meshKindOf(path), bytes = bytesOf(path);
+  noteInput(path, bytes);
   // Without the end of its header a PLY file keeps the library busy for ever.
   if (kind == "ply" && (!bytes.starts_with("ply") || bytes.find("end_header") == std::string::npos))
     throw InputError(path, "a PLY file without a whole header", "ply ... end_header", "export the part again");

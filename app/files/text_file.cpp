@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/utf8.hpp"
 
 namespace tubeplan::app {
@@ -41,6 +42,21 @@ std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   return text;
 }
 
+/// As they stand in the file, a byte order mark too.
+std::string bytesOfText(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError(path, "no such file", "a file that can be read", "check the name and the folder");
+  if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in it");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path, std::strerror(errno), "a file that can be read", "check the file's permissions");
+  std::string text = readAtMost(stream, kLargestFile);
+  if (text.size() > kLargestFile)
+    throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the file you mean");
+  return text;
+}
+
 }  // namespace
 
 void checkText(const std::string& path, std::string_view text) {
@@ -55,17 +71,15 @@ void checkText(const std::string& path, std::string_view text) {
 }
 
 std::string readTextFile(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    throw InputError(path, "no such file", "a file that can be read", "check the name and the folder");
-  if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in it");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path, std::strerror(errno), "a file that can be read", "check the file's permissions");
-  std::string text = readAtMost(stream, kLargestFile);
-  if (text.size() > kLargestFile)
-    throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the file you mean");
+  std::string text = bytesOfText(path);
+  noteInput(path, text);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  checkText(path, text);
+  return text;
+}
+
+std::string readKeptFile(const std::string& path) {
+  std::string text = bytesOfText(path);
   checkText(path, text);
   return text;
 }

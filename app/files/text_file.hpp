@@ -10,6 +10,9 @@ namespace tubeplan::app {
 /// larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
 [[nodiscard]] std::string readTextFile(const std::string& path);
 
+/// The same of a file that the program itself keeps: no input of a result (origin.hpp).
+[[nodiscard]] std::string readKeptFile(const std::string& path);
+
 /// What readTextFile asks of a file's text, of text that comes another way. `path` is its name for messages.
 void checkText(const std::string& path, std::string_view text);
 

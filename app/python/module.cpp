@@ -17,6 +17,7 @@
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
@@ -147,7 +148,7 @@ class PythonCell {
     request.seed = seed;
     planner::PlanHooks asked;
     asked.stop = Interruption();
-    return run([&] { return planJson(request, planCell(cell_, request, asked)); });
+    return run([&] { return planJson(request, planCell(readCell(path_), request, asked)); });
   }
 
  private:
@@ -159,7 +160,12 @@ class PythonCell {
 
   /// Work that Ctrl-C has ended leaves Python's own KeyboardInterrupt behind.
   static py::object run(const std::function<nlohmann::json()>& work) {
-    const nlohmann::json figures = withoutLock(work);
+    const nlohmann::json figures = withoutLock([&] {
+      const InputRecord inputs;
+      nlohmann::json document = work();
+      stateOrigin(document);
+      return document;
+    });
     if (PyErr_Occurred()) throw py::error_already_set();
     return toPython(figures);
   }

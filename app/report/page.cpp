@@ -52,11 +52,42 @@ std::string assemble(std::string_view page, const std::array<Insertion, kCount>&
   return result;
 }
 
+std::string htmlOf(std::string_view text) {
+  std::string safe;
+  for (const char character : text) {
+    switch (character) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      default:
+        safe += character;
+    }
+  }
+  return safe;
+}
+
+/// The program's version and the files that the page is of, but where the page has a list of them of its own.
+std::string originOf(const nlohmann::json& report) {
+  if (!report.is_object() || !report.contains("inputs") || report.contains("commands")) return "";
+  std::string text = "tubeplan " + htmlOf(report.value("version", "")) + " of";
+  for (const auto& input : report["inputs"])
+    text += " " + htmlOf(input.value("name", "")) + " (SHA-256 <code>" + htmlOf(input.value("sha256", "")) + "</code>)";
+  return text;
+}
+
 }  // namespace
 
 std::string renderPage(const PageSources& sources, const nlohmann::json& report) {
-  const std::array<Insertion, 3> insertions = {
-      {{"/*STYLE*/", sources.style}, {"/*REPORT*/", embeddableJson(report)}, {"/*SCRIPT*/", sources.script}}};
+  const std::array<Insertion, 4> insertions = {{{"/*STYLE*/", sources.style},
+                                                {"/*ORIGIN*/", originOf(report)},
+                                                {"/*REPORT*/", embeddableJson(report)},
+                                                {"/*SCRIPT*/", sources.script}}};
   return assemble(sources.html, insertions);
 }
 

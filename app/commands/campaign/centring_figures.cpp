@@ -8,7 +8,6 @@
 #include "app/documents/figures.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units_json.hpp"
-#include "app/version.hpp"
 
 namespace tubeplan::app {
 
@@ -180,7 +179,6 @@ json centringJson(const CentringResults& results) {
   json figures = {{"kind", "centre"},
                   {"cell", task.cell.name},
                   {"truth", request.truth.empty() ? request.cell : request.truth},
-                  {"version", kVersion},
                   {"seed", request.seed},
                   {"status", progress.done == progress.runs ? "done" : "stopped"},
                   {"runs", progress.runs},

@@ -10,7 +10,6 @@
 #include "app/files/units_json.hpp"
 #include "app/report/campaign_report.hpp"
 #include "app/studies/monte_carlo/confidence.hpp"
-#include "app/version.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {
@@ -216,7 +215,6 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
   const auto nothing = tally.of(-1);
   json figures = {{"kind", "diagnose"},
                   {"cell", task.cell.name},
-                  {"version", kVersion},
                   {"seed", request.seed},
                   {"status", progress.done == progress.runs ? "done" : "stopped"},
                   {"runs", progress.runs},

@@ -16,7 +16,7 @@ void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& 
 }
 
 CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path) {
-  const std::string text = readTextFile(path.string());
+  const std::string text = readKeptFile(path.string());
   const std::size_t end = std::min(text.find('\n'), text.size());
   CheckpointFile file;
   file.payload = text.substr(std::min(end + 1, text.size()));

@@ -94,7 +94,13 @@ TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
   expectSays(list, "\"unreachable: ");
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 4);
   ASSERT_EQ(run("plan mockup.yaml --tubes made/worklist.csv --out again").exit_code, 0);
-  for (const char* file : {"plan.json", "path.csv", "worklist.csv"})
+  json made = json::parse(contentOf(folder / "made/plan.json")),
+       again = json::parse(contentOf(folder / "again/plan.json"));
+  EXPECT_EQ(again["inputs"].size(), made["inputs"].size() + 1);  // the list
+  made.erase("inputs");
+  again.erase("inputs");
+  EXPECT_EQ(again, made);
+  for (const char* file : {"path.csv", "worklist.csv"})
     EXPECT_EQ(contentOf(folder / "again" / file), contentOf(folder / "made" / file)) << file;
   const Outcome cold = run("plan cold.yaml --tubes made/worklist.csv --out cold");
   EXPECT_EQ(cold.exit_code, 2);
