@@ -1,6 +1,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -22,9 +23,27 @@ int tellOfOutput(int error) {
   return tubeplan::app::kBadInput;
 }
 
+/// What is thrown where nothing may be: a thread of oneTBB's pool is begun, and gets its memory, where an exception ends
+/// the program. It ends in words then; what it had begun to write is removed by the next run, as after a kill.
+[[noreturn]] void endInWords() {
+  const std::exception_ptr thrown = std::current_exception();
+  if (!thrown) std::abort();
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    std::fputs("tubeplan: not enough memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tubeplan: internal error: %s\n", error.what());
+  } catch (...) {
+    std::abort();
+  }
+  std::_Exit(tubeplan::app::kInternalError);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(endInWords);
   std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe fails like any other
   try {
     const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));

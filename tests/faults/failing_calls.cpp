@@ -3,6 +3,7 @@
 // FAULT_KIND     write, short-write, rename, fsync, close, open, mkdir (EIO, ENOSPC or EACCES, as usual), memory
 // FAULT_AT       which of them, counted from 1 as main begins; 0 or nothing: none
 // FAULT_FROM_ON  1: all from that one on, as on a disk that stays full
+// FAULT_THREADS  1: only calls of threads other than the first
 // FAULT_TALLY    a file: how many there were, written as the program ends
 // FAULT_NOTES    a file: "open FD PATH", "write FD", "fsync FD", "close FD", "rename FROM TO", as they come
 #include <dlfcn.h>
@@ -31,7 +32,7 @@ namespace {
 std::atomic<bool> is_begun{false};
 std::atomic<long> calls{0};
 long fails_at = 0;
-bool fails_from_on = false;
+bool fails_from_on = false, fails_in_threads = false;
 const char *kind = "", *notes = nullptr, *tally = nullptr;
 constexpr int kMostFiles = 1024;
 std::atomic<bool> is_written[kMostFiles];  // descriptors that were opened for writing
@@ -39,6 +40,7 @@ std::atomic<bool> is_written[kMostFiles];  // descriptors that were opened for w
 /// Counts a call; whether it is to fail.
 bool fails(const char* of) {
   if (!is_begun || std::strcmp(kind, of) != 0) return false;
+  if (fails_in_threads && syscall(SYS_gettid) == syscall(SYS_getpid)) return false;
   const long call = ++calls;
   return fails_at > 0 && (call == fails_at || (fails_from_on && call > fails_at));
 }
@@ -107,6 +109,7 @@ __attribute__((constructor)) void readEnvironment() {
   if (const char* text = word("FAULT_KIND")) kind = text;
   if (const char* text = word("FAULT_AT")) fails_at = std::atol(text);
   fails_from_on = word("FAULT_FROM_ON") != nullptr;
+  fails_in_threads = word("FAULT_THREADS") != nullptr;
   notes = word("FAULT_NOTES");
   tally = word("FAULT_TALLY");
   ::unsetenv("LD_PRELOAD");  // not for programs that this one starts

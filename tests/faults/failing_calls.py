@@ -2,6 +2,7 @@
 """failing_calls.py TUBEPLAN CELLS-FOLDER LIBRARY [--kinds write,rename] [--commands plan,add] [--memory 8] [--most 0]
 
 Runs every command that writes files once for each call of a kind that it makes, that call failing (LIBRARY, preloaded).
+Calls of kind thread-memory are those for memory by threads other than the first.
 After each run: a documented exit code with a word why; every output wholly the old file or wholly the new one, files
 that belong together all of one kind; and nothing else in the folder. Of calls for memory there are too many: --memory
 says how many are tried for each command (0: every one). `--kinds order` checks instead that what is renamed has been
@@ -124,10 +125,13 @@ def disk_faults(check, kind, from_on, options):
                check.problems(run) + ["it failed, and nothing said so"] * is_silent)
 
 
-def memory_faults(check, most, seed):
-    total = check.run(FAULT_KIND="memory").calls
+def memory_faults(check, most, seed, **where):
+    total = check.run(FAULT_KIND="memory", **where).calls
     for at in places(total, most, seed):
-        yield f"memory {at} of {total}", check.problems(check.run(FAULT_KIND="memory", FAULT_AT=str(at)))
+        run = check.run(FAULT_KIND="memory", FAULT_AT=str(at), **where)
+        if where:
+            run.left = []  # a thread that cannot begin ends the program there and then: the next run removes what it left
+        yield f"memory {at} of {total}{' in threads' if where else ''}", check.problems(run)
 
 
 def order_faults(check):
@@ -157,6 +161,8 @@ def order_faults(check):
 def faults(check, kind, options):
     if kind == "memory":
         yield from memory_faults(check, options.memory, options.seed)
+    elif kind == "thread-memory":
+        yield from memory_faults(check, options.memory, options.seed, FAULT_THREADS="1")
     elif kind == "order":
         yield from order_faults(check)
     else:
