@@ -13,6 +13,7 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/calibration_json.hpp"
+#include "app/documents/segments_warning.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/touch_input.hpp"
@@ -41,15 +42,17 @@ struct ScoredTube {
   int tube;
   std::string reason;  ///< why it could not be scored
   ModeScores scores;
+  Eigen::VectorXd q = {};  ///< of the model with its base as calibrated; empty where it could not be scored
 };
 
 struct Scored {
   BothCalibrations calibration;
   std::vector<ScoredTube> tubes;
+  std::string warning;  ///< of too few segments; empty without
 };
 
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
-                std::uint64_t seed) {
+                std::uint64_t seed, const Cell& cell) {
   Scored result;
   result.calibration = calibrateBoth(nominal, touchesByTrueArm(nominal, truth, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
@@ -59,9 +62,14 @@ Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
     const auto reach = planner::reachTube(clearance, tubes[k]);
     result.tubes[k] = {tubes[k], reach.reason, {}};
-    if (reach.status == planner::ReachStatus::kReachable)
-      result.tubes[k].scores = scoreModes(models, {tubes[k], reach.branches.front().q});
+    if (reach.status != planner::ReachStatus::kReachable) return;
+    result.tubes[k].q = reach.branches.front().q;
+    result.tubes[k].scores = scoreModes(models, {tubes[k], result.tubes[k].q});
   });
+  std::vector<Eigen::VectorXd> postures;
+  for (const auto& tube : result.tubes)
+    if (tube.reason.empty()) postures.push_back(tube.q);
+  result.warning = segmentsWarning(cell, models.flexible, postures);
   return result;
 }
 
@@ -102,12 +110,14 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
   return {{"units", unitsJson(units)},
           {"calibration", calibrationJson(scored.calibration.flexible, nominal)},
           {"tubes", tubes},
+          {"warnings", scored.warning.empty() ? nlohmann::json::array() : nlohmann::json::array({scored.warning})},
           {"counts", {{kModeKeys[0], counts[0]}, {kModeKeys[1], counts[1]}, {kModeKeys[2], counts[2]}}}};
 }
 
 void printScored(const Scored& scored, const planner::Workcell& cell, const Cell& nominal) {
   const Units& units = nominal.units;
   fmt::print("{}", calibrationText(scored.calibration.flexible, nominal));
+  if (!scored.warning.empty()) fmt::print("warning: {}\n", scored.warning);
   const auto scores = modeScores(scored);
   fmt::print("{} tubes scored, {} unreachable\n", scores.size(), scored.tubes.size() - scores.size());
   const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
@@ -189,7 +199,7 @@ int run(const ScoreOptions& options) {
   checkJsonTarget(options.json);
   if (options.runs > 0) return runExperiment(options, model, truth, cell.units);
   const auto selection = readTubes(options.tubes, model.sheet);
-  const Scored scored = scoreAll(model, truth, selection.tube_indices, options.seed);
+  const Scored scored = scoreAll(model, truth, selection.tube_indices, options.seed, cell);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {
     fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell));
     return kNegativeAnswer;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/documents/plan_outcome.hpp"
+#include "app/documents/segments_warning.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_reader.hpp"
@@ -154,6 +155,8 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(cache.visiting_order, outcome.conditions);
   countChanges(order_before, outcome);
   if (request.padding > 0) outcome.padding = paddingAtHoles(outcome.model, outcome.plan, request.padding);
+  if (auto warning = segmentsWarning(outcome.cell, outcome.model, visitPostures(outcome.plan)); !warning.empty())
+    outcome.cell.warnings.push_back(std::move(warning));
   outcome.predicted = predictVisits(outcome.model, outcome.plan);
   if (outcome.model.insertion > 0) outcome.play = playInTubes(outcome.model, outcome.plan);
   outcome.chances =
