@@ -136,8 +136,9 @@ TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
       const std::string name = number["name"], identifiable = number["identifiable"];
       if (name.find("joint_stiffness") == std::string::npos) continue;
       EXPECT_NE(identifiable, "yes") << run << " " << number;
-      if (name == "link2.joint_stiffness.z")
+      if (name == "link2.joint_stiffness.z") {
         EXPECT_TRUE(identifiable.starts_with("with link4")) << run << " " << number;
+      }
     }
   }
 }

@@ -28,7 +28,7 @@ inline Arm askewBeamArm() {
   Arm arm;
   arm.name = "askew beams";
   arm.rows = {originRow("boom", {-0.7, -0.7, -0.7}, {-3, -3, -3}, JointType::kRevolute),
-              originRow("hand", {}, {}, JointType::kPassive)};
+              originRow("hand", Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), JointType::kPassive)};
   arm.rows[0].joint_stiffness.y() = 3e4;
   arm.rows[0].beam = Beam<double>{.E = 7e10, .I = {3.18053368833e-07, kRigid, kRigid}, .segments = 2};
   arm.rows[0].weight.lumps = {{20, {0.1152, -0.3, -0.282}}};

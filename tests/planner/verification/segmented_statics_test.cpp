@@ -1,6 +1,7 @@
 // The checker's own statics: closed forms, convergence, and the shipped arms beside the flexible kinematics.
 #include "planner/verification/segmented_statics.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -84,13 +85,13 @@ double worstDifference(const Arm& arm, const Eigen::Isometry3d& X_WB, double lar
 
 TEST(SegmentedStatics, AgreesWithTheFlexibleKinematicsOfEveryShippedArm) {
   for (const char* name : {"mockup", "bench", "tsm-cobra", "column", "puma", "iiwa"}) {
-    const auto cell = app::readCell(std::string(TUBEPLAN_SOURCE_DIR) + "/app/cells/" + name + ".yaml");
+    const auto cell = app::readCell(fmt::format("{}/app/cells/{}.yaml", TUBEPLAN_SOURCE_DIR, name));
     EXPECT_LE(worstDifference(cell.arm, cell.X_WB, 130, 7), 2.5e-5) << name;  // 0.001 in
   }
 }
 
 TEST(SegmentedStatics, EffectsTakePart) {
-  const auto cell = app::readCell(std::string(TUBEPLAN_SOURCE_DIR) + "/app/cells/mockup.yaml");
+  const auto cell = app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
   const auto with = [&](const char* name, const char* at, std::vector<double> values) {
     Arm arm = cell.arm;
     auto effect = deflection::makeEffect(arm, name, at).effect;

@@ -64,11 +64,12 @@ TEST(ForeignTable, beginsWhereTheRowsDo) {
 }
 
 TEST(ForeignTable, refusesWhatIsNoTable) {
-  EXPECT_NE(messageOf([] { parseForeignTable("Hello there.\nThis is a letter, and no table.\n", "t"); }), "");
-  EXPECT_NE(messageOf([] { parseForeignTable("a,b,c\nd,e,f\n", "t"); }).find("no row with a number"),
+  EXPECT_NE(messageOf([] { (void)parseForeignTable("Hello there.\nThis is a letter, and no table.\n", "t"); }), "");
+  EXPECT_NE(messageOf([] { (void)parseForeignTable("a,b,c\nd,e,f\n", "t"); }).find("no row with a number"),
             std::string::npos);
-  EXPECT_NE(messageOf([] { parseForeignTable("a,b,c\n1,2,3\n1,2\n4,5,6\n", "t"); }).find("t:3"), std::string::npos);
-  EXPECT_NE(messageOf([] { parseForeignTable("a,b,c\n1,2,\"3\n4,5,6\n7,8,9\n", "t"); }).find("quote"),
+  EXPECT_NE(messageOf([] { (void)parseForeignTable("a,b,c\n1,2,3\n1,2\n4,5,6\n", "t"); }).find("t:3"),
+            std::string::npos);
+  EXPECT_NE(messageOf([] { (void)parseForeignTable("a,b,c\n1,2,\"3\n4,5,6\n7,8,9\n", "t"); }).find("quote"),
             std::string::npos);
 }
 
