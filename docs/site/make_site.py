@@ -4,6 +4,7 @@
 What the program says is asked of the program, so that nothing here repeats it. A warning of Sphinx is an error.
 """
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -15,7 +16,7 @@ import urllib.request
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCS, CELL = SOURCE / "docs", SOURCE / "app/cells/bench.yaml"
-PAGES = ["tutorial", "files", "workbench", "planning", "campaign", "python", "limits", "design", "kernel", "blind_trial", "benchmarks",
+PAGES = ["tutorial", "files", "workbench", "planning", "campaign", "python", "missing_effect", "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
          "workbench_api", "glossary"]
 CONF = """project = "Tubeplan"
 extensions = ["myst_parser"]
@@ -105,6 +106,18 @@ def effects_page(program, out):
     return "\n".join(parts)
 
 
+def run_notebook(program, out):
+    """The notebook run where it was written for, beside app/cells, as Markdown with what it printed and drew."""
+    place = out / "notebook"
+    place.mkdir()
+    (place / "app").symlink_to(SOURCE / "app")
+    shutil.copy(DOCS / "missing_effect.ipynb", place)
+    folder = pathlib.Path(program).parent
+    environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}", PYTHONPATH=str(folder / "python"))
+    subprocess.run(["jupyter-nbconvert", "--log-level=ERROR", "--to", "markdown", "--execute", "--output-dir", str(out / "source"), "missing_effect.ipynb"],
+                   cwd=place, env=environment, check=True)
+
+
 def index_page():
     readme = (SOURCE / "README.md").read_text()
     readme = re.sub(r"\]\(docs/([^)]*)\)", r"](\1)", readme)
@@ -121,7 +134,10 @@ def main():
     source.mkdir(parents=True)
     for file in [*DOCS.glob("*.png"), *DOCS.glob("*.json")]:
         shutil.copy(file, source)
+    run_notebook(program, out)
     for name in PAGES:
+        if name == "missing_effect":
+            continue
         shutil.copy(DOCS / f"{name}.md", source)
     (source / "index.md").write_text(index_page())
     (source / "commands.md").write_text(commands_page(program))

@@ -1,4 +1,5 @@
 """The Python module beside the program: the same tips, the same figures, errors that Python knows."""
+import importlib.util
 import json
 import os
 import re
@@ -93,6 +94,22 @@ class Document(unittest.TestCase):
             names = {'folder': folder}
             for block in blocks:
                 exec(block.replace('out/', folder + '/').replace("'tubeplan'", repr(PROGRAM)), names)
+
+
+class Notebook(unittest.TestCase):
+    """What docs/missing_effect.ipynb does runs, cell after cell; what it draws, where matplotlib is."""
+
+    def test_cells_run(self):
+        with open(os.path.join(SOURCE, 'docs/missing_effect.ipynb')) as file:
+            cells = [''.join(cell['source']) for cell in json.load(file)['cells'] if cell['cell_type'] == 'code']
+        self.assertGreater(len(cells), 4)
+        os.chdir(SOURCE)
+        names = {}
+        for cell in cells:
+            if 'matplotlib' not in cell or importlib.util.find_spec('matplotlib'):
+                exec(cell.replace("'tubeplan'", repr(PROGRAM)), names)
+        self.assertEqual(names['name']['effect'] + '@' + names['name']['at'], 'joint-offset@theta3')
+        self.assertEqual(names['better']['verdict'], 'adequate')
 
 
 if __name__ == '__main__':
