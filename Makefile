@@ -2,6 +2,9 @@
 # make test   the same, and runs every test
 # make package  the same as demo's build, and a Debian package of it in build/
 # make site   the documents, every command and the catalogue of effects as a site in build/site/html
+# make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; an hour or more)
+# make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
+# make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
 # make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
 TUBES   ?= spread:60
 TOUCHES ?= auto
@@ -13,7 +16,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test bench package site program packages format clean
+.PHONY: demo test sanitize mutants clean-root bench package site program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -29,6 +32,23 @@ bench: $(BENCH)/build.ninja
 
 package: program $(BUILD)/.packages-deb
 	cd $(BUILD) && SOURCE_DATE_EPOCH=$$(git -C .. log -1 --format=%ct) cpack -G DEB
+
+# The suite under the address and undefined-behaviour sanitizers; what runs in parallel under the thread sanitizer.
+sanitize: $(BUILD)/.packages-sanitize
+	cmake --preset asan
+	cmake --build build-asan -j $(JOBS)
+	ctest --test-dir build-asan --output-on-failure --no-tests=error -j $(JOBS)
+	tests/sanitize/thread_tbb.sh build-tsan/tbb
+	cmake --preset tsan -DTBB_DIR=$(CURDIR)/build-tsan/tbb/installed/lib/cmake/TBB
+	cmake --build build-tsan -j $(JOBS)
+	ctest --test-dir build-tsan --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
+
+mutants: $(BUILD)/build.ninja
+	cmake --build $(BUILD) -j $(JOBS)
+	python3 tests/mutation/mutants.py $(BUILD)
+
+clean-root: package
+	tests/package/clean_root.sh $(BUILD)/tubeplan_*.deb $(ROOT)
 
 site: program $(BUILD)/.packages-docs
 	python3 docs/site/make_site.py $(BUILD)/tubeplan $(BUILD)/site
@@ -50,10 +70,11 @@ $(BUILD)/.packages: packages.txt
 $(BENCH)/.packages: packages.txt packages-bench.txt
 $(BUILD)/.packages-deb: packages-deb.txt
 $(BUILD)/.packages-docs: packages-docs.txt
+$(BUILD)/.packages-sanitize: packages.txt packages-sanitize.txt
 
 # The stamp stands for "all of its lists is installed"; only what is missing is fetched. A package whose command is there
 # from elsewhere counts as installed: Node.js's own packages bring npm and do not go with Debian's.
-$(BUILD)/.packages $(BENCH)/.packages $(BUILD)/.packages-deb $(BUILD)/.packages-docs:
+$(BUILD)/.packages $(BENCH)/.packages $(BUILD)/.packages-deb $(BUILD)/.packages-docs $(BUILD)/.packages-sanitize:
 	@missing=; for package in $$(grep -hv '^#' $^); do \
 	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || command -v $$package >/dev/null || missing="$$missing $$package"; \
 	done; \
@@ -68,4 +89,4 @@ format:
 	clang-format -i $$(git ls-files '*.cpp' '*.hpp')
 
 clean:
-	rm -rf $(BUILD) $(BENCH) build-dev build-asan
+	rm -rf $(BUILD) $(BENCH) build-dev build-asan build-tsan

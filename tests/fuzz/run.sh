@@ -1,12 +1,12 @@
 #!/bin/sh
 # Gives every reader damaged text for so many seconds each, begun from the shipped files and what earlier runs have found
-# (build-fuzz/corpus). `tests/fuzz/run.sh SECONDS [READER...]`; a find ends it with its input in build-fuzz/finds.
+# (build-asan/corpus). `tests/fuzz/run.sh SECONDS [READER...]`; a find ends it with its input in build-asan/finds.
 set -eu
 cd "$(dirname "$0")/../.."
 seconds=${1:?seconds for each reader}
 shift
 readers=${*:-arm cell measurements foreign urdf hole-map work-list selection formula campaign mesh stl project cache yaml-edit}
-out=build-fuzz
+out=build-asan
 mkdir -p $out/finds
 for reader in $readers; do
   corpus=$out/corpus/$reader
