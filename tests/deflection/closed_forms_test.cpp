@@ -41,6 +41,28 @@ FlexibleKinematics solve(const Arm& arm, double load, const Eigen::Vector3d& gra
 
 double slopeAboutZ(const FlexibleKinematics& shape) { return std::atan2(shape.X_BD.R(1, 0), shape.X_BD.R(0, 0)); }
 
+/// A joint that gives about its axis alone, on both sides of the angle below which its sine and cosine are series.
+TEST(ClosedForms, AJointsTurnIsExactToRounding) {
+  for (const double angle : {0.02, 0.0999, 0.1001, 0.3}) {
+    Arm arm;
+    Row<double> link;
+    link.name = "link";
+    link.placement = DenavitHartenberg<double>{};
+    link.joint = {.name = "turn", .type = JointType::kRevolute};
+    link.joint_stiffness.z() = 1e4;
+    arm.rows = {link};
+    arm.p_LT = {1, 0, 0};
+    Posture posture{Eigen::VectorXd::Zero(1), 0, -Eigen::Vector3d::UnitY()};
+    posture.wrench.emplace();  // a load beside gravity's, so that the general sweeps solve the arm
+    posture.wrench->force_B = {0, -1e4 * angle / std::cos(angle), 0};  // k angle = F L cos(angle)
+    const auto shape = solveFlexibleKinematics(arm, posture, {1e-15, 100});
+    ASSERT_EQ(shape.status, KinematicsStatus::kConverged) << angle;
+    EXPECT_NEAR(shape.X_BD.R(1, 0), -std::sin(angle), 2e-15) << angle;
+    EXPECT_NEAR(shape.X_BD.R(0, 0), std::cos(angle), 2e-15) << angle;
+    EXPECT_NEAR(shape.X_BD.p.norm(), 1, 2e-15) << angle;
+  }
+}
+
 TEST(ClosedForms, EndForce) {
   const double F = 0.5;
   const auto shape = solve(cantilever(), F);
