@@ -37,11 +37,11 @@ package: program $(BUILD)/.packages-deb
 sanitize: $(BUILD)/.packages-sanitize
 	cmake --preset asan
 	cmake --build build-asan -j $(JOBS)
-	ctest --test-dir build-asan --output-on-failure --no-tests=error -j $(JOBS)
+	ctest --test-dir build-asan -LE web --output-on-failure --no-tests=error -j $(JOBS)
 	tests/sanitize/thread_tbb.sh build-tsan/tbb
 	cmake --preset tsan -DTBB_DIR=$(CURDIR)/build-tsan/tbb/installed/lib/cmake/TBB
 	cmake --build build-tsan -j $(JOBS)
-	ctest --test-dir build-tsan --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
+	ctest --test-dir build-tsan -LE web --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
 
 mutants: $(BUILD)/build.ninja
 	cmake --build $(BUILD) -j $(JOBS)

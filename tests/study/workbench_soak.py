@@ -25,6 +25,7 @@ import urllib.parse
 from workbench_client import Workbench
 
 HALF_OPEN = 200
+MODELS = 5
 LIMIT = 5.0  # s for an answer of /api/state beside them
 
 
@@ -75,7 +76,11 @@ class Visitor:
         ])()
 
     def work(self):
-        """Long work, which is refused while some is under way, and what takes it back."""
+        """Long work, which is refused while some is under way, and what takes it back: models on the stack keep their
+        results, so that it is kept short as a person would."""
+        if len(json.loads(self.served.ask("api/state")[1])["models"]) > MODELS:
+            while self.ask("api/undo", {}) == 200:
+                pass
         self.random.choice([
             lambda: self.ask("api/compare", {}),
             lambda: self.ask("api/identify", {}),
