@@ -23,8 +23,8 @@ int tellOfOutput(int error) {
   return tubeplan::app::kBadInput;
 }
 
-/// What is thrown where nothing may be: a thread of oneTBB's pool is begun, and gets its memory, where an exception ends
-/// the program. It ends in words then; what it had begun to write is removed by the next run, as after a kill.
+/// What is thrown where nothing may be: a thread of oneTBB's pool is begun, and gets its memory, where an exception
+/// ends the program. It ends in words then; what it had begun to write is removed by the next run, as after a kill.
 [[noreturn]] void endInWords() {
   const std::exception_ptr thrown = std::current_exception();
   if (!thrown) std::abort();

@@ -15,8 +15,8 @@
 
 #include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/input_error.hpp"
-#include "app/files/origin.hpp"
 #include "app/files/lower_case.hpp"
+#include "app/files/origin.hpp"
 
 namespace tubeplan::app {
 

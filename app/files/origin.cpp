@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/files/sha256.hpp"
+#include "app/files/utf8.hpp"
 #include "app/version.hpp"
 
 namespace tubeplan::app {
@@ -12,6 +13,18 @@ namespace tubeplan::app {
 namespace {
 
 thread_local InputRecord* record_of_thread = nullptr;
+
+/// A file's name may be any bytes; what is no UTF-8 becomes a question mark, for documents have no other text.
+std::string nameIn(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  std::string text;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t length = sequenceLength(name, at);
+    text += length > 0 ? name.substr(at, length) : "?";
+    at += std::max<std::size_t>(1, length);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -27,9 +40,7 @@ InputRecord* InputRecord::current() { return record_of_thread; }
 void InputRecord::note(const std::string& path, std::string_view bytes) {
   if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return;
   paths_.push_back(path);
-  inputs_.push_back({{"name", std::filesystem::path(path).filename().string()},
-                     {"bytes", bytes.size()},
-                     {"sha256", sha256Of(bytes)}});
+  inputs_.push_back({{"name", nameIn(path)}, {"bytes", bytes.size()}, {"sha256", sha256Of(bytes)}});
 }
 
 void noteInput(const std::string& path, std::string_view bytes) {

@@ -65,6 +65,14 @@ class Results(Folder):
                 ("mockup.yaml", "cobra-arm.yaml", "mockup-true.yaml", "cobra-arm-true.yaml"))
         self.of("campaign mockup.yaml --runs 2 --holes 3 --tubes spread:6 --out many", ("mockup.yaml", "cobra-arm.yaml"))
 
+    def test_a_name_that_is_no_text_is_no_internal_error(self):
+        name = bytes(self.folder) + b"/caf\xe9.yaml"
+        with open(name, "wb") as copy:
+            copy.write((self.folder / "bench.yaml").read_bytes())
+        done = subprocess.run([PROGRAM.encode(), b"pose", name, b"--joints=0,90,0,0", b"--json", b"-"], capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["inputs"][0]["name"], "caf?.yaml")
+
     def test_plans_campaigns_and_reports_state_it(self):
         cell = ("mockup.yaml", "cobra-arm.yaml")
         self.run_program("plan mockup.yaml --tubes spread:3 --out planned")
