@@ -1,6 +1,8 @@
 // Plans, lists and exports that know their sheet, leg and tubes.
 #include "app/commands/plan_identity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
