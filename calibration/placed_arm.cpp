@@ -90,11 +90,29 @@ bool isGeometry(const std::string& name) {
          name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
 }
 
-double priorSigmaOf(const Unknown& unknown, const Priors& priors) {
-  if (const auto own = priors.named.find(unknown.name); own != priors.named.end()) return own->second;
-  if (unknown.owner == Unknown::Owner::kBase || !isGeometry(unknown.name)) return priors.weak * unknown.typical;
-  if (unknown.name.starts_with("tool.tip.")) return priors.tip;
-  return unknown.quantity == Quantity::kAngle ? priors.angle : priors.length;
+/// Of an effect of the catalogue: its size is none, give or take the largest that real machines have. What the user's own
+/// formula may amount to, and the shape of a law, nobody knows beforehand.
+bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
+  if (unknown.path.effect < 0) return false;
+  const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
+  return !effect.formula && !deflection::numbersOf(effect).at(static_cast<std::size_t>(unknown.path.value)).is_shape;
+}
+
+void takePrior(const Priors& priors, const deflection::Arm& arm, Unknown& unknown) {
+  if (const auto own = priors.named.find(unknown.name); own != priors.named.end()) {
+    unknown.prior_sigma = own->second;
+  } else if (isSizeOfCatalogue(unknown, arm)) {
+    const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
+    unknown.prior_sigma = unknown.typical;
+    unknown.prior_mean =
+        deflection::numbersOf(effect).at(static_cast<std::size_t>(unknown.path.value)).neutral - unknown.start;
+  } else if (unknown.owner == Unknown::Owner::kBase || !isGeometry(unknown.name)) {
+    unknown.prior_sigma = priors.weak * unknown.typical;
+  } else if (unknown.name.starts_with("tool.tip.")) {
+    unknown.prior_sigma = priors.tip;
+  } else {
+    unknown.prior_sigma = unknown.quantity == Quantity::kAngle ? priors.angle : priors.length;
+  }
 }
 
 void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
@@ -202,7 +220,7 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
         }
       }
     }
-  for (Unknown& unknown : result.list) unknown.prior_sigma = priorSigmaOf(unknown, choice.priors);
+  for (Unknown& unknown : result.list) takePrior(choice.priors, placed.arm, unknown);
   return result;
 }
 

@@ -51,7 +51,8 @@ struct Unknown {
   bool is_geometry = false;     ///< freed by `geometry`
   double typical = 1;           ///< how far the variable may well be from its start: the unit that solvers work in
   double prior_sigma = 10;      ///< standard deviation of the variable's normal prior; infinite: none
-  double prior_mean = 0;        ///< the variable's value by the drawing: 0 but where the unknown was rebased
+  double prior_mean = 0;        ///< the variable's value by the drawing (0 but where the unknown was rebased); of an
+                                ///< effect's size that of none
   double start = 0;             ///< of the parameter
   double lower = 0, upper = 0;  ///< of the variable x (0 at the start)
 };
@@ -62,8 +63,9 @@ struct Unknown {
 }
 
 /// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
-/// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; all others a weak one,
-/// a multiple of what a number may well be off by (Unknown::typical), which data soon outweigh.
+/// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; sizes of effects are
+/// none, give or take the largest that real machines have; all others have a weak prior, a multiple of what a number
+/// may well be off by (Unknown::typical), which data soon outweigh.
 struct Priors {
   double length = 0.005;                ///< m
   double angle = 0.02;                  ///< rad

@@ -11,14 +11,15 @@ using Eigen::Index, Eigen::VectorXd;
 namespace {
 
 constexpr int kRefitIterations = 6;
-constexpr double kWidePrior = 10;  // of the largest usual size
 
 /// The numbers of an effect that an explanation adds, as its arm carries it, 0 where they stand.
 void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
   for (std::size_t v = 0; v < found.numbers.size(); ++v) {
     if (std::isnan(found.numbers[v].sigma)) continue;
-    model.unknowns.push_back(numberUnknown(model.placed.arm, effect, static_cast<int>(v)));
-    model.unknowns.back().prior_sigma = kWidePrior * model.unknowns.back().typical;
+    Unknown size = numberUnknown(model.placed.arm, effect, static_cast<int>(v));
+    size.prior_sigma = size.typical;
+    size.prior_mean = deflection::numbersOf(found.fitted)[v].neutral - size.start;
+    model.unknowns.push_back(std::move(size));
   }
 }
 

@@ -369,9 +369,11 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
   const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
   fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
+  // Sizes stand where the fit left them, so their deviations are those of the prior that it had.
+  const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
   std::size_t first = 0;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    describeTerm(work, model.terms[t], placed, t, model.sigma, first, fit);
+    describeTerm(work, model.terms[t], placed, t, sigma, first, fit);
     first += placed.counts[t];
   }
   fit.model_error = model.model_error;
