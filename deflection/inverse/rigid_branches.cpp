@@ -57,10 +57,8 @@ std::vector<Vector2d> solveTwoLinks(const Vector2d& elbow, const Vector2d& wrist
 
 }  // namespace
 
-bool carriesPlane(const Arm& arm, const AxesAtZero& axes) {
-  if (arm.jointCount() != 4) return false;
-  for (const auto& joint : arm.joints())
-    if (joint.type != JointType::kRevolute) return false;
+bool carriesPlane(const AxesAtZero& axes) {
+  if (axes.point.size() != 4 || std::ranges::count(axes.slides, true) != 0) return false;
   const double parallel = std::cos(5 * kPi / 180);
   const Vector3d& h = axes.direction[1];
   return std::abs(h.dot(axes.direction[2])) > parallel && std::abs(h.dot(axes.direction[3])) > parallel &&
@@ -94,7 +92,7 @@ void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector
   }
 }
 
-bool isTurretArm(const Arm& arm) { return carriesPlane(arm, axesAtZero(arm)); }
+bool isTurretArm(const Arm& arm) { return carriesPlane(axesAtZero(arm)); }
 
 std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
   std::vector<VectorXd> branches;

@@ -15,6 +15,8 @@ constexpr double kBends = 0.03;   ///< of the reach, how far the tip may be off 
 constexpr double kBendsBy = 0.1;  ///< scaled and rad, how much of a limit or tilt the bent arm may make good
 constexpr double kUnlike = 0.3;   ///< scaled, between postures of a continuum that are taken first
 constexpr double kSamePosture = 1e-3;  ///< scaled, between postures that are the same
+constexpr double kNearGoal = 0.01;     ///< of the reach, that a root of the search may be off
+constexpr std::size_t kEnough = 8;     ///< postures of a continuum, within limits: the others are not followed
 constexpr int kMostSpoilt = 4;         ///< postures past limits or too tilted that go on, to say why a goal is not met
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
@@ -25,24 +27,60 @@ InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
 }  // namespace
 
 StartPostures::StartPostures(const Arm& arm, const InverseKinematicsOptions& options)
-    : axes_(axesAtZero(arm)),
-      is_turret_(carriesPlane(arm, axes_)),
+    : arm_(arm),
+      axes_(axesAtZero(arm)),
+      is_turret_(carriesPlane(axes_)),
       options_(roughly(options)),
       rigid_(
-          arm, false, [this](const VectorXd& q, TipMotion& tip) { placeRigidTip(axes_, q, tip); }, options_) {
-  if (!is_turret_) lattice_ = latticeStarts(arm, options.lattice_starts);
-}
+          arm, false, [this](const VectorXd& q, TipMotion& tip) { placeRigidTip(axes_, q, tip); }, options_) {}
 
-std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal) {
+bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> starts,
+                            std::vector<Candidate>& candidates) {
   std::vector<Candidate> met, near;
-  for (const VectorXd& start : lattice_) {
+  for (const VectorXd& start : starts) {
     const Branch found = leadToGoal(rigid_, goal, start);
     if (!(found.position_error < kBends * rigid_.reach())) continue;
     const double tilted = std::max(0., found.tilt - options_.max_tilt);
     const bool is_met = found.status == BranchStatus::kConverged;
     (is_met ? met : near).push_back({found.q, rigid_.pastLimits(found.q).cwiseAbs().maxCoeff() + tilted});
   }
-  return met.empty() ? near : met;
+  const bool is_any_met = !met.empty();
+  candidates = is_any_met ? std::move(met) : std::move(near);
+  return is_any_met;
+}
+
+/// Those that are as good as at the goal and within limits already: of a continuum there is no need of the others.
+std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal, std::span<const VectorXd> starts) {
+  std::vector<Candidate> good;
+  GoalResidual r;
+  for (const VectorXd& start : starts) {
+    if (rigid_.pastLimits(start).cwiseAbs().maxCoeff() > 0) continue;
+    rigid_.evaluate(goal, start, r);
+    if (r.position_error < kNearGoal * rigid_.reach() && r.tilt < options_.max_tilt) good.push_back({start, 0});
+  }
+  return good;
+}
+
+std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal) {
+  std::vector<Candidate> found;
+  if (arm_.jointCount() < 3) {
+    (void)leadAll(goal, latticeStarts(arm_, options_.lattice_starts), found);
+    return found;
+  }
+  std::vector<VectorXd> starts;
+  if (!postures_) postures_.emplace(arm_, axes_);
+  postures_->addPostures(goal, starts);
+  if (postures_->areUpright() && !postures_->sampled().empty()) {
+    found = within(goal, starts);
+    if (found.size() >= kEnough) return found;
+  }
+  if (leadAll(goal, starts, found)) return found;
+  // Nothing has the tool along its axis: what has the tip at its place may lean little enough.
+  starts.clear();
+  if (!places_) places_.emplace(arm_, axes_, RigidSearch::Hold::kPlace);
+  places_->addPostures(goal, starts);
+  (void)leadAll(goal, starts, found);
+  return found;
 }
 
 std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidates, int most) const {

@@ -7,7 +7,7 @@
 namespace tubeplan::deflection {
 
 /// Whether an arm of these axes is a turret arm.
-[[nodiscard]] bool carriesPlane(const Arm& arm, const AxesAtZero& axes);
+[[nodiscard]] bool carriesPlane(const AxesAtZero& axes);
 
 /// Adds what turretBranches() has.
 void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector<Eigen::VectorXd>& branches);

@@ -1,0 +1,206 @@
+// Branches that the inverse kinematics finds, against what many random starts find: for any arm under holes of its
+// cell.
+//
+// Where an arm has more joints than its goals ask for, postures are a continuum. There a posture counts as found where
+// the search has it at the readings of the joints that are over: the same slice through the continuum.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+#include "deflection/inverse/goal_newton.hpp"
+#include "deflection/inverse/inverse_solver.hpp"
+#include "deflection/inverse/rigid_search.hpp"
+#include "tests/planner/workcell.hpp"
+
+namespace tubeplan::planner::testing {
+
+struct BranchCount {
+  int goals = 0;
+  long brute = 0;      ///< different postures that the random starts lead to, within limits
+  long missed = 0;     ///< ... that the search does not have
+  long branches = 0;   ///< of the flexible arm, usable
+  long wrong = 0;      ///< ... whose tip is not at its place, or past limits
+  int without = 0;     ///< goals that random starts reach within the tilt and the search says it does not
+  double seconds = 0;  ///< CPU for all branches of all goals, flexible
+
+  BranchCount& operator+=(const BranchCount& other) {
+    goals += other.goals, brute += other.brute, missed += other.missed, branches += other.branches;
+    wrong += other.wrong, without += other.without, seconds += other.seconds;
+    return *this;
+  }
+};
+
+inline double apartOf(const deflection::Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double most = 0;
+  for (Eigen::Index k = 0; k < a.size(); ++k)
+    most = std::max(most, arm.joint(k).type == deflection::JointType::kPrismatic
+                              ? std::abs(a[k] - b[k]) / deflection::reachOf(arm)
+                              : std::abs(std::remainder(a[k] - b[k], 2 * std::numbers::pi)));
+  return most;
+}
+
+/// Different postures of the rigid arm that `starts` random starts lead to.
+inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, const deflection::ToolGoal& goal,
+                                               const Eigen::Vector3d& gravity_B, double max_tilt, int starts,
+                                               std::mt19937_64& generator) {
+  deflection::InverseKinematicsOptions options;
+  options.max_tilt = max_tilt;
+  options.position_tolerance = options.pitch_tolerance = 1e-9;
+  options.singular_floor = 1e-6;  // what leans is led on as long as anything can be done about it
+  deflection::InverseSolver solver(rigid, 0, gravity_B, options);
+  std::vector<Eigen::VectorXd> from, found;
+  for (int k = 0; k < starts; ++k) from.push_back(randomPosture(rigid, generator));
+  for (const auto& branch : solver.refine(std::vector(from.size(), goal), from)) {
+    if (branch.status != deflection::BranchStatus::kConverged) continue;
+    if (std::ranges::all_of(found, [&](const auto& other) { return apartOf(rigid, other, branch.q) > 1e-4; }))
+      found.push_back(branch.q);
+  }
+  return found;
+}
+
+/// Whether the search has a posture at the readings of the joints that it holds: they stay while its roots are led to
+/// the goal.
+inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm& arm, const deflection::ToolGoal& goal,
+                    const Eigen::VectorXd& q) {
+  using namespace deflection;
+  const std::vector<int> held(search.sampled().begin(), search.sampled().end());
+  std::vector<int> moved;
+  Arm slice = arm;
+  slice.rows.clear();
+  for (int k = 0; k < q.size(); ++k)
+    if (std::ranges::find(held, k) == held.end()) moved.push_back(k), slice.rows.emplace_back().joint = arm.joint(k);
+  slice.rows.front().placement = Origin<double>{{0, 0, reachOf(arm)}, {0, 0, 0}};
+  const AxesAtZero axes = axesAtZero(arm);
+  InverseKinematicsOptions options;
+  options.singular_floor = 1e-6;
+  GoalProblem problem(
+      slice, false,
+      [&](const Eigen::VectorXd& some, TipMotion& tip) {
+        Eigen::VectorXd all = q;
+        all(moved) = some;
+        placeRigidTip(axes, all, tip);
+        tip.columns = Eigen::MatrixXd(tip.columns(Eigen::all, moved));
+      },
+      options);
+  std::vector<Eigen::VectorXd> roots;
+  search.addPosturesAt(goal, q(held), roots);
+  for (const auto& root : roots) {
+    Eigen::VectorXd led = q;
+    led(moved) = leadToGoal(problem, goal, root(moved)).q;
+    if (apartOf(arm, led, q) < 1e-3) return true;
+  }
+  return false;
+}
+
+inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Vector3d> places_W, int starts,
+                                 std::uint64_t seed) {
+  using namespace deflection;
+  const Arm rigid = rigidCopy(cell.arm);
+  const Eigen::Vector3d gravity_B = gravityInBase(cell.arm, cell.X_WB);
+  InverseKinematicsOptions options;
+  options.max_tilt = std::min(options.max_tilt, toleratedTilt(cell.tool));
+  const bool turret = isTurretArm(rigid);
+  std::optional<RigidSearch> search;
+  if (!turret) search.emplace(rigid, axesAtZero(rigid));
+  InverseSolver rigid_solver(rigid, 0, gravity_B, options), solver(cell.arm, cell.load, gravity_B, options);
+  std::mt19937_64 generator(seed);
+  std::vector<ToolGoal> goals;
+  for (const auto& place_W : places_W)
+    goals.push_back({cell.X_WB.inverse() * place_W, cell.X_WB.linear().transpose() * kHoleAxis_W});
+  (void)solver.solve(goals.front());  // what is made when it is first asked for
+
+  BranchCount count;
+  count.goals = static_cast<int>(goals.size());
+  const std::clock_t before = std::clock();
+  const auto solutions = solver.solve(goals);
+  count.seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  for (std::size_t g = 0; g < goals.size(); ++g) {
+    for (const Branch& branch : solutions[g].branches) {
+      if (branch.status != BranchStatus::kConverged) continue;
+      ++count.branches;
+      const auto shape = solveFlexibleKinematics(cell.arm, {branch.q, cell.load, gravity_B}, {1e-14, 200});
+      count.wrong += (shape.X_BD.p - goals[g].p_BT).norm() > 1e-9 * reachOf(cell.arm) ||
+                     !withinLimits(cell.arm, branch.q) || branch.tilt > options.max_tilt;
+    }
+    const auto brute = bruteForce(rigid, goals[g], gravity_B, options.max_tilt, starts, generator);
+    count.brute += static_cast<long>(brute.size());
+    const auto known = rigid_solver.solve(goals[g]);
+    count.without += !brute.empty() && known.status != BranchStatus::kConverged;
+    for (const auto& q : brute) {
+      const bool is_known =
+          std::ranges::any_of(known.branches, [&](const Branch& branch) { return apartOf(rigid, branch.q, q) < 2e-3; });
+      count.missed += !is_known && (turret || !isFound(*search, rigid, goals[g], q));
+    }
+  }
+  return count;
+}
+
+/// An arm of `joints` joints, the one of `slide` a slide, of any geometry and limits, on any base.
+inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  const auto angle = [&](double most) { return uniform(generator, -most, most); };
+  Workcell cell = alone(mockup("puma.yaml"));
+  cell.arm = {};
+  for (int k = 0; k < joints; ++k) {
+    auto& row = cell.arm.rows.emplace_back();
+    row.name = "row" + std::to_string(k);
+    row.placement = deflection::DenavitHartenberg<double>{angle(3), uniform(generator, 0, 0.4), angle(0.2), 0};
+    row.joint.name = "joint" + std::to_string(k);
+    row.joint.type = k == slide ? deflection::JointType::kPrismatic : deflection::JointType::kRevolute;
+    const double middle = k == slide ? 0.4 : angle(1), half = k == slide ? 0.3 : uniform(generator, 1.8, 3);
+    row.joint.lower = middle - half;
+    row.joint.upper = middle + half;
+    row.joint_stiffness.z() = k == slide ? deflection::kRigid : 4e4;
+    row.weight.lumps.push_back({40, {0.1, 0, 0}});
+  }
+  cell.arm.p_LT = {angle(0.1), angle(0.1), 0.2};
+  cell.scene.bodies.clear();
+  cell.X_WB = Eigen::Translation3d(angle(0.3), angle(0.3), angle(0.3)) *
+              Eigen::AngleAxisd(angle(3), Eigen::Vector3d(angle(1), angle(1), angle(1)).normalized());
+  return cell;
+}
+
+/// Places at which a posture within the limits has the tool upright: postures drawn, and led there.
+inline std::vector<Eigen::Vector3d> placesOf(const Workcell& cell, int count, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  const Eigen::Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB);
+  const Eigen::Vector3d axis_B = cell.X_WB.linear().transpose() * kHoleAxis_W;
+  deflection::InverseKinematicsOptions options;
+  options.singular_floor = 1e-4;
+  std::vector<Eigen::Vector3d> places;
+  for (int draws = 0; static_cast<int>(places.size()) < count && draws < 4000 * count; ++draws) {
+    const Eigen::VectorXd q = randomPosture(cell.arm, generator);
+    const PredictedTip tip = predictTip(cell, q);
+    if (tip.tilt > 0.4) continue;
+    const auto led =
+        deflection::refineBranch(cell.arm, {cell.X_WB.inverse() * tip.p_WT, axis_B}, cell.load, gravity_B, q, options);
+    if (led.status == deflection::BranchStatus::kConverged && led.tilt < 1e-6) places.push_back(tip.p_WT);
+  }
+  return places;
+}
+
+struct CountedArm {
+  std::string name;
+  Workcell cell;
+  std::vector<Eigen::Vector3d> places_W;
+};
+
+/// The eight: six shipped, two drawn; each under `count` holes.
+inline std::vector<CountedArm> countedArms(int count) {
+  std::vector<CountedArm> arms;
+  for (const char* file :
+       {"mockup.yaml", "tsm-cobra.yaml", "column.yaml", "puma.yaml", "iiwa.yaml", "scenes/upside-down.yaml"}) {
+    const Workcell cell = mockup(file);
+    std::vector<Eigen::Vector3d> places;
+    for (const int tube : tubesOf(cell, "spread:" + std::to_string(count))) places.push_back(holeOf(cell, tube));
+    arms.push_back({file, cell, places});
+  }
+  for (const auto& [joints, slide] : {std::pair(5, -1), std::pair(6, 2)}) {
+    const Workcell cell = drawnArm(joints, slide, 11);
+    arms.push_back({"drawn, " + std::to_string(joints) + " joints", cell, placesOf(cell, count, 4)});
+  }
+  return arms;
+}
+
+}  // namespace tubeplan::planner::testing
