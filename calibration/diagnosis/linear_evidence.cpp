@@ -249,6 +249,7 @@ double LinearEvidence::keptShare(int column) const {
 }
 
 double LinearEvidence::fall(const std::vector<int>& columns) const {
+  if (columns.empty()) return 0;
   const Index y = S_y_.rows() - 1;
   const MatrixXd G = S_y_(columns, columns);
   const VectorXd b = S_y_(columns, std::vector<Index>{y});

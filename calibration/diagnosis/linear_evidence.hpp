@@ -74,7 +74,8 @@ class LinearEvidence {
   [[nodiscard]] double visibility(int column) const;
   [[nodiscard]] double keptShare(int column) const;
 
-  /// Chi-square of the noise alone less that with these columns at their best sizes, no prior and no discrepancy.
+  /// Chi-square of the noise alone less that with these columns at their best sizes, no prior and no discrepancy; 0 of
+  /// none.
   [[nodiscard]] double fall(const std::vector<int>& columns) const;
 
   /// The discrepancy's most probable weight of each of its terms, its size given.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "calibration/diagnosis/noise_hypotheses.hpp"
@@ -26,6 +27,7 @@ constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 // What an unknown effect has in common with the known one most like it, against what it has of its own, in noise
 // sigmas.
 constexpr double kLikeness = 0.7;
+constexpr double kOrders = 4.6;          // log of a hundred: over so much the size of a cause of its own may be spread
 constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
 constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
 
@@ -224,40 +226,6 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
-/// What the model leaves beyond the stated noise, in noise sigmas; 0 where nothing.
-double lengthLeft(const DiagnosisWork& work, const AtOptimum& at, std::size_t numbers) {
-  std::vector<int> columns(numbers);
-  std::iota(columns.begin(), columns.end(), 0);
-  const double expected = work.noise.front().options.noise_rows - static_cast<double>(numbers);
-  return std::sqrt(std::max(0., at.evidence->chi2() - at.evidence->fall(columns) - expected));
-}
-
-/// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
-/// left of it. So where something remains, each term competes with being such a likeness: its size is then of the order
-/// of what remains, and not of the order that its own cause has.
-void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std::vector<AtOptimum>& at,
-                     CompetingModel& model) {
-  if (model.terms.empty() || model.discrepancy_probability + model.scatter_probability < kHardlyLeft) return;
-  const double left = lengthLeft(work, at.front(), placed.sizes.size());
-  if (!(left > 0)) return;
-  std::size_t first = 0;
-  for (std::size_t t = 0; t < model.terms.size(); first += placed.counts[t++]) {
-    const auto ofLikeness = [&](const NoiseHypothesis& noise, std::size_t n, double scale) {
-      auto sizes = priorsOf(placed, scale);
-      for (std::size_t k = first; k < first + placed.counts[t]; ++k)
-        sizes[k].sigma = kLikeness * left / std::max(kNeverSeen, at.front().evidence->visibility(static_cast<int>(k)));
-      return evidenceAt(at[n], noise, sizes);
-    };
-    CompetingModel unknown;
-    blendEvidence(work, model.terms.size() > 1, ofLikeness, unknown);
-    const auto count = model.terms.size();
-    const double log_prior =
-        model.log_prior + logPriorOfCount(count - 1) - logPriorOfCount(count) - std::log(static_cast<double>(count));
-    const double remains = unknown.discrepancy_probability + kUnknownScatter * unknown.scatter_probability;
-    model.likenesses.push_back({t, log_prior + unknown.log_evidence + std::log(std::max(1e-300, remains))});
-  }
-}
-
 /// The errors that the discrepancy most probably makes.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
@@ -269,6 +237,57 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
     const VectorXd weights = at.evidence->discrepancyWeights(sizes, model.discrepancy);
     model.remainder = noise.discrepancy * weights;
     model.remainder_terms = noise.principal_terms * weights;
+  }
+}
+
+/// What the model leaves as an error of its own, in sigmas of its noise: the discrepancy's errors, or, where there are
+/// none, all that is beyond the stated noise; 0 where nothing.
+double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_t numbers,
+                  const CompetingModel& model) {
+  if (model.remainder.size() > 0) return model.remainder.norm();
+  std::vector<int> columns(numbers);
+  std::iota(columns.begin(), columns.end(), 0);
+  const double expected = work.noise.front().options.noise_rows - static_cast<double>(numbers);
+  return std::sqrt(std::max(0., stated.evidence->chi2() - stated.evidence->fall(columns) - expected));
+}
+
+/// How much of chi-square a term takes beside the others, as a length in noise sigmas, what noise alone would give off.
+double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t count, std::size_t all) {
+  std::vector<int> columns(all), others;
+  std::iota(columns.begin(), columns.end(), 0);
+  for (const int column : columns)
+    if (static_cast<std::size_t>(column) < first || static_cast<std::size_t>(column) >= first + count)
+      others.push_back(column);
+  const double fall = evidence.fall(columns) - evidence.fall(others) - static_cast<double>(count);
+  return std::sqrt(std::max(0., fall));
+}
+
+/// Odds of a length as that of a likeness, normal about none with the order of what is left, against that of a cause
+/// of its own, of any order over two.
+double logOddsOfLikeness(double length, double left) {
+  const double ratio = length / (kLikeness * left);
+  if (!(ratio > 0)) return -std::numeric_limits<double>::infinity();
+  return 0.5 * std::log(2 / std::numbers::pi) + std::log(ratio * kOrders) - 0.5 * ratio * ratio;
+}
+
+/// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
+/// left of it. So where something remains, each term competes with being such a likeness: what it takes of the error is
+/// then of the order of what remains, and not of the order that its own cause has.
+void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std::vector<AtOptimum>& at,
+                     CompetingModel& model) {
+  const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
+  if (model.terms.empty() || remains < kHardlyLeft) return;
+  const double left = lengthLeft(work, at.front(), placed.sizes.size(), model);
+  if (!(left > 0)) return;
+  const bool is_of_more_noise = model.remainder.size() > 0 && model.more_noise_probability > 0.5;
+  const LinearEvidence& seen = *(is_of_more_noise ? at.back() : at.front()).evidence;
+  const auto count = model.terms.size();
+  const double log_prior =
+      logPriorOfCount(count - 1) - logPriorOfCount(count) - std::log(static_cast<double>(count)) + std::log(remains);
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < count; first += placed.counts[t++]) {
+    const double length = lengthOf(seen, first, placed.counts[t], placed.sizes.size());
+    model.likenesses.push_back({t, model.logWeight() + log_prior + logOddsOfLikeness(length, left)});
   }
 }
 
@@ -360,9 +379,9 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
     return;
   }
   model.gain_by_fit = model.log_evidence - linear;
-  weighLikenesses(work, placed, at, model);
   const std::size_t likely = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
   keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
+  weighLikenesses(work, placed, at, model);
   Explanation& fit = model.fit;
   fit.fitted = applied(placed.arm, unknowns, solution.x);
   fit.chi2 = at.front().residual.r.squaredNorm();

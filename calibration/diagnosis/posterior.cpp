@@ -160,8 +160,9 @@ std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& cause
 /// The causes that most of what is missing agrees on, without those that others of them imply.
 std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
   std::map<int, double> probability;
-  for (const ModelClass& one : posterior.classes)
-    for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
+  for (const auto* classes : {&posterior.classes, &posterior.others})
+    for (const ModelClass& one : *classes)
+      for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
   std::vector<int> sure;
   for (const auto& [cause, p] : probability)
     if (p >= work.options.sure * (1 - posterior.nothing)) sure.push_back(cause);
@@ -203,12 +204,13 @@ void findSure(const DiagnosisWork& work, Posterior& posterior) {
   sure.causes = causes;
   sure.explanation = posterior.sure_model.fit;
   double alone = 0;
-  for (const ModelClass& one : posterior.classes) {
-    const auto implied = impliedBy(work, one.causes);
-    if (!std::all_of(causes.begin(), causes.end(), [&](int cause) { return implied.contains(cause); })) continue;
-    sure.probability += one.probability;
-    if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
-  }
+  for (const auto* classes : {&posterior.classes, &posterior.others})
+    for (const ModelClass& one : *classes) {
+      const auto implied = impliedBy(work, one.causes);
+      if (!std::all_of(causes.begin(), causes.end(), [&](int cause) { return implied.contains(cause); })) continue;
+      sure.probability += one.probability;
+      if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
+    }
   sure.remainder_probability = sure.probability > 0 ? 1 - alone / sure.probability : 1;
   sure.explanation.probability = sure.probability;
   sure.explanation.remainder_probability = sure.remainder_probability;

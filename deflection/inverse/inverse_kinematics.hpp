@@ -19,7 +19,7 @@ struct InverseKinematicsOptions {
   double singular_floor = 0.01;
   double max_tilt = std::numbers::pi / 2;  ///< rad between tool and goal axis; a branch with more is refused
   int lattice_starts = 256;                ///< of the rigid search, for arms without closed form
-  int most_branches = 24;                  ///< ... of which so many go on, as unlike each other as may be
+  int most_branches = 48;                  ///< ... of which so many go on, as unlike each other as may be
   FlexibleKinematicsOptions kinematics{1e-13, 100};
 };
 
