@@ -24,6 +24,9 @@ InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   return options;
 }
 
+/// The closure of three slides is singular, however its axes are moved, and that of two may be.
+std::ptrdiff_t countSlides(const AxesAtZero& axes) { return std::count(axes.slides.begin(), axes.slides.end(), true); }
+
 }  // namespace
 
 StartPostures::StartPostures(const Arm& arm, const InverseKinematicsOptions& options)
@@ -63,7 +66,7 @@ std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal
 
 std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal) {
   std::vector<Candidate> found;
-  if (arm_.jointCount() < 3) {
+  if (arm_.jointCount() < 3 || countSlides(axes_) >= 2) {
     (void)leadAll(goal, latticeStarts(arm_, options_.lattice_starts), found);
     return found;
   }

@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRequest{"R1C1,spread:2", "asks for 2 tubes"}, BadRequest{"zone:1:2:3in", "expected zone:"},
                     BadRequest{"zone:1:2:3:4", "expected zone:"}, BadRequest{"zone:1:2:3:4ft", "expected zone:"},
                     BadRequest{"zone:1:2:3:4:5in", "expected zone:"}, BadRequest{"zone:nan:2:3:4in", "expected zone:"},
-                    BadRequest{"zone:2:1:3:4in", "backwards"}, BadRequest{"zone:50:60:0:1in", "no hole"},
+                    BadRequest{"zone:2:1:3:4in", "reversed"}, BadRequest{"zone:50:60:0:1in", "no hole"},
                     BadRequest{"leg:cold", "for the cold leg"}, BadRequest{"leg:warm,all", "hot, cold, full"},
                     BadRequest{"-leg:hot", "with a minus"},
                     BadRequest{"all,sheet:0123456789abcdef", "for the sheet 0123456789abcdef"},

@@ -56,7 +56,7 @@ describe("reports", () => {
       await tab.innerText(".answer"),
       /^Missing: hysteresis at theta4 \(half width 0\.0\d+ ± 0\.0\d+\sdeg\)\./,
     );
-    assert.match(await tab.innerText("#ranking tbody tr"), /a joint comes to rest elsewhere by the direction of its last motion/);
+    assert.match(await tab.innerText("#ranking tbody tr"), /a joint's position depends on the direction of its last motion/);
     assert.ok((await tab.locator("#maps path.arrow-before").count()) > 0);
     assert.ok((await tab.locator("#charts svg").count()) > 4);
     await tab.context().close();

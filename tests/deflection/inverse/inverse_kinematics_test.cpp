@@ -1,6 +1,8 @@
 // Flexible inverse kinematics: every branch, its status, and the way up and down.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "deflection/inverse/inverse_solver.hpp"
 #include "tests/deflection/effects/effect_arms.hpp"
 
@@ -183,6 +185,44 @@ TEST(InverseKinematics, AnArmOfSixJointsMeetsPlaceAndAxis) {
     ASSERT_EQ(found.status, BranchStatus::kConverged) << n;
     EXPECT_LE(found.branches.front().position_error, 1e-6);
     EXPECT_LE(found.branches.front().tilt, 1e-5);
+  }
+}
+
+/// Three joints, each a slide or a turn about its z, their axes askew.
+Arm threeJoints(const std::array<bool, 3>& slides) {
+  Arm arm;
+  arm.name = "three";
+  const Eigen::Vector3d turned[3] = {{0, 70 * kDegree, 0}, {-60 * kDegree, 0, 0}, {30 * kDegree, -80 * kDegree, 0}};
+  for (int k = 0; k < 3; ++k) {
+    auto& row = arm.rows.emplace_back();
+    row.name = row.joint.name = "J" + std::to_string(k + 1);
+    row.placement = Origin<double>{{0.1 * k, 0.2, 0.3}, turned[k]};
+    row.joint.type = slides[static_cast<std::size_t>(k)] ? JointType::kPrismatic : JointType::kRevolute;
+    row.joint.lower = -1;
+    row.joint.upper = 1;
+  }
+  arm.p_LT = {0.3, 0.2, 0.1};
+  return arm;
+}
+
+/// As a branch that can be used, or as one that is said to be stretched or folded.
+bool isAmong(const InverseKinematics& found, const Eigen::VectorXd& q) {
+  return std::ranges::any_of(found.branches, [&](const Branch& branch) {
+    return (branch.status == BranchStatus::kConverged || branch.status == BranchStatus::kSingular) &&
+           (branch.q - q).cwiseAbs().maxCoeff() < 1e-5;
+  });
+}
+
+TEST(InverseKinematics, ArmsOfThreeSlidesAndTurnsFindTheirPosturesAgain) {
+  const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
+  std::mt19937_64 random(7);
+  for (unsigned mask = 0; mask < 8; ++mask) {
+    const Arm arm = threeJoints({(mask & 1U) != 0, (mask & 2U) != 0, (mask & 4U) != 0});
+    for (int n = 0; n < 20; ++n) {
+      const auto q = randomJoints(arm, random);
+      EXPECT_TRUE(isAmong(solveInverseKinematics(arm, goalOf(arm, q, 0, down), 0, down), q))
+          << "slides " << mask << ", posture " << n;
+    }
   }
 }
 

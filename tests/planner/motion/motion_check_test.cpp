@@ -44,7 +44,7 @@ TEST(CheckMotion, BlockedMotionNamesPairAndPlace) {
   EXPECT_EQ(result.status, MotionCheckStatus::kBlocked);
   EXPECT_EQ(result.tightest.body, "link3");
   EXPECT_EQ(result.tightest.other, "post");
-  EXPECT_NE(result.reason.find("link3 runs into post"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("link3 collides with post"), std::string::npos) << result.reason;
   EXPECT_NEAR(result.where, 0.5, 0.1);
   EXPECT_TRUE(std::isnan(result.proved_margin));
 }

@@ -102,7 +102,7 @@ TEST(PlanMotion, SaysWhatBlocksStartOrGoal) {
   const auto problem = kTwoJoints.problem(world);
   const MotionPlan start = planMotion(Vector2d(0, 0), Vector2d(1, 0), problem);
   EXPECT_EQ(start.status, MotionPlanStatus::kStartBlocked);
-  EXPECT_NE(start.reason.find("link2 runs into post"), std::string::npos) << start.reason;
+  EXPECT_NE(start.reason.find("link2 collides with post"), std::string::npos) << start.reason;
   const MotionPlan goal = planMotion(Vector2d(1, 0), Vector2d(0, 0), problem);
   EXPECT_EQ(goal.status, MotionPlanStatus::kGoalBlocked);
   const MotionPlan beyond = planMotion(Vector2d(1, 0), Vector2d(1, 3.5), problem);
