@@ -90,8 +90,8 @@ bool isGeometry(const std::string& name) {
          name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
 }
 
-/// Of an effect of the catalogue: its size is none, give or take the largest that real machines have. What the user's own
-/// formula may amount to, and the shape of a law, nobody knows beforehand.
+/// Of an effect of the catalogue. What the user's own formula may amount to, and the shape of a law, nobody knows
+/// beforehand.
 bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
   if (unknown.path.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
@@ -103,9 +103,7 @@ void takePrior(const Priors& priors, const deflection::Arm& arm, Unknown& unknow
     unknown.prior_sigma = own->second;
   } else if (isSizeOfCatalogue(unknown, arm)) {
     const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
-    unknown.prior_sigma = unknown.typical;
-    unknown.prior_mean =
-        deflection::numbersOf(effect).at(static_cast<std::size_t>(unknown.path.value)).neutral - unknown.start;
+    takeSizePrior(deflection::numbersOf(effect).at(static_cast<std::size_t>(unknown.path.value)), unknown);
   } else if (unknown.owner == Unknown::Owner::kBase || !isGeometry(unknown.name)) {
     unknown.prior_sigma = priors.weak * unknown.typical;
   } else if (unknown.name.starts_with("tool.tip.")) {
@@ -222,6 +220,11 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
     }
   for (Unknown& unknown : result.list) takePrior(choice.priors, placed.arm, unknown);
   return result;
+}
+
+void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknown) {
+  unknown.prior_sigma = unknown.typical;
+  unknown.prior_mean = parameter.neutral - unknown.start;
 }
 
 double valueAt(const Unknown& unknown, double x) {

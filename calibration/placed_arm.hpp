@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calibration/measurement.hpp"
+#include "deflection/effects/effect.hpp"
 #include "deflection/parameters.hpp"
 
 namespace tubeplan::calibration {
@@ -56,6 +57,9 @@ struct Unknown {
   double start = 0;             ///< of the parameter
   double lower = 0, upper = 0;  ///< of the variable x (0 at the start)
 };
+
+/// The prior of an effect's size, whose typical size is the largest that real machines have: none, give or take that.
+void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknown);
 
 /// The variables at their start.
 [[nodiscard]] inline Eigen::VectorXd zerosOf(const std::vector<Unknown>& unknowns) {

@@ -58,11 +58,12 @@ std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
       unknown.owner = Unknown::Owner::kBase;
       unknown.base_pose = static_cast<int>(base_poses.size()) - 1;
       unknown.component = k;
-      unknown.typical = k < 3 ? deflection::reachOf(rival.model.placed.arm) : 1;
       rival.model.unknowns.push_back(unknown);
     }
     const MatrixXd before = rival.covariance;
+    const double reach = deflection::reachOf(rival.model.placed.arm);
     rival.covariance = MatrixXd::Identity(n + 6, n + 6);
+    rival.covariance.block<3, 3>(n, n) *= reach * reach;
     rival.covariance.topLeftCorner(n, n) = before;
   }
   return rivals;
@@ -82,7 +83,7 @@ VectorXd frameOrigins(const PlacedArm& placed, const Measurement& reading) {
 
 struct FrameForecast {
   VectorXd value;
-  MatrixXd sensitivity;  ///< by the unknowns over their typical sizes
+  MatrixXd sensitivity;  ///< by the unknowns
 };
 
 FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading) {
@@ -93,12 +94,12 @@ FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading
   forecast.sensitivity = MatrixXd::Zero(forecast.value.size(), n);
   for (Index k = 0; k < n; ++k) {
     const Unknown& unknown = model.unknowns[static_cast<std::size_t>(k)];
-    double step = kSigmaStep * std::sqrt(rival.covariance(k, k)) * unknown.typical;
+    double step = kSigmaStep * std::sqrt(rival.covariance(k, k));
     if (step > unknown.upper) step = -step;
     VectorXd x = VectorXd::Zero(n);
     x[k] = step;
     const VectorXd moved = frameOrigins(applied(model.placed, model.unknowns, x), reading);
-    if (moved.size()) forecast.sensitivity.col(k) = (moved - forecast.value) / step * unknown.typical;
+    if (moved.size()) forecast.sensitivity.col(k) = (moved - forecast.value) / step;
   }
   return forecast;
 }

@@ -227,6 +227,8 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.typical = parameter.plausible;
   unknown.lower = number.lower - unknown.start;
   unknown.upper = number.upper - unknown.start;
+  takeSizePrior(parameter, unknown);
+  if (parameter.is_shape) unknown.prior_mean = 0;  // a shape has no size that is none
   return unknown;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <set>
 
@@ -12,6 +11,13 @@
 namespace tubeplan::calibration {
 
 namespace {
+
+/// The rivals, what they predict at every candidate, and the candidates that were chosen.
+struct RivalForecast {
+  const std::vector<RivalModel>& rivals;
+  const std::vector<RivalPrediction>& predictions;
+  const std::vector<DiscriminationStep>& steps;
+};
 
 std::vector<Measurement> fittedReadings(const Diagnosis& diagnosis, const std::vector<Measurement>& readings) {
   std::vector<Measurement> fitted;
@@ -33,65 +39,62 @@ Explanation nothingMissing(const Diagnosis& diagnosis) {
 /// Standard normal, below x.
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-std::vector<DiscriminatedPair> pairsOf(const std::vector<RivalModel>& rivals,
-                                       const std::vector<RivalPrediction>& predictions,
-                                       const std::vector<DiscriminationStep>& steps, double gap) {
+/// What the choice, made so many times, does to an ordered pair.
+DiscriminatedPair pairAfter(const RivalForecast& forecast, int truth, int other, int times, double gap) {
+  const ExpectedRise rise = expectedRise(forecast.rivals, forecast.predictions, forecast.steps, truth, other, times);
+  DiscriminatedPair pair{truth, other,
+                         forecast.rivals[static_cast<std::size_t>(other)].criterion -
+                             forecast.rivals[static_cast<std::size_t>(truth)].criterion};
+  pair.expected = pair.now + rise.mean;
+  pair.probability = below((pair.expected - gap) / std::max(1e-9, rise.sigma));
+  return pair;
+}
+
+std::vector<DiscriminatedPair> pairsOf(const RivalForecast& forecast, double gap) {
   std::vector<DiscriminatedPair> pairs;
-  for (int a = 0; a < static_cast<int>(rivals.size()); ++a)
-    for (int b = 0; b < static_cast<int>(rivals.size()); ++b) {
-      if (a == b) continue;
-      const ExpectedRise rise = expectedRise(rivals, predictions, steps, a, b, 1);
-      DiscriminatedPair pair{
-          a, b, rivals[static_cast<std::size_t>(b)].criterion - rivals[static_cast<std::size_t>(a)].criterion};
-      pair.expected = pair.now + rise.mean;
-      pair.probability = below((pair.expected - gap) / std::max(1e-9, rise.sigma));
-      pairs.push_back(pair);
-    }
+  const int count = static_cast<int>(forecast.rivals.size());
+  for (int a = 0; a < count; ++a)
+    for (int b = 0; b < count; ++b)
+      if (a != b) pairs.push_back(pairAfter(forecast, a, b, 1, gap));
   return pairs;
 }
 
 /// The chance that the true one is named alone, each counted by how probable the readings so far make it.
-double chanceOfNaming(const std::vector<RivalModel>& rivals, const std::vector<DiscriminatedPair>& pairs) {
-  double least = std::numeric_limits<double>::infinity(), total = 0, named = 0;
-  for (const RivalModel& rival : rivals) least = std::min(least, rival.criterion);
-  for (int a = 0; a < static_cast<int>(rivals.size()); ++a) {
-    const double weight = std::exp(-(rivals[static_cast<std::size_t>(a)].criterion - least) / 2);
+double chanceOfNaming(const std::vector<double>& probability, const std::vector<DiscriminatedPair>& pairs) {
+  double named = 0;
+  for (std::size_t a = 0; a < probability.size(); ++a) {
     double chance = 1;
     for (const auto& pair : pairs)
-      if (pair.truth == a) chance = std::min(chance, pair.probability);
-    total += weight;
-    named += weight * chance;
+      if (pair.truth == static_cast<int>(a)) chance = std::min(chance, pair.probability);
+    named += probability[a] * chance;
   }
-  return named / total;
+  return named;
 }
 
-/// How often the choice must be made until this pair's gap is passed in the mean; 0 where the most allowed do not.
-int timesNeeded(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
-                const std::vector<DiscriminationStep>& steps, const DiscriminatedPair& pair,
+/// How often the choice must be made until it is assured that the true one of two is named, whichever it is, each
+/// counted by its probability; the most allowed where that makes it likelier than not, and 0 where not even that.
+int timesNeeded(const RivalForecast& forecast, const std::vector<double>& probability, int a, int b,
                 const DiscriminationOptions& options) {
-  if (pair.expected >= separationNeeded(options.sure)) return 1;
-  for (int times = 2; times <= options.most_repeats; ++times)
-    if (pair.now + expectedRise(rivals, predictions, steps, pair.truth, pair.other, times).mean >=
-        separationNeeded(options.sure))
-      return times;
-  return 0;
+  const double p_a = probability[static_cast<std::size_t>(a)], p_b = probability[static_cast<std::size_t>(b)];
+  const double gap = separationNeeded(options.sure);
+  double chance = 0;
+  for (int times = 1; times <= options.most_repeats; ++times) {
+    goOn(options.hooks.stop);
+    chance = (p_a * pairAfter(forecast, a, b, times, gap).probability +
+              p_b * pairAfter(forecast, b, a, times, gap).probability) /
+             (p_a + p_b);
+    if (chance >= options.assured) return times;
+  }
+  return chance >= 0.5 ? options.most_repeats : 0;
 }
 
-/// A pair counts as split where one of its orders is: where the other order never is, its second contains its first as
-/// a special case, and only parsimony speaks against it.
-void countTimes(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
-                const std::vector<DiscriminationStep>& steps, const DiscriminationOptions& options,
-                DiscriminatingMeasurements& result) {
-  std::map<std::pair<int, int>, int> times;
-  for (const auto& pair : result.pairs) {
-    goOn(options.hooks.stop);
-    times[{pair.truth, pair.other}] = timesNeeded(rivals, predictions, steps, pair, options);
-  }
+void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
+                const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
   for (const auto& pair : result.pairs) {
     if (pair.truth > pair.other) continue;
-    const int most = std::max(times[{pair.truth, pair.other}], times[{pair.other, pair.truth}]);
-    result.times = std::max(result.times, most);
-    if (most == 0) result.never.push_back(pair);
+    const int times = timesNeeded(forecast, probability, pair.truth, pair.other, options);
+    result.times = std::max(result.times, times);
+    if (times == 0) result.never.push_back(pair);
   }
 }
 
@@ -187,10 +190,12 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
     result.reason = "no posture is clear of collisions with a shape that converges";
   } else {
     for (const auto& step : steps) result.readings.push_back({step.candidate, step.a, step.b, step.separation});
-    result.pairs = pairsOf(rivals, predictions, steps, separationNeeded(options.sure));
+    const RivalForecast forecast{rivals, predictions, steps};
+    const auto probability = probabilitiesOf(rivals);
+    result.pairs = pairsOf(forecast, separationNeeded(options.sure));
     result.least_expected = leastExpected(rivals, predictions, steps);
-    result.probability = chanceOfNaming(rivals, result.pairs);
-    countTimes(rivals, predictions, steps, options, result);
+    result.probability = chanceOfNaming(probability, result.pairs);
+    countTimes(forecast, probability, options, result);
     result.status = DiscriminationStatus::kDone;
   }
   if (const auto together = leftTogether(result); together.size() > 1)

@@ -1,12 +1,11 @@
 // Which further readings would split the explanations that a diagnosis cannot tell apart.
 //
-// Every explanation predicts a reading from what the readings so far tell of its own numbers: mean f and covariance
-// S = I + H P H^T, in noise sigmas. If a is true, a further reading raises the chi-square of b over that of a, both
-// fitted anew, in the mean by
-//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows,   d = f_a - f_b:
-// what b's free numbers and sizes could absorb is taken off. Readings are taken one by one so that the least of these
-// over all ordered pairs becomes as large as possible (T-optimality: Atkinson and Fedorov 1975; in steps: Box and Hill
-// 1967).
+// Every explanation predicts a reading from what the readings so far say of its own numbers: mean f and covariance
+// S = I + H P H^T, in noise sigmas. If a is true, a further reading raises -2 log of b's posterior over that of a in
+// the mean by twice their Kullback-Leibler divergence,
+//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b:
+// what b's free numbers and sizes could absorb is taken off. Readings are taken one by one so that the odds which this
+// leaves to wrong explanations become as small as possible (Box and Hill 1967; Atkinson and Fedorov 1975).
 #pragma once
 
 #include <limits>
@@ -21,6 +20,7 @@ namespace tubeplan::calibration {
 struct DiscriminationOptions {
   int count = 6;              ///< readings, or sets of touches of one unknown point
   double sure = 0.95;         ///< probability of one of two explanations that separates them
+  double assured = 0.9;       ///< chance that they do so which counts as a promise
   int most_repeats = 4;       ///< of the whole choice, before postures are said not to split at all
   int most_explanations = 8;  ///< that are split, best first
   WorkHooks hooks;
@@ -61,8 +61,8 @@ struct DiscriminatingMeasurements {
   std::vector<DiscriminatedPair> pairs;
   double least_expected = std::numeric_limits<double>::quiet_NaN();  ///< of the pairs
   double probability = std::numeric_limits<double>::quiet_NaN();     ///< that one is named, whichever is true
-  int times = 0;  ///< that the choice must be made to split, in the mean, what can be split; 0: nothing can
-  std::vector<DiscriminatedPair> never;  ///< pairs, each once, that the most repeats split in neither order
+  int times = 0;                         ///< that the choice must be made until what can be split is; 0: nothing can
+  std::vector<DiscriminatedPair> never;  ///< pairs, each once, that the most repeats are unlikely to split
   std::vector<AlternativeMeasurements> alternative_measurements;  ///< for those pairs, best first
   std::vector<std::string> columns;                               ///< what to write down beside: effects not tried
 };

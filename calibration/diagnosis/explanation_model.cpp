@@ -16,10 +16,7 @@ constexpr int kRefitIterations = 6;
 void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
   for (std::size_t v = 0; v < found.numbers.size(); ++v) {
     if (std::isnan(found.numbers[v].sigma)) continue;
-    Unknown size = numberUnknown(model.placed.arm, effect, static_cast<int>(v));
-    size.prior_sigma = size.typical;
-    size.prior_mean = deflection::numbersOf(found.fitted)[v].neutral - size.start;
-    model.unknowns.push_back(std::move(size));
+    model.unknowns.push_back(numberUnknown(model.placed.arm, effect, static_cast<int>(v)));
   }
 }
 

@@ -5,8 +5,7 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr double kFoundSigmas = 2;   ///< of a fitted size, below which it may be none
-inline constexpr double kNeverSeen = 1e-6;  ///< noise sigmas that a cause of the largest usual size shows
+inline constexpr double kFoundSigmas = 2;  ///< of a fitted size, below which it may be none
 
 /// Fills the model's fit and takes its evidence anew; a model that cannot be fitted has none. Unwinds where it was
 /// stopped.

@@ -22,6 +22,7 @@ constexpr std::size_t kMostAlternatives = 8;
 constexpr double kCredible = 0.95;     // of what is missing, that the alternatives hold together
 constexpr double kLeastLikely = 0.02;  // of the best alternative's probability
 constexpr double kRemains = 0.5;
+constexpr double kNeverSeen = 1e-6;  // noise sigmas that a cause of the largest usual size shows
 
 /// What one model says, or what it says if one of its terms is but a likeness of something unknown.
 struct Claim {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/estimation/estimate.hpp"
+#include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
@@ -14,21 +14,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-void scaleByTypical(const std::vector<Unknown>& unknowns, MatrixXd& jacobian) {
-  for (Index k = 0; k < jacobian.cols(); ++k) jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
-}
-
-/// Covariance of the unknowns over their typical sizes, each known beforehand to that size.
+/// Covariance of the unknowns by the readings and their priors; by these alone where the model cannot be evaluated.
 MatrixXd covarianceOf(const DiagnosisBasis& basis, const ExplanationModel& model) {
-  auto residual =
+  const auto residual =
       whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, zerosOf(model.unknowns), true);
-  MatrixXd information = weakInformation(model.unknowns);
-  if (residual.ok) {
-    scaleByTypical(model.unknowns, residual.jacobian);
-    information += residual.jacobian.transpose() * residual.jacobian;
-  }
-  const Index n = information.rows();
-  return information.ldlt().solve(MatrixXd::Identity(n, n));
+  return posteriorCovariance(residual.ok ? residual.jacobian : MatrixXd(), model.unknowns);
 }
 
 /// A candidate's readings in the last set-up; touches of a place that nobody knows are kept apart by its name. A place
@@ -53,7 +43,6 @@ RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::v
     auto residual = whitenedResidual(rival.model.placed, rival.model.unknowns, readings, *weights,
                                      zerosOf(rival.model.unknowns), true);
     if (!residual.ok) return {};
-    scaleByTypical(rival.model.unknowns, residual.jacobian);
     all.value.push_back(std::move(residual.r));
     all.sensitivity.push_back(std::move(residual.jacobian));
   }
@@ -70,12 +59,24 @@ RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
   return part;
 }
 
+double logDeterminant(const Eigen::LDLT<MatrixXd>& factors) { return factors.vectorD().array().log().sum(); }
+
+/// Of rows that a predicts with covariance S_a, and b with S_b about means that are d apart.
+ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorXd& d) {
+  const Eigen::LDLT<MatrixXd> a(S_a), b(S_b);
+  const MatrixXd excess = b.solve(S_a) - MatrixXd::Identity(d.size(), d.size());
+  const VectorXd whitened = b.solve(d);
+  return {d.dot(whitened) + excess.trace() + logDeterminant(b) - logDeterminant(a),
+          std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
+}
+
 /// What is known of a rival's numbers, and how far each other's truth has moved them, as readings are chosen.
 class Race {
  public:
   Race(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions)
       : rivals_(rivals), predictions_(predictions) {
     const std::size_t n = rivals.size();
+    probability_ = probabilitiesOf(rivals);
     for (const RivalModel& rival : rivals) covariance_.push_back(rival.covariance);
     moved_.resize(n, std::vector<VectorXd>(n));
     rise_.resize(n, std::vector<double>(n, 0));
@@ -86,11 +87,12 @@ class Race {
       }
   }
 
-  /// A smooth minimum of what the pairs would have risen to: less is better.
+  /// The odds of each wrong rival, as their mean logarithm leaves them, each truth by its probability: less is better.
   [[nodiscard]] double scoreWith(std::size_t candidate) const {
     double score = 0;
-    forPairs(candidate,
-             [&](std::size_t a, std::size_t b, double rise) { score += std::exp(-(rise_[a][b] + rise) / 2); });
+    forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
+      score += probability_[a] * std::exp(-(rise_[a][b] + rise) / 2);
+    });
     return score;
   }
 
@@ -124,12 +126,16 @@ class Race {
   }
 
  private:
+  [[nodiscard]] MatrixXd predictedCovariance(std::size_t candidate, std::size_t rival) const {
+    const MatrixXd& H = predictions_[candidate].sensitivity[rival];
+    return MatrixXd::Identity(H.rows(), H.rows()) + H * covariance_[rival] * H.transpose();
+  }
+
   [[nodiscard]] double riseOf(std::size_t candidate, std::size_t a, std::size_t b) const {
     const RivalPrediction& at = predictions_[candidate];
-    const MatrixXd& H = at.sensitivity[b];
-    const MatrixXd S = MatrixXd::Identity(H.rows(), H.rows()) + H * covariance_[b] * H.transpose();
-    const VectorXd e = at.value[a] - at.value[b] - H * moved_[a][b];
-    return e.dot(S.ldlt().solve(e));
+    return riseBetween(predictedCovariance(candidate, a), predictedCovariance(candidate, b),
+                       at.value[a] - at.value[b] - at.sensitivity[b] * moved_[a][b])
+        .mean;
   }
 
   template <class Use>
@@ -141,6 +147,7 @@ class Race {
 
   const std::vector<RivalModel>& rivals_;
   const std::vector<RivalPrediction>& predictions_;
+  std::vector<double> probability_;
   std::vector<MatrixXd> covariance_;
   std::vector<std::vector<VectorXd>> moved_;  ///< [truth][rival]
   std::vector<std::vector<double>> rise_;     ///< [truth][rival]
@@ -156,6 +163,18 @@ std::vector<RivalModel> rivalModelsOf(const DiagnosisBasis& basis, const std::ve
     rivals.push_back(std::move(rival));
   }
   return rivals;
+}
+
+std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals) {
+  double least = std::numeric_limits<double>::infinity(), total = 0;
+  for (const RivalModel& rival : rivals) least = std::min(least, rival.criterion);
+  std::vector<double> probabilities;
+  for (const RivalModel& rival : rivals) {
+    probabilities.push_back(std::exp(-(rival.criterion - least) / 2));
+    total += probabilities.back();
+  }
+  for (double& probability : probabilities) probability /= total;
+  return probabilities;
 }
 
 std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
@@ -223,12 +242,8 @@ ExpectedRise expectedRise(const std::vector<RivalModel>& rivals, const std::vect
       at += n;
     }
   const MatrixXd one = MatrixXd::Identity(d.size(), d.size());
-  const MatrixXd S_a = one + H_a * rivals[first].covariance * H_a.transpose();
-  const Eigen::LDLT<MatrixXd> S_b(MatrixXd(one + H_b * rivals[second].covariance * H_b.transpose()));
-  const MatrixXd excess = S_b.solve(S_a) - one;
-  const VectorXd whitened = S_b.solve(d);
-  return {d.dot(whitened) + excess.trace(),
-          std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
+  return riseBetween(one + H_a * rivals[first].covariance * H_a.transpose(),
+                     one + H_b * rivals[second].covariance * H_b.transpose(), d);
 }
 
 double leastExpected(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,

@@ -12,14 +12,16 @@ namespace tubeplan::calibration {
 struct RivalModel {
   ExplanationModel model;
   double criterion = 0;
-  Eigen::MatrixXd covariance;  ///< of the unknowns over their typical sizes
+  Eigen::MatrixXd covariance;  ///< of the unknowns
 };
 
 [[nodiscard]] std::vector<RivalModel> rivalModelsOf(const DiagnosisBasis& basis,
                                                     const std::vector<Explanation>& explanations);
 
-/// Whitened rows that each rival predicts at one candidate, and their sensitivities to its unknowns over their typical
-/// sizes.
+/// That each is true, if one of them is.
+[[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals);
+
+/// Whitened rows that each rival predicts at one candidate, and their sensitivities to its unknowns.
 struct RivalPrediction {
   std::vector<Eigen::VectorXd> value;
   std::vector<Eigen::MatrixXd> sensitivity;
@@ -40,7 +42,7 @@ struct DiscriminationStep {
                                                                    const std::vector<RivalPrediction>& predictions,
                                                                    int count, const StopQuestion& stop = {});
 
-/// The rise of b's chi-square over a's by chosen candidates, made `times` times, when a is true.
+/// The rise of -2 log of b's posterior over a's by chosen candidates, made `times` times, when a is true.
 struct ExpectedRise {
   double mean = 0, sigma = 0;
 };

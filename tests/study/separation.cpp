@@ -1,5 +1,6 @@
 // Readings that leave several explanations, and what the proposed ones do: after at most twelve of them, filled in by
-// the true arm, is one cause left, and the true one? Beside it twelve random readings of the same candidates.
+// the true arm round by round, is one cause left, and the true one? Beside it as many random readings of the
+// candidates.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -50,6 +51,11 @@ bool isTrue(const calibration::Diagnosis& diagnosis, const std::string& hidden) 
          });
 }
 
+void describe(const calibration::Diagnosis& diagnosis) {
+  fmt::print(" {}:", calibration::nameOf(diagnosis.verdict));
+  for (const auto& one : diagnosis.alternatives) fmt::print(" {} ({:.2f})", calibration::nameOf(one), one.probability);
+}
+
 struct Count {
   int one = 0, right = 0;
   void add(const calibration::Diagnosis& diagnosis, const std::string& hidden) {
@@ -58,7 +64,48 @@ struct Count {
   }
 };
 
-int run(int sets, int count, std::uint64_t first_seed) {
+/// Readings made round by round, as somebody at the arm would, until one cause is left or the rounds are over.
+class Session {
+ public:
+  Session(const calibration::CampaignTruth& truth, app::CellReadings input, std::uint64_t seed)
+      : truth_(truth), input_(std::move(input)), random_(seed) {}
+
+  template <class Choose>
+  calibration::Diagnosis run(app::DiagnosisOutcome outcome, int rounds, int count, Choose choose) {
+    app::DiagnosisRequest request;
+    request.next = count;
+    for (int round = 0; round < rounds && outcome.diagnosis.verdict == Verdict::kAmbiguous; ++round) {
+      for (int n = 0; n < count; ++n)
+        if (const int candidate = choose(outcome, n, random_); candidate >= 0)
+          take(outcome.candidates[static_cast<std::size_t>(candidate)].readings);
+      outcome = app::diagnoseModel(input_, request);
+    }
+    return outcome.diagnosis;
+  }
+
+ private:
+  void take(std::vector<Measurement> readings) {
+    fillIn(truth_, readings, fmt::format("N{}", ++taken_), random_);
+    input_.readings.insert(input_.readings.end(), readings.begin(), readings.end());
+  }
+
+  const calibration::CampaignTruth& truth_;
+  app::CellReadings input_;
+  Random random_;
+  int taken_ = 0;
+};
+
+int asProposed(const app::DiagnosisOutcome& outcome, int n, Random&) {
+  const auto& next = outcome.next.readings;
+  return n < static_cast<int>(next.size()) ? next[static_cast<std::size_t>(n)].candidate : -1;
+}
+
+int atRandom(const app::DiagnosisOutcome& outcome, int, Random& random) {
+  const int last = static_cast<int>(outcome.candidates.size()) - 1;
+  return last < 0 ? -1 : boost::random::uniform_int_distribution<int>(0, last)(random);
+}
+
+int run(int sets, int count, int rounds, std::uint64_t first_seed) {
   int ambiguous = 0, separable = 0;
   Count proposed, random_ones;
   for (int k = 0; k < sets; ++k) {
@@ -68,35 +115,24 @@ int run(int sets, int count, std::uint64_t first_seed) {
     const auto set = calibration::simulatedSet("bench.yaml", "bench", 48, {hidden}, seed,
                                                [&](app::SimulationTask& task) { truth = task.truth; });
     if (!set) continue;
-    app::CellReadings input{set->cell, "simulated", set->table.readings};
+    const app::CellReadings input{set->cell, "simulated", set->table.readings};
     app::DiagnosisRequest request;
     request.next = count;
-    const auto outcome = app::diagnoseModel(input, request);
-    if (outcome.diagnosis.verdict != Verdict::kAmbiguous) continue;
+    const auto whole = app::diagnoseModel(input, request);
+    if (whole.diagnosis.verdict != Verdict::kAmbiguous) continue;
     ++ambiguous;
-    if (outcome.next.times != 1) continue;  // it is said that so many do not separate them
+    if (whole.next.times != 1) continue;  // it is said that so many do not separate them
     ++separable;
-    Random random(seed);
-    const auto verdictWith = [&](const auto& choose) {
-      app::CellReadings more = input;
-      for (int n = 0; n < count && choose(n) >= 0; ++n) {
-        auto readings = outcome.candidates[static_cast<std::size_t>(choose(n))].readings;
-        fillIn(truth, readings, fmt::format("N{}", n), random);
-        more.readings.insert(more.readings.end(), readings.begin(), readings.end());
-      }
-      return app::diagnoseReadings(more.cell, more.readings, request);
-    };
-    const auto& next = outcome.next.readings;
-    const auto asProposed = [&](int n) {
-      return n < static_cast<int>(next.size()) ? next[static_cast<std::size_t>(n)].candidate : -1;
-    };
-    boost::random::uniform_int_distribution<int> any(0, static_cast<int>(outcome.candidates.size()) - 1);
-    std::vector<int> drawn;
-    for (int n = 0; n < count; ++n) drawn.push_back(any(random));
-    proposed.add(verdictWith(asProposed), hidden);
-    random_ones.add(verdictWith([&](int n) { return drawn[static_cast<std::size_t>(n)]; }), hidden);
-    fmt::print("{:2d} {:40s} proposed {} of {}, random {} of {}: one cause left\n", k, hidden, proposed.one, separable,
-               random_ones.one, separable);
+    request.next = count / rounds;
+    const auto first = app::diagnoseModel(input, request);
+    const auto after = Session(truth, input, seed).run(first, rounds, request.next, asProposed);
+    proposed.add(after, hidden);
+    random_ones.add(Session(truth, input, seed).run(first, rounds, request.next, atRandom), hidden);
+    fmt::print("{:3d} {:40s} chance {:.2f}; before", k, hidden, whole.next.probability);
+    describe(whole.diagnosis);
+    fmt::print("; after");
+    describe(after);
+    fmt::print("; one cause left: proposed {} of {}, random {}\n", proposed.one, separable, random_ones.one);
   }
   fmt::print("{} sets, {} ambiguous, {} of them said to be separable by {} readings\n", sets, ambiguous, separable,
              count);
@@ -109,11 +145,12 @@ int run(int sets, int count, std::uint64_t first_seed) {
 
 int main(int argc, char** argv) {
   CLI::App cli("what the proposed readings separate");
-  int sets = 60, count = 12;
+  int sets = 60, count = 12, rounds = 2;
   std::uint64_t seed = 1;
   cli.add_option("--sets", sets);
   cli.add_option("--readings", count);
+  cli.add_option("--rounds", rounds, "that the readings are made in, diagnosed anew after each");
   cli.add_option("--seed", seed);
   CLI11_PARSE(cli, argc, argv);
-  return run(sets, count, seed);
+  return run(sets, count, rounds, seed);
 }

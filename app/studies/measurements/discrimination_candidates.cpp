@@ -142,7 +142,10 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   PostureQuestion has_room;
   if (work.scene.bodies.empty())
     has_room = [room = MeasuredRoom(fitted, readings)](const VectorXd& q, double load) { return room.holds(q, load); };
-  const auto postures = clearPostures(work, custom.loads, options.postures, options.seed, has_room);
+  auto postures = clearPostures(work, custom.loads, options.postures / 2, options.seed, has_room);
+  const auto outer = clearPostures(work, custom.loads, options.postures - static_cast<int>(postures.size()),
+                                   options.seed, has_room, PostureChoice::kNearLimits);
+  postures.insert(postures.end(), outer.begin(), outer.end());
   if (kindOf(custom.kind).is_touch)
     return custom.loads.size() < 2 ? candidates : pointTouches(work, postures, custom.loads, custom.sigma);
   return positionReadings(postures, custom.loads, custom.sigma);

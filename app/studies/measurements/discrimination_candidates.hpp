@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 
 struct DiscriminationCandidateOptions {
-  int postures = 30;  ///< or points
+  int postures = 48;  ///< or points
   int most_loads = 3;
   std::uint64_t seed = 1;
 };

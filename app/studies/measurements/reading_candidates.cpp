@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 #include <deque>
@@ -20,16 +21,22 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Readi
 using Eigen::VectorXd;
 
 constexpr int kTriesPerPosture = 40;  // before a scene is taken to leave no more room
+constexpr double kNearLimits = 0.02;  // of a joint's range, kept off its limits
 constexpr double kSamePlace = 1e-7;   // m, of a place touched again
 
-VectorXd drawPosture(const deflection::Arm& arm, boost::random::mt19937_64& random) {
+VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::random::mt19937_64& random) {
   VectorXd q(arm.jointCount());
   for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
     const auto& joint = arm.joint(k);
     const double span = joint.type == deflection::JointType::kPrismatic ? deflection::reachOf(arm) : std::numbers::pi;
     const double lower = std::isfinite(joint.lower) ? joint.lower : -span;
     const double upper = std::isfinite(joint.upper) ? joint.upper : span;
-    q[k] = boost::random::uniform_real_distribution<double>(lower, upper)(random);
+    const double within = choice == PostureChoice::kNearLimits ? kNearLimits * (upper - lower) : 0;
+    q[k] = boost::random::uniform_real_distribution<double>(lower + within, upper - within)(random);
+    // Of three, one anywhere, one near each limit.
+    if (choice != PostureChoice::kNearLimits) continue;
+    const int where = boost::random::uniform_int_distribution<int>(0, 2)(random);
+    if (where > 0) q[k] = where == 1 ? lower + within : upper - within;
   }
   return q;
 }
@@ -119,7 +126,7 @@ std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::ve
 }
 
 std::vector<VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads, int count,
-                                    std::uint64_t seed, const PostureQuestion& is_allowed) {
+                                    std::uint64_t seed, const PostureQuestion& is_allowed, PostureChoice choice) {
   const ClearUnderLoads clear(cell, loads);
   const auto isAllowed = [&](const VectorXd& q) {
     return !is_allowed || std::all_of(loads.begin(), loads.end(), [&](double load) { return is_allowed(q, load); });
@@ -128,7 +135,7 @@ std::vector<VectorXd> clearPostures(planner::Workcell cell, const std::vector<do
   std::vector<VectorXd> found;
   for (int round = 0; round < kTriesPerPosture && static_cast<int>(found.size()) < count; ++round) {
     std::vector<VectorXd> drawn;
-    for (int k = 0; k < count; ++k) drawn.push_back(drawPosture(cell.arm, random));
+    for (int k = 0; k < count; ++k) drawn.push_back(drawPosture(cell.arm, choice, random));
     std::vector<char> is_clear(drawn.size());
     oneapi::tbb::parallel_for(std::size_t{0}, drawn.size(),
                               [&](std::size_t k) { is_clear[k] = clear.atAll(drawn[k]) && isAllowed(drawn[k]); });

@@ -29,11 +29,15 @@ struct ReachedHole {
 /// Whether a posture under a load [N] may be proposed.
 using PostureQuestion = std::function<bool(const Eigen::VectorXd& q, double load)>;
 
+/// Anywhere within the limits; or each joint anywhere or near one of its limits, where models differ most.
+enum class PostureChoice { kAnywhere, kNearLimits };
+
 /// Random postures within the joints' limits (a turn where an angle has none), clear of the scene under each of the
 /// loads [N], and allowed where that is asked. Fewer where hardly any is clear.
 [[nodiscard]] std::vector<Eigen::VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads,
                                                          int count, std::uint64_t seed,
-                                                         const PostureQuestion& is_allowed = {});
+                                                         const PostureQuestion& is_allowed = {},
+                                                         PostureChoice choice = PostureChoice::kAnywhere);
 
 /// The tip touched to each hole under the cell's load.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> holeTouches(const planner::Workcell& cell,

@@ -167,9 +167,15 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
     touched = drawnHoles(keyOf({options_.seed, run.index, kTouchedKey}), setting.touches, setting.touches);
   else
     for (const auto& hole : fixed_[index]) touched.push_back(&hole);
-  if (touched.empty() || visited.empty()) return {.failure = TrialFailure::kTooNarrow};
+  if (touched.empty() || visited.empty()) {
+    trial.failure = TrialFailure::kTooNarrow;
+    return trial;
+  }
   const auto touches = touch(run, touched, setting);
-  if (touches.empty()) return {.failure = TrialFailure::kUntouchable};
+  if (touches.empty()) {
+    trial.failure = TrialFailure::kUntouchable;
+    return trial;
+  }
   const auto base =
       calibrateBoth(flexible_, rigid_, X_WB_, sheet_, touches, calibration::LeastSquaresMethod::kLevenbergMarquardt);
   trial.failure = failureOf(base);
