@@ -1,0 +1,220 @@
+#include "calibration/measurement_checks/mistake_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "calibration/measurement_checks/joint_zero.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kLeastFall = 3;      // of the error by the drawing, at least, that a mistake explains
+constexpr double kOdds = 14;          // log of a million
+constexpr double kDrastic = 8;        // fall of the error by the drawing that no fit of the drawing is a reason for
+constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
+constexpr double kAsGoodError = 1.5;  // times the error, for the same
+constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
+constexpr std::size_t kFinalists = 8;
+constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
+constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
+
+class MistakeSearch {
+ public:
+  explicit MistakeSearch(const MistakeTrials& trials) : trials_(trials) {}
+
+  [[nodiscard]] std::optional<MeasurementCheck> find() const {
+    if (!asksForMistakes()) return std::nullopt;
+    auto suspects = screened();
+    for (auto& suspect : suspects) {
+      const double held_error = suspect.drawn.error;
+      suspect.drawn = trials_.tried(suspect.mend, TrialDepth::kDrawn);
+      suspect.drawn.held_error = held_error;
+      suspect.open = trials_.tried(suspect.mend, TrialDepth::kOpen);
+    }
+    std::erase_if(suspects, [&](const Suspect& suspect) {
+      return !suspect.open.ok || (!explainsError(suspect) && !explainsBase(suspect));
+    });
+    if (suspects.empty()) return std::nullopt;
+    std::stable_sort(suspects.begin(), suspects.end(),
+                     [&](const Suspect& a, const Suspect& b) { return trials_.gain(a.open) > trials_.gain(b.open); });
+    const Suspect& best = suspects.front();
+    MeasurementCheck check;
+    check.name = best.mend.mistake;
+    const bool is_of_error = explainsError(best);
+    check.severity = is_of_error ? CheckSeverity::kMistake : CheckSeverity::kRemark;
+    check.sentence = best.mend.sentence +
+                     (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
+    stateErrors(best, check);
+    check.assume = best.mend.mistake + "=" + best.mend.value;
+    for (std::size_t k = 1; k < suspects.size(); ++k)
+      if (trials_.gain(suspects[k].open) > trials_.gain(best.open) - kAsGood &&
+          suspects[k].drawn.error < kAsGoodError * best.drawn.error)
+        check.equally.push_back(suspects[k].mend.mistake + "=" + suspects[k].mend.value);
+    return check;
+  }
+
+ private:
+  struct Suspect {
+    Mend mend;
+    Trial drawn, open;
+  };
+
+  /// Whether there is an error that a mistake could explain, or a base that one could have moved.
+  [[nodiscard]] bool asksForMistakes() const {
+    if (!trials_.asIs().ok) return true;
+    double noise = 0, rows = 0;
+    for (const auto& reading : trials_.checked().readings) {
+      if (!trials_.pool().counted.contains(reading.id)) continue;
+      noise += rowsOf(reading) * reading.sigma * reading.sigma;
+      rows += rowsOf(reading);
+    }
+    noise = std::sqrt(noise / static_cast<double>(trials_.pool().counted.size()));
+    const bool is_lack_of_fit = trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
+    const bool is_bent =
+        trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // only a drawing bent to them fits
+    return trials_.isBaseFar() || (trials_.asIs().held_error > kLeastFall * noise && (is_lack_of_fit || is_bent));
+  }
+
+  bool isWithinLimits(const Mend& mend) const {
+    auto readings = trials_.pool().readings;
+    mend.apply(readings);
+    const auto outside = [&](const std::vector<Measurement>& set) {
+      std::size_t count = 0;
+      for (const auto& reading : set)
+        for (int j = 0; j < reading.q.size(); ++j) {
+          const auto& joint = trials_.checked().start.arm.joint(j);
+          if (reading.q[j] < joint.lower - kLimitSlack || reading.q[j] > joint.upper + kLimitSlack) {
+            ++count;
+            break;
+          }
+        }
+      return count;
+    };
+    return !readings.empty() &&
+           static_cast<double>(outside(readings)) <=
+               kShareOutside * static_cast<double>(readings.size()) +
+                   (mend.zero_of < 0 && outside(trials_.pool().readings) > outside(readings) ? 1e9 : 0);
+  }
+
+  /// The zero as the readings have it best, from the value tried; nothing where that is no mistake. The first joint's
+  /// zero and a base that is not known are one for the readings: it is looked for with the base where it nominally is.
+  std::optional<Mend> zeroFound(const Mend& from) const {
+    PlacedArm start = trials_.startOf(from);
+    if (from.zero_of == 0)
+      for (auto& base_pose : start.base_poses) base_pose.is_known = true;
+    const int zeroed = deflection::activeRows(trials_.checked().start.arm)[static_cast<std::size_t>(from.zero_of)];
+    const auto& row = trials_.checked().start.arm.rows[static_cast<std::size_t>(zeroed)];
+    const std::string name = row.name + ".joint.offset";
+    const auto best = trials_.fitZero(from, std::move(start), name);
+    if (!best.ok) return std::nullopt;
+    const auto before = deflection::findParameter(trials_.checked().start.arm, name),
+               after = deflection::findParameter(best.placed.arm, name);
+    if (!before || !after) return std::nullopt;
+    const double tried = std::stod(partedAtColon(from.value).second) * trials_.checked().units.angles.factor;
+    double zero = std::remainder(tried + after->value - before->value, 2 * std::numbers::pi);
+    constexpr double kQuarter = std::numbers::pi / 2, kNearQuarter = 0.035;
+    if (const double whole = std::round(zero / kQuarter) * kQuarter;
+        whole != 0 && std::abs(zero - whole) < kNearQuarter)
+      zero = whole;
+    if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
+    return mistakes::joint_zero::mend(trials_.checked(),
+                                      mistakes::joint_zero::textOf(trials_.checked(), from.zero_of, zero));
+  }
+
+  std::vector<Suspect> screened() const {
+    std::vector<Suspect> suspects;
+    for (const auto& kind : mistakeKinds())
+      for (const auto& value : kind.values(trials_.checked())) {
+        goOn(trials_.options().stop);
+        auto mend = kind.mend(trials_.checked(), value);
+        if (mend && mend->zero_of >= 0) mend = zeroFound(*mend);
+        if (!mend || !isWithinLimits(*mend)) continue;
+        if (mend->zero_of >= 0 && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) {
+              return other.mend.mistake == mend->mistake && other.mend.value == mend->value;
+            }))
+          continue;
+        Trial trial = trials_.tried(*mend, TrialDepth::kHeld);
+        if (trial.ok) suspects.push_back({std::move(*mend), std::move(trial), {}});
+      }
+    const std::size_t kept = std::min(kFinalists, suspects.size());
+    std::partial_sort(suspects.begin(), suspects.begin() + static_cast<std::ptrdiff_t>(kept), suspects.end(),
+                      [&](const Suspect& a, const Suspect& b) {
+                        return a.drawn.lack_of_fit - gainByShrinking(a.drawn) <
+                               b.drawn.lack_of_fit - gainByShrinking(b.drawn);
+                      });
+    suspects.resize(kept);
+    return suspects;
+  }
+
+  double gainByShrinking(const Trial& trial) const {
+    return -3 * static_cast<double>(trials_.pool().counted_quickly.size()) * std::log(trials_.shrinkage(trial));
+  }
+
+  /// Whether a mend has numbers that are fitted: what others take off the error is no fit.
+  static bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.zero_of >= 0; }
+
+  [[nodiscard]] bool explainsError(const Suspect& suspect) const {
+    constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
+    if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
+    const double shrinks = trials_.shrinkage(suspect.drawn);
+    const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
+    // A base is one for all readings: one that has slipped is none for those before.
+    if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
+    if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
+        trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
+      return true;
+    return trials_.gain(suspect.open) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
+                                                   falls(trials_.asIs().held_error, suspect.drawn.held_error) ||
+                                                   falls(trials_.asIs().open_error, suspect.open.error));
+  }
+
+  [[nodiscard]] bool explainsBase(const Suspect& suspect) const {
+    constexpr double kBack = 4, kHarm = 1.5;
+    if (!trials_.asIs().ok || !trials_.isBaseFar()) return false;
+    const bool turns_back =
+        trials_.asIs().base_turn > kFarTurn && trials_.asIs().base_turn >= kBack * suspect.drawn.base_turn;
+    const bool shifts_back = trials_.asIs().base_shift > kFarShift * trials_.reach() &&
+                             trials_.asIs().base_shift >= kBack * suspect.drawn.base_shift;
+    const bool is_near = suspect.drawn.base_turn < kFarTurn && suspect.drawn.base_shift < kFarShift * trials_.reach();
+    return (turns_back || shifts_back) && is_near && suspect.drawn.error <= kHarm * trials_.asIs().error &&
+           trials_.gain(suspect.open) >= kOdds;
+  }
+
+  /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open.
+  void stateErrors(const Suspect& best, MeasurementCheck& check) const {
+    const std::pair<double, double> errors[] = {{trials_.asIs().error, best.drawn.error},
+                                                {trials_.asIs().held_error, best.drawn.held_error},
+                                                {trials_.asIs().open_error, best.open.error}};
+    const auto& [as_is, mended] =
+        *std::max_element(std::begin(errors), std::end(errors),
+                          [](const auto& a, const auto& b) { return a.first * b.second < b.first * a.second; });
+    check.error_as_is = trials_.asIs().ok ? as_is : kNoFigure;
+    check.error_if_mended = mended;
+  }
+
+  const MistakeTrials& trials_;
+};
+
+}  // namespace
+
+std::optional<MeasurementCheck> findMistake(const MistakeTrials& trials) { return MistakeSearch(trials).find(); }
+
+std::string baseText(const MistakeTrials& trials) {
+  const CheckedReadings& checked = trials.checked();
+  const Trial& trial = trials.asIs();
+  const auto& length = checked.units.coordinates;
+  char text[128];
+  std::snprintf(text, sizeof text, "%.3g %s", trial.base_shift / length.factor, length.name.c_str());
+  std::string words = text;
+  if (checked.sheet && checked.sheet->pitch > 0) {
+    std::snprintf(text, sizeof text, " (%.1f pitches)", trial.base_shift / checked.sheet->pitch);
+    words += text;
+  }
+  std::snprintf(text, sizeof text, " and %.2g deg", trial.base_turn * 180 / std::numbers::pi);
+  return words + text;
+}
+
+}  // namespace tubeplan::calibration

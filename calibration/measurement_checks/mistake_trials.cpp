@@ -1,0 +1,234 @@
+#include "calibration/measurement_checks/mistake_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kUsualTurn = 0.05;   // rad, and ...
+constexpr double kUsualShift = 0.05;  // ... of the reach: what bases are usually off by
+constexpr std::size_t kQuickReadings = 40;
+
+/// Indices of the readings to look at: all, or whole groups drawn by the seed; touches of one unknown point are a
+/// group.
+std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
+  std::map<std::string, std::vector<std::size_t>> points;
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (touchesUnknownPoint(readings[k]))
+      points[readings[k].point].push_back(k);
+    else
+      groups.push_back({k});
+  for (auto& [point, members] : points) groups.push_back(std::move(members));
+  std::vector<std::size_t> drawn;
+  if (readings.size() > most) RandomStream(seed).shuffle(groups);
+  for (const auto& group : groups) {
+    if (!drawn.empty() && drawn.size() + group.size() > most) continue;
+    drawn.insert(drawn.end(), group.begin(), group.end());
+  }
+  std::sort(drawn.begin(), drawn.end());
+  return drawn;
+}
+
+ReadingPool poolOf(const std::vector<Measurement>& readings, const CheckOptions& options) {
+  ReadingPool pool;
+  std::set<std::size_t> kept;
+  const auto drawn = drawReadings(readings, options.most_readings, options.seed);
+  std::vector<Measurement> of_drawn;
+  for (const std::size_t k : drawn) {
+    pool.counted.insert(readings[k].id);
+    of_drawn.push_back(readings[k]);
+    for (const std::size_t near : {k - 1, k, k + 1})
+      if (near < readings.size()) kept.insert(near);
+  }
+  for (const std::size_t k : drawReadings(of_drawn, kQuickReadings, options.seed))
+    pool.counted_quickly.insert(of_drawn[k].id);
+  for (const std::size_t k : kept) {
+    pool.readings.push_back(readings[k]);
+    pool.readings.back().is_held_out = false;
+  }
+  return pool;
+}
+
+std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<std::string>& ids) {
+  std::erase_if(readings, [&](const Measurement& reading) { return !ids.contains(reading.id); });
+  return readings;
+}
+
+/// Everything that the drawing leaves open: what the cell frees, all geometry, and every stiffness by one number.
+FreeChoice allThatIsOpen(const CheckedReadings& checked) {
+  FreeChoice open = checked.free;
+  open.base = true;  // of base poses that are not known
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  PlacedArm placed = checked.start;
+  for (const auto& unknown : chooseUnknowns(placed, checked.free).list)
+    if (unknown.owner == Unknown::Owner::kArm) add(unknown.name);
+  for (const auto& parameter : deflection::parametersOf(checked.start.arm))
+    if (parameter.path.effect < 0 && deflection::isStiffness(parameter.quantity) &&
+        parameter.quantity != deflection::Quantity::kPressure)
+      add(parameter.name);
+  std::erase_if(names, [&](const std::string& name) {
+    const auto geometry = namesBehind(checked.start.arm, "geometry");
+    return std::find(geometry.begin(), geometry.end(), name) != geometry.end();
+  });
+  names.push_back("geometry");
+  open.names = names;
+  return open;
+}
+
+double shiftOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
+  return (found.base_poses[p].X_WB.translation() - nominal.base_poses[p].X_WB.translation()).norm();
+}
+
+double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
+  const Eigen::Matrix3d turn = found.base_poses[p].X_WB.linear() * nominal.base_poses[p].X_WB.linear().transpose();
+  return Eigen::AngleAxisd(turn).angle();
+}
+
+/// How far tips that touched unknown points are spread: a mistake that draws them together lowers their error for no
+/// merit of its own. 0 where there are none.
+double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  std::vector<Eigen::Vector3d> tips;
+  for (const auto& reading : readings)
+    if (touchesUnknownPoint(reading))
+      if (const auto tip = predictReading(
+              placed.arm, placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB, reading);
+          tip.ok)
+        tips.push_back(tip.value);
+  if (tips.size() < 2) return 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& tip : tips) mean += tip / static_cast<double>(tips.size());
+  double sum = 0;
+  for (const auto& tip : tips) sum += (tip - mean).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(tips.size()));
+}
+
+}  // namespace
+
+MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions& options)
+    : checked_(checked),
+      options_(options),
+      pool_(poolOf(checked.readings, options)),
+      open_(allThatIsOpen(checked)),
+      drawn_{{"tool.tip"}, true, checked.free.priors},
+      held_{{}, true, checked.free.priors},
+      reach_(deflection::reachOf(checked.start.arm)),
+      has_places_(std::any_of(checked.readings.begin(), checked.readings.end(),
+                              [](const Measurement& reading) { return statesPlace(reading); })) {
+  if (checked.readings.empty()) return;
+  as_is_ = tried({}, TrialDepth::kOpen);
+  const Trial drawn = tried({}, TrialDepth::kDrawn);
+  as_is_.error = drawn.error;
+  // What is open besides would share the base's way: by the drawing it has all of it.
+  as_is_.base_shift = drawn.base_shift;
+  as_is_.base_turn = drawn.base_turn;
+  as_is_.held_error = tried({}, TrialDepth::kHeld).error;
+}
+
+/// The drawing with the base free where it is not known, with the tip besides, or with all that is open.
+RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
+                             const std::string& zero) const {
+  RobustFitOptions options;
+  options.free = depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
+  options.most_steps = depth == TrialDepth::kOpen ? 8 : 5;
+  options.judges_noise = depth == TrialDepth::kOpen;
+  options.stop = options_.stop;
+  if (!zero.empty()) {
+    options.free.names.push_back(zero);
+    options.free.priors.named[zero] = std::numbers::pi;
+  }
+  return fitRobustly(std::move(start), readings, options);
+}
+
+std::vector<Measurement> MistakeTrials::mended(const Mend& mend, TrialDepth depth) const {
+  auto readings = pool_.readings;
+  mend.apply(readings);
+  return only(std::move(readings), depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
+}
+
+PlacedArm MistakeTrials::startOf(const Mend& mend) const {
+  PlacedArm start = checked_.start;
+  if (mend.frees_base)
+    for (auto& base_pose : start.base_poses) base_pose.is_known = false;
+  return start;
+}
+
+Trial MistakeTrials::tried(const Mend& mend, TrialDepth depth) const {
+  if (mend.parts_setups) return triedApart(depth);
+  return judged(fit(startOf(mend), mended(mend, depth), depth), mended(mend, depth));
+}
+
+Trial MistakeTrials::judged(const RobustFit& fit, const std::vector<Measurement>& readings) const {
+  Trial trial;
+  trial.ok = fit.ok;
+  if (!fit.ok) return trial;
+  trial.error = trial.open_error = fit.error;
+  trial.whole_error = fit.whole_error;
+  trial.lack_of_fit = fit.lack_of_fit;
+  trial.chi2_per_freedom = fit.chi2_per_freedom;
+  trial.placed = fit.placed;
+  for (std::size_t p = 0; p < fit.placed.base_poses.size(); ++p) {
+    const double shift = shiftOf(fit.placed, checked_.start, p), turn = turnOf(fit.placed, checked_.start, p);
+    trial.lack_of_fit += 3.5 * std::log1p(std::pow(shift / (kUsualShift * reach_), 2) + std::pow(turn / kUsualTurn, 2));
+    trial.base_shift = std::max(trial.base_shift, shift);
+    trial.base_turn = std::max(trial.base_turn, turn);
+  }
+  trial.extent = extentOfTips(fit.placed, readings);
+  return trial;
+}
+
+/// Each set-up by a fit of its own, a tip among its numbers.
+Trial MistakeTrials::triedApart(TrialDepth depth) const {
+  Trial whole;
+  whole.ok = true;
+  whole.lack_of_fit = 0;
+  double squares = 0;
+  std::size_t count = 0;
+  for (const auto& base_pose : checked_.start.base_poses) {
+    auto readings = only(pool_.readings, depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
+    std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != base_pose.setup; });
+    if (readings.empty()) continue;
+    const Trial part = judged(fit({checked_.start.arm, {base_pose}}, readings, depth), readings);
+    if (!part.ok) return part;
+    whole.lack_of_fit += part.lack_of_fit;
+    squares += part.error * part.error * static_cast<double>(readings.size());
+    count += readings.size();
+  }
+  whole.error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1)));
+  whole.extent = as_is_.extent;
+  whole.base_shift = as_is_.base_shift;
+  whole.base_turn = as_is_.base_turn;
+  return whole;
+}
+
+RobustFit MistakeTrials::fitZero(const Mend& mend, PlacedArm start, const std::string& zero) const {
+  return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zero);
+}
+
+double MistakeTrials::shrinkage(const Trial& trial) const {
+  return as_is_.extent > 0 && trial.extent > 0 ? std::max(1., as_is_.extent / trial.extent) : 1;
+}
+
+double MistakeTrials::gain(const Trial& trial) const {
+  constexpr double kALot = 1e9;
+  if (!as_is_.ok) return kALot - trial.lack_of_fit;
+  double rows = 0;
+  if (shrinkage(trial) > 1) rows = 3 * static_cast<double>(pool_.counted.size());
+  return as_is_.lack_of_fit - trial.lack_of_fit - rows * std::log(shrinkage(trial));
+}
+
+bool MistakeTrials::isBaseFar() const {
+  return has_places_ && (as_is_.base_turn > kFarTurn || as_is_.base_shift > kFarShift * reach_);
+}
+
+}  // namespace tubeplan::calibration
