@@ -65,11 +65,11 @@ std::string firstMeans(const DiscriminatingMeasurements& result) {
   return fmt::format("{}", fmt::join(some, ", or "));
 }
 
-/// "A from B"; of many pairs the first.
+/// "A and B"; of many pairs the first.
 std::string neverText(const DiscriminatingMeasurements& result) {
   const auto& first = result.never.front();
   const std::string more = result.never.size() > 1 ? fmt::format(" (and {} pairs more)", result.never.size() - 1) : "";
-  return explanationName(result, first.truth) + " from " + explanationName(result, first.other) + more;
+  return explanationName(result, first.truth) + " and " + explanationName(result, first.other) + more;
 }
 
 std::string jointsText(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
@@ -94,11 +94,12 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
     advice = fmt::format("{} further readings would discriminate between {} (probability {:.0f} %).", count, what,
                          100 * result.probability);
   else if (result.times > 1)
-    advice = fmt::format("It takes about {} further readings to discriminate between {}; the best {} are listed.",
-                         static_cast<std::size_t>(result.times) * count, what, count);
+    advice = fmt::format(
+        "It takes about {} further readings to discriminate between {}; the best {} are listed (probability {:.0f} %).",
+        static_cast<std::size_t>(result.times) * count, what, count, 100 * result.probability);
   if (!result.never.empty())
-    advice = fmt::format("No posture discriminates between {}; what would: {}.{}{}", neverText(result),
-                         firstMeans(result), advice.empty() ? "" : " ", advice);
+    advice = fmt::format("Further readings of this kind hardly discriminate between {}; what would: {}.{}{}",
+                         neverText(result), firstMeans(result), advice.empty() ? "" : " ", advice);
   else if (result.times == 0 && !result.alternative_measurements.empty())
     advice =
         fmt::format("No further reading of this kind can be made; what would discriminate: {}.", firstMeans(result));
