@@ -90,13 +90,13 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
   std::string advice;
   const std::size_t count = result.readings.size();
   const std::string what = result.never.empty() ? "them" : "the others";
+  const std::string chance =
+      result.never.empty() ? fmt::format(" (probability {:.0f} %)", 100 * result.probability) : "";
   if (result.times == 1)
-    advice = fmt::format("{} further readings would discriminate between {} (probability {:.0f} %).", count, what,
-                         100 * result.probability);
+    advice = fmt::format("{} further readings would discriminate between {}{}.", count, what, chance);
   else if (result.times > 1)
-    advice = fmt::format(
-        "It takes about {} further readings to discriminate between {}; the best {} are listed (probability {:.0f} %).",
-        static_cast<std::size_t>(result.times) * count, what, count, 100 * result.probability);
+    advice = fmt::format("It takes about {} further readings to discriminate between {}; the best {} are listed{}.",
+                         static_cast<std::size_t>(result.times) * count, what, count, chance);
   if (!result.never.empty())
     advice = fmt::format("Further readings of this kind hardly discriminate between {}; what would: {}.{}{}",
                          neverText(result), firstMeans(result), advice.empty() ? "" : " ", advice);

@@ -50,12 +50,12 @@ DiscriminatedPair pairAfter(const RivalForecast& forecast, int truth, int other,
   return pair;
 }
 
-std::vector<DiscriminatedPair> pairsOf(const RivalForecast& forecast, double gap) {
+std::vector<DiscriminatedPair> pairsOf(const RivalForecast& forecast, int times, double gap) {
   std::vector<DiscriminatedPair> pairs;
   const int count = static_cast<int>(forecast.rivals.size());
   for (int a = 0; a < count; ++a)
     for (int b = 0; b < count; ++b)
-      if (a != b) pairs.push_back(pairAfter(forecast, a, b, 1, gap));
+      if (a != b) pairs.push_back(pairAfter(forecast, a, b, times, gap));
   return pairs;
 }
 
@@ -71,30 +71,40 @@ double chanceOfNaming(const std::vector<double>& probability, const std::vector<
   return named;
 }
 
-/// How often the choice must be made until it is assured that the true one of two is named, whichever it is, each
-/// counted by its probability; the most allowed where that makes it likelier than not, and 0 where not even that.
-int timesNeeded(const RivalForecast& forecast, const std::vector<double>& probability, int a, int b,
-                const DiscriminationOptions& options) {
-  const double p_a = probability[static_cast<std::size_t>(a)], p_b = probability[static_cast<std::size_t>(b)];
-  const double gap = separationNeeded(options.sure);
-  double chance = 0;
-  for (int times = 1; times <= options.most_repeats; ++times) {
-    goOn(options.hooks.stop);
-    chance = (p_a * pairAfter(forecast, a, b, times, gap).probability +
-              p_b * pairAfter(forecast, b, a, times, gap).probability) /
-             (p_a + p_b);
-    if (chance >= options.assured) return times;
-  }
-  return chance >= 0.5 ? options.most_repeats : 0;
+bool isSame(const DiscriminatedPair& a, const DiscriminatedPair& b) {
+  return std::minmax(a.truth, a.other) == std::minmax(b.truth, b.other);
 }
 
+/// Of these pairs those, each once, of which the true one, each by its probability, is rather not named.
+std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probability,
+                                             const std::vector<DiscriminatedPair>& pairs) {
+  std::vector<DiscriminatedPair> unlikely;
+  for (const auto& pair : pairs) {
+    if (pair.truth > pair.other) continue;
+    double named = 0;
+    for (const auto& order : pairs)
+      if (isSame(order, pair)) named += probability[static_cast<std::size_t>(order.truth)] * order.probability;
+    if (named <
+        0.5 * (probability[static_cast<std::size_t>(pair.truth)] + probability[static_cast<std::size_t>(pair.other)]))
+      unlikely.push_back(pair);
+  }
+  return unlikely;
+}
+
+/// How often the choice must be made until what can be split is assured to be.
 void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
                 const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
-  for (const auto& pair : result.pairs) {
-    if (pair.truth > pair.other) continue;
-    const int times = timesNeeded(forecast, probability, pair.truth, pair.other, options);
-    result.times = std::max(result.times, times);
-    if (times == 0) result.never.push_back(pair);
+  const double gap = separationNeeded(options.sure);
+  result.never = unlikelyPairs(probability, pairsOf(forecast, options.most_repeats, gap));
+  if (2 * result.never.size() == result.pairs.size()) return;
+  for (result.times = 1; result.times < options.most_repeats; ++result.times) {
+    goOn(options.hooks.stop);
+    auto pairs = pairsOf(forecast, result.times, gap);
+    std::erase_if(pairs, [&](const DiscriminatedPair& pair) {
+      return std::any_of(result.never.begin(), result.never.end(),
+                         [&](const DiscriminatedPair& never) { return isSame(never, pair); });
+    });
+    if (chanceOfNaming(probability, pairs) >= options.assured) return;
   }
 }
 
@@ -192,7 +202,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
     for (const auto& step : steps) result.readings.push_back({step.candidate, step.a, step.b, step.separation});
     const RivalForecast forecast{rivals, predictions, steps};
     const auto probability = probabilitiesOf(rivals);
-    result.pairs = pairsOf(forecast, separationNeeded(options.sure));
+    result.pairs = pairsOf(forecast, 1, separationNeeded(options.sure));
     result.least_expected = leastExpected(rivals, predictions, steps);
     result.probability = chanceOfNaming(probability, result.pairs);
     countTimes(forecast, probability, options, result);
