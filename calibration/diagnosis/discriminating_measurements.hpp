@@ -19,7 +19,7 @@ namespace tubeplan::calibration {
 
 struct DiscriminationOptions {
   int count = 6;              ///< readings, or sets of touches of one unknown point
-  double sure = 0.95;         ///< probability of one of two explanations that separates them
+  double sure = 0.98;         ///< probability of one of two explanations that names it, beside all others too
   double assured = 0.9;       ///< chance that they do so which counts as a promise
   int most_repeats = 4;       ///< of the whole choice, before postures are said not to split at all
   int most_explanations = 8;  ///< that are split, best first
