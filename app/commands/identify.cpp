@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -28,8 +29,17 @@ struct IdentifyOptions {
   std::string cell, out, json;
   ReadingFiles measurements;
   MeasurementOptions given;
+  bool verbose = false;
   IdentificationRequest request;
 };
+
+/// A line for each iteration of the fit; beside JSON on the standard output they go where progress goes.
+void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& now) {
+  if (now.iteration == 0)
+    fmt::print(out, "  {}\n  {:>9} {:>15} {:>12} {:>12}\n", now.method, "iteration", "chi-square", "step", "damping");
+  fmt::print(out, "  {:>9} {:>15.9g} {:>12.3g} {:>12.3g}\n", now.iteration, now.chi2, now.step, now.damping);
+  std::fflush(out);
+}
 
 int run(const IdentifyOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
@@ -38,6 +48,8 @@ int run(const IdentifyOptions& options) {
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   IdentificationRequest request = options.request;
   if (printsText(options.json)) fmt::print("{}", checksText(checks, cell.units));
+  if (options.verbose)
+    request.observe = [out = printsText(options.json) ? stdout : stderr](const auto& now) { printIteration(out, now); };
   if (printsText(options.json))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
       fmt::print("stage {}\n{}", stage + 1, identificationText(fit, input.readings, input.cell.units));
@@ -86,6 +98,8 @@ Run configureIdentify(CLI::App& cli) {
   cli.add_option("--drop", options->request.drop, "drop parameters that are not significant at this level (0.05)")
       ->check(CLI::Range(0., 0.5));
   cli.add_option("--seed", options->request.seed, "seed of the initial values and the folds");
+  cli.add_flag("-v,--verbose", options->verbose,
+               "print every iteration of the fit: chi-square (with the priors' part), length of the step, damping");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

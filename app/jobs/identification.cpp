@@ -73,7 +73,8 @@ calibration::IdentificationStage stageOf(const std::string& text) {
 Identification identifyAsAsked(const IdentificationRequest& request, const Cell& cell,
                                const std::vector<calibration::Measurement>& readings, const WorkHooks& hooks) {
   const auto start = startOf(cell, readings);
-  const IdentificationOptions asked = identificationOptions(request, cell, hooks);
+  IdentificationOptions asked = identificationOptions(request, cell, hooks);
+  asked.observe = request.observe;
   if (request.stages.empty()) return calibration::identify(start, readings, asked);
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));

@@ -25,6 +25,7 @@ struct IdentificationRequest {
   std::uint64_t seed = 1;
   /// Shown the fit of every stage but the last, as it is done; may be empty.
   std::function<void(int stage, const calibration::Identification&)> stage_done = {};
+  calibration::IterationObserver observe = {};  ///< of the fit's iterations, as they come
 };
 
 struct IdentificationOutcome {

@@ -117,7 +117,11 @@ class Fitting {
   }
 
  private:
-  bool weigh() {
+  bool weigh(bool is_first) {
+    if (is_first && options_.weights && fit_.weights.model_error == 0) {
+      fit_.weights = *options_.weights;
+      return true;
+    }
     const PlacedArm placed = applied(start_, unknowns_, fit_.solution.x);
     auto weights = weighReadings(placed, readings_, fit_.factors, fit_.weights.model_error, options_.solver.stop);
     if (!weights) return failed("the model cannot be evaluated at the readings: the arm is too compliant for its load");
@@ -169,7 +173,7 @@ class Fitting {
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
     double before = std::numeric_limits<double>::quiet_NaN();
     for (int round = 0; round < rounds; ++round) {
-      if (!weigh()) return false;
+      if (!weigh(round == 0)) return false;
       if (round > 0 && !is_robust) {
         const double now = residual(false).r.squaredNorm();
         if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) break;

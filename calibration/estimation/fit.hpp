@@ -30,7 +30,8 @@ inline constexpr double kLackOfFit = 0.01;  ///< p of chi-square below which a f
 struct FitOptions {
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  std::optional<double> model_error = {};  ///< m; found by the fit where it is not stated
+  std::optional<double> model_error = {};   ///< m; found by the fit where it is not stated
+  const ReadingWeights* weights = nullptr;  ///< at the start by the stated noise alone, where they are made already
 };
 
 /// minimizeLeastSquares; unwinds by WorkStopped where the solver was stopped.

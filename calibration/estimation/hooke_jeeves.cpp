@@ -47,20 +47,27 @@ TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace fou
 
 }  // namespace
 
-LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                         const IterationObserver& observe) {
   ScaledProblem scaled(problem);
   TriedPlace base{scaled.start(), 0};
   base.chi2 = scaled.chi2At(base.x);
   if (!std::isfinite(base.chi2)) return scaled.failureAtStart();
   double step = kFirstStep;
   int iterations = 0;
+  const auto told = [&](double length) {
+    if (observe) observe({"hooke-jeeves", iterations, base.chi2, length, 0});
+  };
+  told(0);
   while (step > stop.tolerance && iterations < stop.max_iterations) {
     ++iterations;
+    const Eigen::VectorXd from = base.x;
     const TriedPlace found = explore(scaled, base, step);
     if (found.chi2 < base.chi2)
       base = followPattern(scaled, base, found, step, stop.max_iterations, iterations);
     else
       step *= kShrink;
+    told((base.x - from).norm());
   }
   const bool done = step <= stop.tolerance;
   return scaled.resultAt(base.x, base.chi2, done ? LeastSquaresStatus::kConverged : LeastSquaresStatus::kIterationLimit,

@@ -21,22 +21,23 @@ LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult
 
 }  // namespace
 
-LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                  const IterationObserver& observe) {
   using Status = LeastSquaresStatus;
   const int soon = std::min(kSoon, stop.max_iterations);
-  const LeastSquaresResult quick = minimizeByLevenbergMarquardt(problem, {stop.tolerance, soon});
+  const LeastSquaresResult quick = minimizeByLevenbergMarquardt(problem, {stop.tolerance, soon}, observe);
   if (quick.status == Status::kConverged || std::isnan(quick.chi2) || stop.max_iterations <= kSoon) return quick;
 
   const int left = stop.max_iterations - soon;
-  const LeastSquaresResult other =
-      minimizeLeastSquares(problem, {.max_iterations = left, .method = LeastSquaresMethod::kInteriorPoint});
+  const LeastSquaresResult other = minimizeLeastSquares(
+      problem, {.max_iterations = left, .method = LeastSquaresMethod::kInteriorPoint, .observe = observe});
   if (other.chi2 <= quick.chi2) return withWorkOf(other, quick);
 
   const LeastSquaresResult first = withWorkOf(quick, other);
   if (quick.status != Status::kIterationLimit) return first;
   LeastSquaresProblem onward = problem;
   onward.start = quick.x;
-  return withWorkOf(minimizeByLevenbergMarquardt(onward, {stop.tolerance, left - other.iterations}), first);
+  return withWorkOf(minimizeByLevenbergMarquardt(onward, {stop.tolerance, left - other.iterations}, observe), first);
 }
 
 }  // namespace tubeplan::calibration

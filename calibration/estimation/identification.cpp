@@ -51,7 +51,7 @@ std::vector<Unknown> basesOf(const std::vector<Unknown>& unknowns) {
   return bases;
 }
 
-FitOptions fitOptions(const IdentificationOptions& options) { return {options.solver, options.loss, {}}; }
+FitOptions fitOptions(const IdentificationOptions& options) { return {options.solver, options.loss}; }
 
 void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& held_out, Identification& result) {
   if (!held_out.empty()) {
@@ -148,11 +148,14 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   std::vector<double> ends;
   const int starts = std::max(1, model.options.starts);
   const auto count = static_cast<Index>(model.unknowns.size());
+  FitOptions options = fitOptions(model.options);
+  options.solver.observe = model.options.observe;
   for (int s = 0; s < starts; ++s) {
     tell(model.options.hooks, "fit", static_cast<std::size_t>(s), starts > 1 ? static_cast<std::size_t>(starts) : 0);
+    options.weights = s == 0 && model.start_weights ? &*model.start_weights : nullptr;
     Fit fit = fitUnknowns(model.start, model.unknowns, model.fitted,
                           s == 0 ? VectorXd(VectorXd::Zero(count)) : drawStart(model.unknowns, model.options.seed, s),
-                          fitOptions(model.options));
+                          options);
     countWork(fit.solution, result);
     ends.push_back(isUsable(fit) ? fit.chi2 : std::numeric_limits<double>::infinity());
     if (s == 0 || ends.back() < *std::min_element(ends.begin(), ends.end() - 1)) model.fit = std::move(fit);
@@ -163,13 +166,16 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   return isUsable(model.fit);
 }
 
-void measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted, ErrorSize& size, double* chi2) {
-  const auto weights = weighReadings(placed, fitted);
-  if (!weights) return;
+/// The error of the model as it is placed; its readings' weights, or nothing where it cannot be evaluated.
+std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
+                                           ErrorSize& size, double* chi2) {
+  auto weights = weighReadings(placed, fitted);
+  if (!weights) return weights;
   const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
-  if (!residual.ok) return;
+  if (!residual.ok) return std::nullopt;
   size = errorSize(fitted, *weights, residual.error);
   if (chi2) *chi2 = residual.r.squaredNorm();
+  return weights;
 }
 
 void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vector<Unknown>& unknowns,
@@ -243,7 +249,7 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   Identification result;
   const auto fitted = readingsOf(readings, false, &result.used);
   const auto held_out = readingsOf(readings, true, nullptr);
-  FittedModel model{fitted, options, start, {}, {}};
+  FittedModel model{fitted, options, start, {}, {}, {}};
   auto unknowns = chooseUnknowns(model.start, options.free);
   result.problems = unknowns.problems;
   model.unknowns = std::move(unknowns.list);
@@ -254,13 +260,13 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
     result.status = IdentificationStatus::kRefused;
     return result;
   }
-  measureStart(start, fitted, result.before, &result.chi2_before);
+  model.start_weights = measureStart(start, fitted, result.before, &result.chi2_before);
   fitBases(model, result);
   result.start = model.start;
   if (basesOf(model.unknowns).empty())
     result.after_base = result.before;
   else
-    measureStart(model.start, fitted, result.after_base, nullptr);
+    model.start_weights = measureStart(model.start, fitted, result.after_base, nullptr);
   if (!fitFromStarts(model, result)) {
     result.status = IdentificationStatus::kNotConverged;
     result.reason =

@@ -56,7 +56,8 @@ struct IdentificationOptions {
   double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
-  WorkHooks hooks;  ///< the solver is stopped by these too
+  WorkHooks hooks;                 ///< the solver is stopped by these too
+  IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not told
 };
 
 enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };

@@ -13,6 +13,7 @@ struct FittedModel {
   PlacedArm start;  ///< where the unknowns' variables are 0
   std::vector<Unknown> unknowns;
   Fit fit;
+  std::optional<ReadingWeights> start_weights;  ///< at `start`, where it can be evaluated
 };
 
 /// Fills `numbers`, one for each unknown in their order.

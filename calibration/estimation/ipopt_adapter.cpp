@@ -22,7 +22,8 @@ constexpr double kNearBound = 1e-2;      // in units of a variable's scale
 /// that was accepted serves its gradient and its Hessian.
 class NonlinearProgram : public Ipopt::TNLP {
  public:
-  explicit NonlinearProgram(ScaledProblem& problem) : problem_(problem), n_(problem.lower().size()) {}
+  NonlinearProgram(ScaledProblem& problem, const IterationObserver& observe)
+      : problem_(problem), observe_(observe), n_(problem.lower().size()) {}
 
   VectorXd solution;
   double chi2 = std::numeric_limits<double>::quiet_NaN();
@@ -82,9 +83,10 @@ class NonlinearProgram : public Ipopt::TNLP {
   /// Ipopt's own test is absolute in the gradient; with a large lack of fit rounding keeps it from ever being met.
   /// Where the best step predicts no fall beyond rounding, or twice there has been none, this is as far down as it
   /// goes.
-  bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index, Number value, Number, Number, Number, Number, Number,
-                             Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
+  bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number value, Number, Number, Number,
+                             Number step, Number damping, Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
+    if (observe_) observe_({"ipopt", static_cast<int>(iteration), 2 * value, step, damping});
     resting_ = std::abs(value - last_value_) <= kRestingShare * std::abs(value) ? resting_ + 1 : 0;
     last_value_ = value;
     return resting_ < 2 && !isAtBottom(value);
@@ -129,6 +131,7 @@ class NonlinearProgram : public Ipopt::TNLP {
   static bool isAt(const VectorXd& x, const VectorXd& known) { return known.size() == x.size() && known == x; }
 
   ScaledProblem& problem_;
+  const IterationObserver& observe_;
   Eigen::Index n_;
   VectorXd x_;  // where chi2_ was asked
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
@@ -187,7 +190,8 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 
 }  // namespace
 
-LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                           const IterationObserver& observe) {
   // MUMPS, the linear solver that Debian's Ipopt brings, keeps its instances in an unguarded table of the process. One
   // Ipopt serves all then: making it ready takes longer than many a problem.
   static std::mutex one_at_a_time;
@@ -195,7 +199,7 @@ LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, c
   static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();
   using Status = LeastSquaresStatus;
   ScaledProblem scaled(problem);
-  Ipopt::SmartPtr<NonlinearProgram> program = new NonlinearProgram(scaled);
+  Ipopt::SmartPtr<NonlinearProgram> program = new NonlinearProgram(scaled, observe);
   if (!Ipopt::IsValid(solver))
     return scaled.resultAt(scaled.start(), program->chi2, Status::kFailed, "Ipopt could not start");
   solver->Options()->SetNumericValue("tol", stop.tolerance);

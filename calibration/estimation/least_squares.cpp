@@ -28,11 +28,11 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
 
 /// Nothing can be evaluated any more once a stop is asked for: every method then ends at once.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
-                                        const LeastSquaresStop& rest, const StopQuestion& stop) {
+                                        const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;
   LeastSquaresProblem asking = problem;
   asking.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
-    is_stopped = is_stopped || stop();
+    is_stopped = is_stopped || options.stop();
     try {
       return !is_stopped && problem.evaluate(x, r, jacobian);
     } catch (const WorkStopped&) {  // no solver of ours or of others is unwound through
@@ -40,7 +40,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
       return false;
     }
   };
-  LeastSquaresResult result = kind.minimize(asking, rest);
+  LeastSquaresResult result = kind.minimize(asking, rest, options.observe);
   if (is_stopped) {
     result.status = LeastSquaresStatus::kStopped;
     result.reason = kStoppedReason;
@@ -100,7 +100,8 @@ LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, cons
   const LeastSquaresStop stop{options.tolerance.value_or(kind->stop.tolerance),
                               options.max_iterations.value_or(kind->stop.max_iterations)};
   assert(stop.tolerance > 0 && stop.max_iterations >= 0);
-  return options.stop ? minimizeUntilStopped(*kind, problem, stop, options.stop) : kind->minimize(problem, stop);
+  return options.stop ? minimizeUntilStopped(*kind, problem, stop, options)
+                      : kind->minimize(problem, stop, options.observe);
 }
 
 }  // namespace tubeplan::calibration

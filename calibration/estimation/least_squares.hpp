@@ -31,12 +31,24 @@ struct LeastSquaresStop {
   int max_iterations;
 };
 
+/// An iteration of a method, as whoever watches is told it.
+struct LeastSquaresIteration {
+  std::string_view method;  ///< by its name in leastSquaresMethods(), of the one that is at work
+  int iteration = 0;        ///< 0: the start
+  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< r . r there
+  double step = 0;     ///< length of the step that led there, each variable in units of its scale
+  double damping = 0;  ///< added to the curvature's diagonal for that step; 0 where the method has none
+};
+
+using IterationObserver = std::function<void(const LeastSquaresIteration&)>;
+
 /// Tolerance and iteration limit are the method's own where they are not stated.
 struct LeastSquaresOptions {
   std::optional<double> tolerance = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
-  StopQuestion stop = {};  ///< asked before every evaluation
+  StopQuestion stop = {};          ///< asked before every evaluation
+  IterationObserver observe = {};  ///< told every iteration, the start too; it changes no result
 };
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed, kStopped };
@@ -58,7 +70,8 @@ struct LeastSquaresMethodKind {
   std::string_view name;     ///< on the command line
   std::string_view summary;  ///< one line: how it works and what its tolerance is measured on
   LeastSquaresStop stop;     ///< where the caller states none
-  LeastSquaresResult (*minimize)(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+  LeastSquaresResult (*minimize)(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                 const IterationObserver& observe);
 };
 
 /// The open table: a new method is its file and its row.
@@ -70,10 +83,15 @@ struct LeastSquaresMethodKind {
                                                       const LeastSquaresOptions& options = {});
 
 // Declared here, each defined in the file of its name; the interior point in ipopt_adapter.cpp.
-LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
-LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
-LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
-LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
-LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop);
+LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                  const IterationObserver& observe);
+LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                           const IterationObserver& observe);
+LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                                const IterationObserver& observe);
+LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                         const IterationObserver& observe);
+LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                             const IterationObserver& observe);
 
 }  // namespace tubeplan::calibration

@@ -105,8 +105,8 @@ VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, 
 /// One descent, point after point.
 class TrustRegionMinimizer {
  public:
-  explicit TrustRegionMinimizer(const LeastSquaresProblem& problem)
-      : scaled_(problem), x_(scaled_.start()), size_(std::sqrt(static_cast<double>(x_.size()))) {}
+  TrustRegionMinimizer(const LeastSquaresProblem& problem, const IterationObserver& observe)
+      : scaled_(problem), observe_(observe), x_(scaled_.start()), size_(std::sqrt(static_cast<double>(x_.size()))) {}
 
   LeastSquaresResult run(const LeastSquaresStop& stop);
 
@@ -121,6 +121,7 @@ class TrustRegionMinimizer {
   }
 
   ScaledProblem scaled_;
+  const IterationObserver& observe_;
   VectorXd x_, r_, next_r_;
   MatrixXd jacobian_, next_jacobian_;
   double size_;
@@ -131,6 +132,7 @@ class TrustRegionMinimizer {
   double last_fall_ = std::numeric_limits<double>::infinity();
   bool is_linear_ = true;  ///< r_ and jacobian_ are those of x_
   int iterations_ = 0;
+  double length_ = 0, damping_ = 0;  ///< of the last step that was taken
 };
 
 /// How far steps may go, by how well the last one was predicted.
@@ -151,6 +153,7 @@ bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool i
   adaptRadius((next - x_).norm(), fall, predicted);
   if (!(fall > 0)) return false;
   last_fall_ = fall;
+  length_ = (next - x_).norm();
   x_ = next;
   chi2_ = tried;
   is_linear_ = is_linear;
@@ -167,7 +170,10 @@ TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
     const double little = tolerance * std::max(chi2_, kNoLackOfFit);
     // Where steps had to be kept short, the last one must have brought as little as this one would.
     if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
-    if (moveTo(next, predicted, is_first)) return Step::kTaken;
+    if (moveTo(next, predicted, is_first)) {
+      damping_ = damping;
+      return Step::kTaken;
+    }
     if (radius_ <= kLeastRadius * size_) return Step::kOnlyRounding;
   }
 }
@@ -177,6 +183,7 @@ LeastSquaresResult TrustRegionMinimizer::run(const LeastSquaresStop& stop) {
   if (!scaled_.linearizeAt(x_, r_, jacobian_)) return scaled_.failureAtStart();
   for (;; ++iterations_) {
     chi2_ = r_.squaredNorm();
+    if (observe_) observe_({"levenberg-marquardt", iterations_, chi2_, length_, damping_});
     model_.open(jacobian_, r_);
     free_ = movable(scaled_, x_, model_.gradient);
     if (!model_.gradient.allFinite() || !model_.normal.allFinite())
@@ -194,8 +201,9 @@ LeastSquaresResult TrustRegionMinimizer::run(const LeastSquaresStop& stop) {
 
 }  // namespace
 
-LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
-  return TrustRegionMinimizer(problem).run(stop);
+LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                                const IterationObserver& observe) {
+  return TrustRegionMinimizer(problem, observe).run(stop);
 }
 
 }  // namespace tubeplan::calibration

@@ -48,12 +48,15 @@ bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd&
 
 }  // namespace
 
-LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop) {
+LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
+                                             const IterationObserver& observe) {
   using Status = LeastSquaresStatus;
   ScaledProblem scaled(problem);
   SlopedPlace here{scaled.start(), {}, {}};
   if (!scaled.linearizeAt(here.x, here.r, here.jacobian)) return scaled.failureAtStart();
+  double length = 0;
   for (int iterations = 0;; ++iterations) {
+    if (observe) observe({"steepest-descent", iterations, here.chi2(), length, 0});
     const auto stopped = [&](Status status, const char* reason) {
       return scaled.resultAt(here.x, here.chi2(), status, reason, iterations);
     };
@@ -69,6 +72,7 @@ LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem,
                  : stopped(Status::kFailed, "no step lowers the error");
     if (!scaled.linearizeAt(next.x, next.r, next.jacobian))
       return stopped(Status::kFailed, "the model could not be differentiated");
+    length = (next.x - here.x).norm();
     here = next;
   }
 }

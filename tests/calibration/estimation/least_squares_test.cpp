@@ -46,6 +46,28 @@ TEST_P(EveryMethod, FindsTheBottomOfTheValley) {
   EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
 }
 
+// From the start to the end, and watching changes nothing.
+TEST_P(EveryMethod, TellsItsIterations) {
+  std::vector<LeastSquaresIteration> told;
+  LeastSquaresOptions options{std::nullopt, 100000, method()};
+  const auto unwatched = minimizeLeastSquares(rosenbrock(), options);
+  options.observe = [&](const LeastSquaresIteration& now) { told.push_back(now); };
+  const auto found = minimizeLeastSquares(rosenbrock(), options);
+  EXPECT_EQ(found.x, unwatched.x);
+  EXPECT_EQ(found.evaluations, unwatched.evaluations);
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_EQ(told.front().iteration, 0);
+  EXPECT_EQ(told.front().step, 0);
+  EXPECT_DOUBLE_EQ(told.front().chi2, chi2Of(rosenbrock(), rosenbrock().start));
+  EXPECT_NEAR(told.back().chi2, found.chi2, 1e-9);
+  for (const auto& now : told) {
+    EXPECT_TRUE(std::any_of(leastSquaresMethods().begin(), leastSquaresMethods().end(), [&](const auto& kind) {
+      return kind.name == now.method;
+    })) << now.method;
+    EXPECT_TRUE(std::isfinite(now.chi2) && now.step >= 0 && now.damping >= 0) << now.iteration;
+  }
+}
+
 TEST_P(EveryMethod, StaysWithinBounds) {
   auto problem = rosenbrock();
   problem.upper[0] = 0.5;
