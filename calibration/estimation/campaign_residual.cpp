@@ -103,16 +103,11 @@ void CampaignResidual::moveTo(const VectorXd& x) {
 }
 
 bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, VectorXd* error) {
-  moveTo(x);
+  if (!linearize(x, jacobian != nullptr)) return false;
   r.resize(weights_.rows + prior_slopes_.size());
   if (jacobian) jacobian->setZero(r.size(), x.size());
-  if (error) error->resize(weights_.rows);
-  const Rows to{&r, jacobian, error};
-  bool is_done = false;
-  if (!fillSideBySide(to, is_done) || (!is_done && !fillOneByOne(to))) {
-    goOn(stop_);  // rows that were left out by a stop are no figures
-    return false;
-  }
+  applyWeights(r, jacobian);
+  if (error) *error = last_.error;
   takeWhatPointsAbsorb(weights_, r);
   if (jacobian) takeWhatPointsAbsorb(weights_, *jacobian);
   if (error) takeEstimatesOff(weights_, *error);
@@ -122,62 +117,96 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
+/// Errors at x, and their slopes where they are asked for: those of last time where it is the same state.
+bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
+  const bool is_there = last_.ok && last_.x.size() == x.size() && last_.x == x && last_.error.size() == weights_.rows;
+  if (is_there && (!with_jacobian || last_.jacobian.cols() == x.size())) return true;
+  last_.ok = false;
+  moveTo(x);
+  last_.error.resize(weights_.rows);
+  last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
+  bool is_done = false;
+  if (!fillSideBySide(with_jacobian, is_done) || (!is_done && !fillOneByOne(with_jacobian))) {
+    goOn(stop_);  // rows that were left out by a stop are no figures
+    return false;
+  }
+  last_.x = x;
+  return last_.ok = true;
+}
+
+namespace {
+
+/// whitener * from, by blocks of a size that is known for most readings.
+void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Eigen::Ref<MatrixXd> to) {
+  if (whitener.rows() == 3)
+    to.noalias() = Matrix3d(whitener).lazyProduct(from);
+  else
+    to.noalias() = whitener.lazyProduct(from);
+}
+
+}  // namespace
+
+void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
+  for (std::size_t k = 0; k < readings_.size(); ++k) {
+    const MatrixXd& whitener = weights_.whitener[k];
+    const Index row = weights_.first_row[k], rows = whitener.rows();
+    r.segment(row, rows) = whitener.lazyProduct(last_.error.segment(row, rows));
+    if (jacobian) whiten(whitener, last_.jacobian.middleRows(row, rows), jacobian->middleRows(row, rows));
+  }
+}
+
 /// False where a shape does not converge; nothing is done where the arm, or what is read of it, is none for a kernel.
-bool CampaignResidual::fillSideBySide(const Rows& to, bool& is_done) {
+bool CampaignResidual::fillSideBySide(bool with_jacobian, bool& is_done) {
   if (!is_for_batch_) return true;
   static const std::vector<deflection::Variable> kNone;
   if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
-  if (!batch_->isFastFor(to.jacobian ? variables_ : kNone)) return true;
+  if (!batch_->isFastFor(with_jacobian ? variables_ : kNone)) return true;
   is_done = true;
-  if (readings_.size() <= kReadingsOfCore) return fillBlock(*batch_, 0, readings_.size(), to);
+  if (readings_.size() <= kReadingsOfCore) return fillBlock(*batch_, 0, readings_.size(), with_jacobian);
   std::atomic<bool> ok = true;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kReadingsOfCore), [&](const auto& range) {
     ReadingBatch own(placed_.arm);
-    if (shouldStop(stop_) || !fillBlock(own, range.begin(), range.size(), to)) ok = false;
+    if (shouldStop(stop_) || !fillBlock(own, range.begin(), range.size(), with_jacobian)) ok = false;
   });
   return ok;
 }
 
-bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, const Rows& to) const {
+bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, bool with_jacobian) {
   static const std::vector<deflection::Variable> kNone;
-  if (!batch.solve(placed_.base_poses, readings_, base_pose_of_, first, count, to.jacobian ? variables_ : kNone))
+  if (!batch.solve(placed_.base_poses, readings_, base_pose_of_, first, count, with_jacobian ? variables_ : kNone))
     return false;
-  for (std::size_t k = 0; k < count; ++k) fillTip(batch, k, first + k, to);
+  for (std::size_t k = 0; k < count; ++k) fillTip(batch, k, first + k, with_jacobian);
   return true;
 }
 
-void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, const Rows& to) const {
+void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, bool with_jacobian) {
   const Measurement& measured = readings_[reading];
   const Eigen::Isometry3d& X_WB = placed_.base_poses[static_cast<std::size_t>(base_pose_of_[reading])].X_WB;
-  const MatrixXd& whitener = weights_.whitener[reading];
   const Index row = weights_.first_row[reading];
   const ToolPose tool = toolOf(batch, k, X_WB, measured);
   const MeasuredValue error = predictedValue(measured, tool) - kindOf(measured).measured(measured);
-  to.r->segment(row, error.size()) = whitener.lazyProduct(error);
-  if (to.error) to.error->segment(row, error.size()) = error;
-  if (!to.jacobian) return;
-  const MeasuredSlope slope = predictedSlope(measured, tool);
-  WhitenedSlope by{whitener.lazyProduct(slope.by_place), {}};
-  if (slope.by_turn.size()) by.turn = whitener.lazyProduct(slope.by_turn);
-  fillNumbers(batch, k, X_WB.linear(), by, row, *to.jacobian);
-  if (!bases_[static_cast<std::size_t>(base_pose_of_[reading])].empty()) fillBase(batch, k, reading, by, *to.jacobian);
+  last_.error.segment(row, error.size()) = error;
+  if (!with_jacobian) return;
+  const MeasuredSlope by = predictedSlope(measured, tool);
+  fillNumbers(batch, k, X_WB.linear(), by, row);
+  if (!bases_[static_cast<std::size_t>(base_pose_of_[reading])].empty()) fillBase(batch, k, reading, by);
 }
 
 void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, const Matrix3d& R_WB,
-                                   const WhitenedSlope& by, Index row, MatrixXd& jacobian) const {
-  const MeasuredRows by_tip = by.place * R_WB;
-  const MeasuredRows by_turn = by.turn.size() ? MeasuredRows(by.turn * R_WB) : MeasuredRows();
+                                   const MeasuredSlope& by, Index row) {
+  const MeasuredRows by_tip = by.by_place * R_WB;
+  const MeasuredRows by_turn = by.by_turn.size() ? MeasuredRows(by.by_turn * R_WB) : MeasuredRows();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
     const Vector3d moved = slopes_[n] * batch.column(k, n);
-    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) = by_tip.row(i).dot(moved);
+    for (Index i = 0; i < by_tip.rows(); ++i) last_.jacobian(row + i, numbers_[n]) = by_tip.row(i).dot(moved);
     if (by_turn.size() == 0) continue;
     const Vector3d turned = slopes_[n] * batch.turnColumn(k, n);
-    for (Index i = 0; i < by_tip.rows(); ++i) jacobian(row + i, numbers_[n]) += by_turn.row(i).dot(turned);
+    for (Index i = 0; i < by_tip.rows(); ++i) last_.jacobian(row + i, numbers_[n]) += by_turn.row(i).dot(turned);
   }
 }
 
-void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
-                                MatrixXd& jacobian) const {
+void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading,
+                                const MeasuredSlope& by) {
   const auto base_pose = static_cast<std::size_t>(base_pose_of_[reading]);
   const Matrix3d R = placed_.base_poses[base_pose].X_WB.linear();
   Matrix3d by_gravity;
@@ -190,7 +219,7 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
   if (kindOf(readings_[reading]).is_displacement) place.leftCols<3>().setZero();
   place.rightCols<3>() = by_turn * turns_[base_pose];
   Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
-  if (by.turn.size()) {
+  if (by.by_turn.size()) {
     for (Index axis = 0; axis < 3; ++axis)
       by_gravity.col(axis) = batch.turnColumn(k, numbers_.size() + static_cast<std::size_t>(axis));
     turn.rightCols<3>() = (Matrix3d::Identity() - R * by_gravity * R.transpose()) * turns_[base_pose];
@@ -198,19 +227,19 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
   for (Index c = 0; c < 6; ++c) {
     const Index column = bases_[base_pose][static_cast<std::size_t>(c)];
     if (column < 0) continue;
-    for (Index i = 0; i < by.place.rows(); ++i) {
-      double& entry = jacobian(weights_.first_row[reading] + i, column);
-      entry = by.place.row(i).dot(place.col(c));
-      if (by.turn.size()) entry += by.turn.row(i).dot(turn.col(c));
+    for (Index i = 0; i < by.by_place.rows(); ++i) {
+      double& entry = last_.jacobian(weights_.first_row[reading] + i, column);
+      entry = by.by_place.row(i).dot(place.col(c));
+      if (by.by_turn.size()) entry += by.by_turn.row(i).dot(turn.col(c));
     }
   }
 }
 
-bool CampaignResidual::fillOneByOne(const Rows& to) const {
+bool CampaignResidual::fillOneByOne(bool with_jacobian) {
   return predictAll(placed_, readings_.size(), stop_, [&](ReadingPredictor& predictor, std::size_t k) {
     const auto base_pose = static_cast<std::size_t>(base_pose_of_[k]);
     PredictionRequest request;
-    if (to.jacobian) {
+    if (with_jacobian) {
       request.numbers.assign(variables_.begin(), variables_.begin() + static_cast<Index>(numbers_.size()));
       request.by_base = !bases_[base_pose].empty();
     }
@@ -218,26 +247,23 @@ bool CampaignResidual::fillOneByOne(const Rows& to) const {
     if (!prediction.ok) return false;
     const Index row = weights_.first_row[k];
     const VectorXd error = prediction.value - kindOf(readings_[k]).measured(readings_[k]);
-    to.r->segment(row, error.size()) = weights_.whitener[k] * error;
-    if (to.error) to.error->segment(row, error.size()) = error;
-    if (to.jacobian) scatter(base_pose_of_[k], prediction, weights_.whitener[k], row, *to.jacobian);
+    last_.error.segment(row, error.size()) = error;
+    if (with_jacobian) scatter(base_pose_of_[k], prediction, row);
     return true;
   });
 }
 
-void CampaignResidual::scatter(int base_pose, const Prediction& prediction, const MatrixXd& whitener, Index row,
-                               MatrixXd& jacobian) const {
+void CampaignResidual::scatter(int base_pose, const Prediction& prediction, Index row) {
   const Index rows = prediction.value.size();
   for (std::size_t n = 0; n < numbers_.size(); ++n)
-    jacobian.block(row, numbers_[n], rows, 1) =
-        whitener * prediction.by_numbers.col(static_cast<Index>(n)) * slopes_[n];
+    last_.jacobian.block(row, numbers_[n], rows, 1) = prediction.by_numbers.col(static_cast<Index>(n)) * slopes_[n];
   const auto& base = bases_[static_cast<std::size_t>(base_pose)];
   if (base.empty()) return;
-  MatrixXd by_base = whitener * prediction.by_base;
+  MatrixXd by_base = prediction.by_base;
   by_base.rightCols<3>() = (by_base.rightCols<3>() * turns_[static_cast<std::size_t>(base_pose)]).eval();
   for (Index k = 0; k < 6; ++k)
     if (base[static_cast<std::size_t>(k)] >= 0)
-      jacobian.block(row, base[static_cast<std::size_t>(k)], rows, 1) = by_base.col(k);
+      last_.jacobian.block(row, base[static_cast<std::size_t>(k)], rows, 1) = by_base.col(k);
 }
 
 }  // namespace tubeplan::calibration

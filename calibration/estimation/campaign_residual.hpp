@@ -1,5 +1,5 @@
 // The whitened residual of readings at one state after another, as a fit asks for it: what no variable changes is
-// worked out once.
+// worked out once, and at the state asked for last only the weights are applied anew.
 #pragma once
 
 #include <memory>
@@ -34,28 +34,25 @@ class CampaignResidual {
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian, Eigen::VectorXd* error);
 
  private:
-  /// Where results go; null is not asked for.
-  struct Rows {
-    Eigen::VectorXd* r;
-    Eigen::MatrixXd* jacobian;
-    Eigen::VectorXd* error;
-  };
-  /// Residuals by the tip's place and, where that matters, by the tool's turn.
-  struct WhitenedSlope {
-    MeasuredRows place, turn;
+  /// Errors in metres and their slopes at one state, by no weights; no slopes where they were not asked for.
+  struct Unweighted {
+    Eigen::VectorXd x;
+    Eigen::VectorXd error;
+    Eigen::MatrixXd jacobian;
+    bool ok = false;
   };
 
   void moveTo(const Eigen::VectorXd& x);
-  bool fillSideBySide(const Rows& to, bool& is_done);
-  bool fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, const Rows& to) const;
-  void fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, const Rows& to) const;
-  void fillNumbers(const ReadingBatch& batch, std::size_t k, const Eigen::Matrix3d& R_WB, const WhitenedSlope& by,
-                   Eigen::Index row, Eigen::MatrixXd& jacobian) const;
-  void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const WhitenedSlope& by,
-                Eigen::MatrixXd& jacobian) const;
-  bool fillOneByOne(const Rows& to) const;
-  void scatter(int base_pose, const struct Prediction& prediction, const Eigen::MatrixXd& whitener, Eigen::Index row,
-               Eigen::MatrixXd& jacobian) const;
+  bool linearize(const Eigen::VectorXd& x, bool with_jacobian);
+  void applyWeights(Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) const;
+  bool fillSideBySide(bool with_jacobian, bool& is_done);
+  bool fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, bool with_jacobian);
+  void fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, bool with_jacobian);
+  void fillNumbers(const ReadingBatch& batch, std::size_t k, const Eigen::Matrix3d& R_WB, const MeasuredSlope& by,
+                   Eigen::Index row);
+  void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const MeasuredSlope& by);
+  bool fillOneByOne(bool with_jacobian);
+  void scatter(int base_pose, const struct Prediction& prediction, Eigen::Index row);
 
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
@@ -72,6 +69,7 @@ class CampaignResidual {
   PlacedArm placed_;                              ///< at the variables asked for last, with ...
   std::vector<double> slopes_;                    ///< ... the slope of each number by its variable ...
   std::vector<Eigen::Matrix3d> turns_;            ///< ... and from the rotation vector's rate to the turn's
+  Unweighted last_;
 };
 
 }  // namespace tubeplan::calibration
