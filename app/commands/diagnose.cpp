@@ -15,6 +15,7 @@
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 
 namespace tubeplan::app {
@@ -36,7 +37,8 @@ int run(const DiagnoseOptions& options) {
   if (!options.run_sheet.empty()) checkWritableFile(options.run_sheet, "--run-sheet");
   const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
   if (options.report.isWanted())
-    writeReport(options.report, diagnosisPage(input, options.request.seed, outcome.figures));
+    writeReport(options.report, diagnosisPage(input, options.request.seed, outcome.figures,
+                                              testedPatterns(input, options.request.seed, terminalWorkHooks())));
   writeJson(options.json, outcome.figures);
   const std::string& sheet = outcome.run_sheet;
   if (!options.run_sheet.empty() && !sheet.empty()) writeFileAtomically(options.run_sheet, sheet, "--run-sheet");

@@ -14,6 +14,7 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/diagnosis_json.hpp"
+#include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/improvement_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -28,6 +29,7 @@ namespace {
 
 struct ImproveOptions {
   std::string cell, out, json;
+  ReportTarget report;
   ReadingFiles measurements;
   MeasurementOptions given;
   ImprovementRequest request;
@@ -90,6 +92,7 @@ void print(const Improvement& result, const ImproveOptions& options, const Units
 int run(const ImproveOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
+  checkReportTarget(options.report);
   checkWritableFile(options.out, "--out");
   Keeper keeper(input, options);
   ImprovementRequest request = options.request;
@@ -100,6 +103,7 @@ int run(const ImproveOptions& options) {
     nlohmann::json json = improvementJson(result, input.cell.units);
     addChecks(input.checks, input.cell.units, json);
     writeJson(options.json, json);
+    if (options.report.isWanted()) writeReport(options.report, improvementPage(input, options.request.seed, result));
     if (printsText(options.json)) {
       fmt::print("{}", checksText(input.checks, input.cell.units));
       print(result, options, input.cell.units);
@@ -121,6 +125,7 @@ Run configureImprove(CLI::App& cli) {
   cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(CLI::Range(1, 20));
   addMeasurementOptions(cli, options->given);
   cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
+  addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

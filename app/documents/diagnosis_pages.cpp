@@ -1,8 +1,17 @@
 #include "app/documents/diagnosis_pages.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
 
+#include "app/documents/diagnosis_json.hpp"
 #include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/improvement_json.hpp"
+#include "app/documents/ladder_json.hpp"
+#include "app/documents/leverage_json.hpp"
+#include "app/documents/moments_json.hpp"
 #include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
 
@@ -25,6 +34,29 @@ void addPictures(const Cell& cell, nlohmann::json& json) {
   }
 }
 
+/// The joints, and the axes of rows that the found effects turn.
+std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::json& page) {
+  std::vector<std::string> names = deflection::jointNames(arm);
+  for (const auto& explanation : page.value("explanations", nlohmann::json::array()))
+    for (const auto& effect : explanation.at("effects"))
+      if (const auto at = effect.at("at").get<std::string>();
+          isAxisOfRow(arm, at) && std::find(names.begin(), names.end(), at) == names.end())
+        names.push_back(at);
+  return names;
+}
+
+/// What makes an error at the tip that of a joint, and the moments that it may follow, at the readings that are drawn.
+void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& readings, nlohmann::json& page) {
+  std::set<std::string> drawn;
+  for (const auto& reading : page.at("readings")) drawn.insert(reading.at("id").get<std::string>());
+  std::vector<calibration::Measurement> some;
+  std::copy_if(readings.begin(), readings.end(), std::back_inserter(some),
+               [&](const auto& reading) { return drawn.contains(reading.id); });
+  if (some.empty()) return;
+  page["leverage"] = leverageJson(cell, some, leverNames(cell.arm, page));
+  page["moments"] = momentsJson(cell, some);
+}
+
 /// The figures with what the page's head says.
 nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::uint64_t seed,
                       const nlohmann::json& figures) {
@@ -42,11 +74,46 @@ nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::u
 std::string comparisonPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures) {
   nlohmann::json page = pageOf("Comparison", input, seed, figures);
   addPictures(input.cell, page);
+  addLevers(input.cell, input.readings, page);
   return renderComparisonReport(page);
 }
 
-std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures) {
-  return renderDiagnosisReport(pageOf("Diagnosis", input, seed, figures));
+std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures,
+                          const nlohmann::json& tested) {
+  nlohmann::json page = pageOf("Diagnosis", input, seed, figures);
+  page["tested"] = tested;
+  addLevers(input.cell, input.readings, page);
+  return renderDiagnosisReport(page);
+}
+
+namespace {
+
+/// Of a step's diagnosis what its plots take.
+nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& step, const CellModel& model) {
+  nlohmann::json figures = diagnosisJson(step.diagnosis, input.readings, input.cell.units);
+  for (const char* name : {"ranking", "detectable", "closest", "added_variable", "not_tried", "ladder"})
+    figures.erase(name);
+  Cell cell = input.cell;
+  static_cast<CellModel&>(cell) = model;
+  addLevers(cell, input.readings, figures);
+  return figures;
+}
+
+}  // namespace
+
+std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result) {
+  nlohmann::json page = pageOf("Improvement", input, seed, improvementJson(result, input.cell.units));
+  page["models"] = ladderModels(page["rungs"]);
+  if (!page["rungs"].empty()) {
+    const auto& first = page["rungs"].front()["rms"];
+    page["rms"] = {{"noise_floor", first["noise_floor"]},
+                   {"heldout_before", first["heldout"]},
+                   {"heldout_after", page["rungs"].back()["rms"]["heldout"]}};
+  }
+  for (std::size_t k = 0; k < result.steps.size() && !result.models.empty(); ++k)
+    page["steps"][k]["figures"] =
+        stepPictures(input, result.steps[k], result.models[std::min(k, result.models.size() - 1)].cell);
+  return renderImprovementReport(page);
 }
 
 }  // namespace tubeplan::app

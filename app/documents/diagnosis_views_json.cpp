@@ -66,9 +66,10 @@ json addedJson(const AddedVariable& added, const Explanation& explanation, const
 
 json jointsJson(const deflection::Arm& arm, const Units& units) {
   json joints = json::array();
-  for (const auto& joint : arm.joints()) {
-    joints.push_back({{"name", joint.name}, {"unit", units.nameOf(jointDimension(joint))}});
-  }
+  for (const auto& row : arm.rows)
+    if (row.joint.type != deflection::JointType::kPassive)
+      joints.push_back(
+          {{"name", row.joint.name}, {"unit", units.nameOf(jointDimension(row.joint))}, {"row", row.name}});
   return joints;
 }
 

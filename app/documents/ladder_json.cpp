@@ -41,20 +41,28 @@ std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
          fmt::format("; {} random holes within its reach ({} drawn beyond it)\n", steps.holes, steps.out_of_reach);
 }
 
-std::string ladderPage(const nlohmann::json& figures, const std::string& measurements, std::uint64_t seed) {
-  nlohmann::json page = {
-      {"title", "Comparison of models"}, {"measurements", measurements},     {"seed", seed}, {"version", kVersion},
-      {"units", figures["units"]},       {"models", nlohmann::json::array()}};
-  for (const auto& compared : figures["rungs"]) {
-    page["noise_floor"] = compared["rms"]["noise_floor"];
-    page["models"].push_back({{"name", compared["name"]},
-                              {"rms", compared["rms"]["fitted"]},
-                              {"heldout_rms", compared["rms"]["heldout"]},
-                              {"chi2_per_dof", compared["chi2_per_dof"]},
-                              {"numbers", compared["fitted_numbers"]}});
+nlohmann::json ladderModels(const nlohmann::json& rungs) {
+  nlohmann::json models = nlohmann::json::array();
+  for (const auto& compared : rungs) {
+    models.push_back({{"name", compared["name"]},
+                      {"rms", compared["rms"]["fitted"]},
+                      {"heldout_rms", compared["rms"]["heldout"]},
+                      {"chi2_per_dof", compared["chi2_per_dof"]},
+                      {"numbers", compared["fitted_numbers"]}});
     if (compared.contains("steps") && compared["steps"].is_object())
-      page["models"].back()["steps"] = compared["steps"]["counts"];
+      models.back()["steps"] = compared["steps"]["counts"];
   }
+  return models;
+}
+
+std::string ladderPage(const nlohmann::json& figures, const std::string& measurements, std::uint64_t seed) {
+  nlohmann::json page = {{"title", "Comparison of models"},
+                         {"measurements", measurements},
+                         {"seed", seed},
+                         {"version", kVersion},
+                         {"units", figures["units"]},
+                         {"models", ladderModels(figures["rungs"])}};
+  for (const auto& compared : figures["rungs"]) page["noise_floor"] = compared["rms"]["noise_floor"];
   page["step_table"] = figures["step_table"];
   return renderLadderReport(page);
 }

@@ -70,7 +70,7 @@ std::string modelComparisonText(const std::vector<ModelComparisonRow>& compariso
   double largest = 0;
   for (const auto& compared : comparison)
     if (std::isfinite(compared.heldout.rms)) largest = std::max(largest, compared.heldout.rms);
-  std::string text = fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   rms in {}\n", "model", "stands", "fitted",
+  std::string text = fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   rms, {}\n", "model", "stands", "fitted",
                                  "held out", "noise", "chi2/dof", units.length().name);
   for (const auto& compared : comparison) {
     const int bar = largest > 0 && std::isfinite(compared.heldout.rms)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "calibration/patterns/variable_words.hpp"
 
 namespace tubeplan::app {
 
@@ -83,9 +84,9 @@ std::string patternSentence(const PatternTest& test, const Units& units) {
                        lengthText(test.size, units, 3), where, chance);
   const auto& low = test.trend.at(static_cast<std::size_t>(test.low));
   const auto& high = test.trend.at(static_cast<std::size_t>(test.high));
-  return fmt::format("The error {} {}: {} more {} at {} than at {} ({}).", verb, test.variable,
-                     lengthText(test.size, units, 3), where, valueText(test, high, units), valueText(test, low, units),
-                     chance);
+  return fmt::format("The error {} {}: {} more {} at {} than at {} ({}).", verb,
+                     calibration::variableWords(test.variable), lengthText(test.size, units, 3), where,
+                     valueText(test, high, units), valueText(test, low, units), chance);
 }
 
 json testJson(const PatternTest& test, const Units& units) {

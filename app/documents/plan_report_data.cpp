@@ -210,7 +210,9 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
 std::string chancesText(const PlanOutcome& outcome) {
   std::string text;
   const auto counts = expectedCounts(outcome.chances);
-  for (std::size_t k = 0; k < counts.size(); ++k) text += fmt::format("{} steps in {:.1f} tubes, ", k, counts[k]);
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    text += fmt::format("{} step{} in {:.1f} tubes{}", k, k == 1 ? "" : "s", counts[k],
+                        k + 1 < counts.size() ? ", " : "; ");
   text += stepChancesText(outcome.chances, outcome.cell.units);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;

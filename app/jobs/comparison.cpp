@@ -44,4 +44,12 @@ ComparisonOutcome compareModel(const CellReadings& input, const ComparisonReques
   return outcome;
 }
 
+nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks) {
+  try {
+    return compareModel(input, {.folds = 0, .seed = seed}, hooks).figures.value("tested", nlohmann::json::array());
+  } catch (const InputError&) {
+    return nlohmann::json::array();
+  }
+}
+
 }  // namespace tubeplan::app

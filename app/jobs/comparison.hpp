@@ -28,4 +28,7 @@ struct ComparisonOutcome {
                                              const WorkHooks& hooks = {},
                                              const calibration::Identification* refitted = nullptr);
 
+/// What the pattern search makes of the refit's errors, as `tested` of the figures; empty where it cannot be made.
+[[nodiscard]] nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks = {});
+
 }  // namespace tubeplan::app

@@ -3,8 +3,8 @@ import {exact} from "../drawing/numbers.js";
 import {symmetric} from "../drawing/scales.js";
 import {append, label, svg} from "./elements.js";
 
-/// A chart's frame with ticks and grid. `x` and `y` are {from, to, ticks, title, scale?}, `y` also {room?} of pixels
-/// for its numbers; returns {drawing, at}.
+/// A chart's frame with ticks and grid. `x` and `y` are {from, to, ticks, title, scale?, text?}, `text` what a tick says
+/// where that is not its number, `y` also {room?} of pixels for its numbers; returns {drawing, at}.
 export function chartFrame(width, height, x, y) {
   const margin = {left: y.room ?? 52, right: 14, top: 12, bottom: 40};
   const bend = y.scale ?? ((value) => value);
@@ -24,7 +24,7 @@ export function chartFrame(width, height, x, y) {
     const [px] = at(tick, y.from);
     append(drawing, [
       svg("line", {x1: px, x2: px, y1: height - margin.bottom, y2: height - margin.bottom + 4, class: "axis"}),
-      label(px, height - margin.bottom + 17, exact(tick), {"text-anchor": "middle"})
+      label(px, height - margin.bottom + 17, (x.text ?? exact)(tick), {"text-anchor": "middle"})
     ]);
   }
   append(drawing, [

@@ -21,6 +21,8 @@ std::string renderComparisonReport(const nlohmann::json& report) { return render
 
 std::string renderProjectReport(const nlohmann::json& report) { return renderKind(report, "project"); }
 
+std::string renderImprovementReport(const nlohmann::json& report) { return renderKind(report, "improvement"); }
+
 std::string renderLadderReport(const nlohmann::json& report) { return renderKind(report, "ladder"); }
 
 }  // namespace tubeplan::app

@@ -24,6 +24,10 @@ namespace tubeplan::app {
 ///   units; noise_floor; models: [{name, rms, heldout_rms, chi2_per_dof, p_value, numbers}, ...], readings as above
 [[nodiscard]] std::string renderLadderReport(const nlohmann::json& report);
 
+/// The page of `tubeplan improve`, likewise, from what its --json writes, with models as of a ladder and, of each step,
+/// `figures`: what the page of a diagnosis takes.
+[[nodiscard]] std::string renderImprovementReport(const nlohmann::json& report);
+
 /// The page of `tubeplan report`, likewise, from what projectReportJson() gives.
 [[nodiscard]] std::string renderProjectReport(const nlohmann::json& report);
 

@@ -10,9 +10,12 @@ import {modelsSection, patternsSection, worstSection} from "./comparison_view.js
 import {rankingSection} from "./effect_ranking.js";
 import {append, el, followColourScheme} from "./elements.js";
 import {ladderSection, noiseFloorOf} from "./error_ladder.js";
+import {errorLawSection} from "./error_law.js";
 import {reportExplanations} from "./error_series.js";
 import {hiddenEffectsSection} from "./hidden_effects.js";
+import {jointPanelsSection} from "./joint_panels.js";
 import {hasStepCounts, ladderStepsSection} from "./ladder_steps.js";
+import {improvementStepsSection} from "./improvement_steps.js";
 import {markIcon} from "./mark_drawing.js";
 import {isSplit, nextReadingsSection, warningsSection} from "./next_readings.js";
 import {commandsSection, historySection, inputsSection, parametersSection} from "./project_view.js";
@@ -30,6 +33,20 @@ const MAPS = {
   id: "maps",
   title: "Errors at the readings' places",
   make: residualMapsSection
+};
+/// Only where the page has what makes an error at the tip that of a joint.
+const hasLevers = (report) => object(report.leverage) !== null;
+const LAW = {
+  id: "why",
+  title: "Why: the errors and the law",
+  make: errorLawSection,
+  of: hasLevers
+};
+const JOINTS = {
+  id: "joints",
+  title: "Where: the errors joint by joint",
+  make: jointPanelsSection,
+  of: hasLevers
 };
 const CHARTS = {
   id: "charts",
@@ -49,6 +66,8 @@ const PAGES = {
         of: (report) => list(report.warnings).length > 0
       },
       LADDER,
+      LAW,
+      JOINTS,
       {id: "next", title: "What to measure next", make: nextReadingsSection, of: isSplit},
       {id: "ranking", title: "Effects, most probable first", make: rankingSection},
       {id: "added", title: "What is left beside what the effect would do", make: addedVariableSection},
@@ -66,7 +85,7 @@ const PAGES = {
   comparison: {
     title: "Model and readings",
     sections: [
-      LADDER, {id: "patterns", title: "Patterns in the errors", make: patternsSection}, MAPS, CHARTS,
+      LADDER, {id: "patterns", title: "Patterns in the errors", make: patternsSection}, LAW, JOINTS, MAPS, CHARTS,
       {id: "worst", title: "The worst readings", make: worstSection}
     ]
   },
@@ -76,6 +95,13 @@ const PAGES = {
       LADDER, {id: "steps", title: "Insertion of the tool", make: ladderStepsSection, of: hasStepCounts},
       {id: "models", title: "The same as a table", make: modelsSection},
       {...MAPS, of: (report) => list(report.readings).length > 0}
+    ]
+  },
+  improvement: {
+    title: "Improvement",
+    sections: [
+      LADDER, {id: "steps", title: "Step by step", make: improvementStepsSection},
+      {id: "models", title: "The same as a table", make: modelsSection}
     ]
   },
   project: {

@@ -1,5 +1,5 @@
 // Reading values that may be missing.
-import {isNumber, short} from "../drawing/numbers.js";
+import {isNumber, MISSING, short} from "../drawing/numbers.js";
 import {tubeTitle} from "../drawing/sheet_model.js";
 
 export function isPoint(value) {

@@ -82,9 +82,16 @@ std::string comparisonReport(const Session& s) {
   const auto figures = figuresOf(s, "compare");
   return comparisonPage(inputOfResult(s, "compare"), 1, figures);
 }
+/// What the pattern search made of a model's errors; nothing where it was not compared.
+nlohmann::json testedOf(const Session& s, int model) {
+  const auto none = nlohmann::json::array();
+  const auto compared = s.results.find("compare");
+  if (compared == s.results.end() || !compared->second.contains(model)) return none;
+  return compared->second.at(model)->document.value("tested", none);
+}
 std::string diagnosisReport(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
-  return diagnosisPage(inputOfResult(s, "diagnose"), 1, figures);
+  return diagnosisPage(inputOfResult(s, "diagnose"), 1, figures, testedOf(s, findResult(s, "diagnose")->model));
 }
 std::string ladderReport(const Session& s) { return ladderPage(figuresOf(s, "ladder"), inputOf(s).file, 1); }
 

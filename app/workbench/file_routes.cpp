@@ -1,9 +1,14 @@
 // Files of the opened folder: cells and readings in, everything that was made out.
 #include <fmt/format.h>
 
+#include <fstream>
+#include <map>
 #include <sstream>
+#include <string_view>
 
 #include "app/documents/foreign_json.hpp"
+#include "app/documents/leverage_json.hpp"
+#include "app/documents/moments_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/foreign/foreign_readings.hpp"
@@ -11,8 +16,6 @@
 #include "app/files/reading_input.hpp"
 #include "app/files/text_file.hpp"
 #include "app/workbench/job_routes.hpp"
-#include "app/workbench/leverage_json.hpp"
-#include "app/workbench/moments_json.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -22,12 +25,43 @@ namespace tubeplan::app {
 
 namespace {
 
+constexpr std::size_t kLookedThrough = 64 * 1024;     // of a file, in bytes, for what it is
 constexpr std::size_t kMostLoaded = Arrivals::kMost;  // every look at them solves the arm's shape as often
+
+/// Whether a cell's key `arm` begins a line, or follows a brace or a comma in a file that is one braced mapping: arms,
+/// scenes and sheets have none. Nothing else is read of it, so a cell with a fault in it counts too, and says so when
+/// it is opened.
+bool isLikeACell(std::string_view text) {
+  const auto isQuote = [&](std::size_t at) { return at < text.size() && (text[at] == '"' || text[at] == '\''); };
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const bool is_braced = first != std::string_view::npos && text[first] == '{';
+  for (auto at = text.find("arm"); at != std::string_view::npos; at = text.find("arm", at + 1)) {
+    const std::size_t begin = at > 0 && isQuote(at - 1) ? at - 1 : at;
+    const auto colon = text.find_first_not_of(" \t", isQuote(at + 3) ? at + 4 : at + 3);
+    if (colon == std::string_view::npos || text[colon] != ':') continue;
+    if (begin == 0 || text[begin - 1] == '\n') return true;
+    const auto before = text.find_last_not_of(" \t\r\n", begin - 1);
+    if (is_braced && before != std::string_view::npos && (text[before] == '{' || text[before] == ',')) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> cellNames(const OpenedFolder& folder) {
+  auto names = folder.names(".yaml");
+  std::erase_if(names, [&](const std::string& name) {
+    std::ifstream file(folder.path() / name, std::ios::binary);
+    std::string beginning(kLookedThrough, '\0');
+    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    beginning.resize(static_cast<std::size_t>(file.gcount()));
+    return !isLikeACell(beginning);
+  });
+  return names;
+}
 
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();
   return answerOf({{"folder", folder.path().string()},
-                   {"cells", folder.names(".yaml")},
+                   {"cells", cellNames(folder)},
                    {"measurements", folder.names(".csv")},
                    {"projects", folder.names(kProjectExtension)},
                    {"recent", workbench.keeper().recent()}});
@@ -42,7 +76,8 @@ Answer readings(Workbench& workbench, const Request&) {
 
 Answer moments(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
-  return session.readings ? answerOf(momentsJson(currentModel(session).cell, *session.readings)) : noReadings();
+  return session.readings ? answerOf(momentsJson(currentModel(session).cell, session.readings->readings))
+                          : noReadings();
 }
 
 /// "theta3,forearm.z" in the address.
@@ -56,7 +91,7 @@ std::vector<std::string> namesAt(const Request& request) {
 Answer leverage(Workbench& workbench, const Request& request) {
   const Session session = workbench.session();
   if (!session.readings) return noReadings();
-  return answerOf(leverageJson(currentModel(session).cell, *session.readings, namesAt(request)));
+  return answerOf(leverageJson(currentModel(session).cell, session.readings->readings, namesAt(request)));
 }
 
 void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
@@ -95,6 +130,18 @@ ReadingsWithChecks readAgain(const ReadingSource& source, const std::string& nam
                               : readAndCheck(source.files, cell, options);
 }
 
+/// What was set aside or held out by hand stays so where the same readings are read again.
+void keepMarks(const ReadingSet& before, ReadingSet& again) {
+  std::map<std::string, bool> held_out;
+  for (const auto& reading : before.readings) held_out[reading.id] = reading.is_held_out;
+  for (auto& reading : again.readings) {
+    const auto known = held_out.find(reading.id);
+    if (known == held_out.end()) continue;
+    reading.is_held_out = known->second;
+    if (before.set_aside.contains(reading.id)) again.set_aside.insert(reading.id);
+  }
+}
+
 /// {"assume": ["coordinates=in"]}: what a check of the readings suspects is taken to be so, as --assume of the commands
 /// does; `as-is`: they are as they should be.
 Answer assume(Workbench& workbench, const Request& request) {
@@ -115,6 +162,7 @@ Answer assume(Workbench& workbench, const Request& request) {
   auto [readings, checks] = readAgain(source, set->name, cell);
   set->readings = std::move(readings);
   set->checks = std::move(checks);
+  keepMarks(*session.readings, *set);
   set->change = session.readings->change + 1;
   set->source = std::make_shared<ReadingSource>(std::move(source));
   take(workbench, set);

@@ -46,12 +46,52 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
   return id;
 }
 
+namespace {
+
+/// Documents that list the readings are the large ones: how many they list may be kept in all. Four comparisons of as
+/// many readings as the workbench takes, some 100 MiB.
+constexpr std::size_t kMostListed = 40000;
+
+std::size_t readingsListed(const ResultDocument& result) {
+  const auto readings = result.document.find("readings");
+  return readings == result.document.end() || !readings->is_array() ? 0 : readings->size();
+}
+
+/// Of models other than the current one the oldest such documents go, as far as there are too many: going back to such
+/// a model has them made again.
+void boundResults(Session& session) {
+  struct Listed {
+    std::uint64_t revision;
+    std::string name;
+    int model;
+    std::size_t readings;
+  };
+  std::vector<Listed> others;
+  std::size_t all = 0;
+  for (const auto& [name, by_model] : session.results)
+    for (const auto& [model, result] : by_model) {
+      const std::size_t readings = readingsListed(*result);
+      all += readings;
+      if (model != currentModel(session).id && readings > 0)
+        others.push_back({result->revision, name, model, readings});
+    }
+  std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.revision < b.revision; });
+  for (const auto& oldest : others) {
+    if (all <= kMostListed) return;
+    session.results[oldest.name].erase(oldest.model);
+    all -= oldest.readings;
+  }
+}
+
+}  // namespace
+
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document) {
   auto result = std::make_shared<ResultDocument>();
   result->model = model;
   result->revision = session.revision + 1;
   result->document = std::move(document);
   session.results[name][model] = std::move(result);
+  boundResults(session);
 }
 
 void forgetResultsOfReadings(Session& session) {

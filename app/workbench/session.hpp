@@ -86,6 +86,7 @@ struct Session {
 /// Puts a model on top of the current one; what was there to be done again is gone, with its results. Returns its id.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
 
+/// Of other models' documents that list readings the oldest give way where all would be too large.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
 /// Everything that was found out from the readings is gone.

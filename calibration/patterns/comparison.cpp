@@ -7,6 +7,7 @@
 #include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/patterns/variable_words.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -148,7 +149,7 @@ void giveVerdict(Comparison& result, double level) {
   if (!result.patterns.findings.empty()) {
     const auto& first = result.patterns.findings.front();
     result.grounds.push_back(first.trend.size() == 1 ? "part of the error is constant"
-                                                     : "the error follows " + first.variable);
+                                                     : "the error follows " + variableWords(first.variable));
   }
   result.verdict = result.grounds.empty() ? lack_of_fit.adequacy : Adequacy::kInadequate;
   if (result.verdict == Adequacy::kInconclusive) result.grounds.push_back(lack_of_fit.inconclusive);

@@ -56,7 +56,19 @@ describe("reports", () => {
       await tab.innerText(".answer"),
       /^Missing: hysteresis at theta4 \(half width 0\.0\d+ ± 0\.0\d+\sdeg\)\./,
     );
-    assert.match(await tab.innerText("#ranking tbody tr"), /a joint's position depends on the direction of its last motion/);
+    assert.match(
+      await tab.innerText("#ranking tbody tr"),
+      /a joint's position depends on the direction of its last motion/,
+    );
+    assert.match(await tab.innerText("#why .chart >> nth=0"), /error as that of theta4, deg/);
+    assert.match(await tab.innerText("#why .chart >> nth=0"), /direction of theta4/);
+    assert.equal(await tab.locator("#why .law-line").count(), 2); // one for each direction
+    assert.equal(await tab.locator("#why .mean").count(), 2);
+    assert.equal(await tab.locator("#joints .joint-panel.loud").count(), 1);
+    assert.match(
+      await tab.getAttribute("#joints .loud .stage", "aria-label"),
+      /theta4 against direction of theta4, p = .*e−/,
+    );
     assert.ok((await tab.locator("#maps path.arrow-before").count()) > 0);
     assert.ok((await tab.locator("#charts svg").count()) > 4);
     await tab.context().close();
@@ -67,11 +79,23 @@ describe("reports", () => {
     const compared = await opened("comparison.html");
     assert.equal(await compared.innerText(".verdict b"), "The model falls short");
     assert.equal(await compared.locator("#ladder .error-fitted").count(), 3); // two bars and the legend's
+    assert.match(await compared.innerText("#why .chart"), /direction of theta4/);
     await compared.context().close();
     run("ladder", readings, "bench.yaml", "--rigid", "--report", "ladder.html");
     const ladder = await opened("ladder.html");
     assert.match(await ladder.textContent("#ladder svg.chart"), /bench, rigid/);
     await ladder.context().close();
+  });
+
+  it("of an improvement say of each step what was added, why, and with which law", async () => {
+    run("improve", "bench.yaml", readings, "--out", "better.yaml", "--report", "improvement.html");
+    const tab = await opened("improvement.html");
+    const steps = await tab.locator(".improvement-step").allInnerTexts();
+    assert.match(steps[0], /Step 1: Explained[^]*Added: hysteresis@theta4: certain/);
+    assert.match(steps.at(-1), /Nothing was added: nothing is missing\./);
+    assert.match(await tab.innerText(".improvement-step >> nth=0 >> .chart"), /error as that of theta4, deg/);
+    assert.equal(await tab.locator("#ladder .error-fitted").count(), 3); // two models and the legend's
+    await tab.context().close();
   });
 
   it("of a plan draw the sheet, its marks and their legend", async () => {

@@ -1,7 +1,17 @@
 import {describe, expect, it} from "vitest";
-import {binnedMeans, lawAlong} from "../source/error/binned";
-import {followedShare, viewOfCause} from "../source/error/own_variable";
-import {partsOf} from "../source/error/parts";
+import {binnedMeans, lawAlong} from "../../drawing/binned.js";
+import {followedShare} from "../../drawing/groups.js";
+import {viewOfCause} from "../../drawing/own_variable.js";
+import {partsOf} from "../../drawing/error_parts.js";
+import {loudest, multiplesOf, multiplesScale, panelPlaces} from "../../drawing/joint_multiples.js";
+import {
+  commonMost,
+  errorsOfExplanation,
+  plotted,
+  viewOfPair,
+  viewOfPatterns,
+  viewOfRemainder,
+} from "../../drawing/reading_errors.js";
 import {columnsOf, filtered, rowsOf, sorted} from "../source/error/reading_rows";
 import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
@@ -195,6 +205,69 @@ describe("binned", () => {
     );
     expect(law.at(0)!.mean).toBe(0);
     expect(law.at(-1)!.mean).toBe(1);
+  });
+});
+
+describe("errors before and after", () => {
+  const document = {
+    readings: readings.map((reading, k) => ({
+      ...reading,
+      position: places[k],
+      before: scaled(levers[k][1], 0.06 * reading.senses![1]),
+      explained: [[0, 0, 0] as Vector3, null],
+    })),
+    joints: [{name: "theta1"}, {name: "theta2"}],
+    explanations: [
+      {effects: [{effect: "hysteresis", at: "theta2", varies_with: ["sense"]}]},
+      {effects: [{effect: "joint-scale", at: "theta1", varies_with: ["joint"]}], enough: false},
+    ],
+  };
+  const pair = errorsOfExplanation(document, 0);
+  it("are those without the explanation and with it, and the law what it takes away", () => {
+    expect(pair.series.map(({name}) => name)).toEqual([
+      "before: refitted without it",
+      "after: with hysteresis at theta2",
+    ]);
+    const view = viewOfPair(pair, variables, parts)!;
+    expect([view.variable.key, view.part.key]).toEqual(["theta2_dir", "as theta2"]);
+    const {isLevel, law, means} = plotted(pair, view);
+    expect(isLevel).toBe(true);
+    expect(law.map(({x}) => x)).toEqual([-1, 1]);
+    law.forEach(({x, mean, spread}, k) => {
+      expect(mean).toBeCloseTo(0.06 * x);
+      expect(spread).toBeCloseTo(0);
+      expect(means[k].mean).toBeCloseTo(mean);
+    });
+    expect(commonMost([pair, view], [pair, view])).toBeCloseTo(0.06);
+    expect(commonMost([pair, view], [pair, {...view, part: parts[0]}])).toBeNull();
+  });
+  it("have no causes where none is enough, and show what remains instead", () => {
+    const other = errorsOfExplanation(document, 1);
+    expect(other.causes).toEqual([]);
+    expect(viewOfPair(other, variables, parts)).toBeNull();
+    const remainder = {remainder: {follows: [{variable: "sense of theta2"}]}};
+    expect(viewOfRemainder(remainder, pair, variables, parts)?.variable.key).toBe("theta2_dir");
+    expect(viewOfRemainder({}, pair, variables, parts)).toBeNull();
+    expect(viewOfPatterns([{variable: "point"}, {variable: "load", component: "z"}], variables, parts)).toMatchObject({
+      variable: {key: "load"},
+      part: {key: "z"},
+    });
+  });
+  it("joint by joint: the most significant is the loudest, and all panels have one scale", () => {
+    const tested = [
+      {variable: "sense of theta2", p_value: 1e-20},
+      {variable: "theta2", p_value: 0.5},
+      {variable: "load", p_value: null},
+    ];
+    const multiples = multiplesOf({errors: pair, variables, parts, tested, rowOf: () => "tool"});
+    expect(loudest(multiples)).toMatchObject({joint: "theta2", column: "direction", p: 1e-20});
+    expect(loudest(multiples.filter(({p}) => p !== 1e-20))).toBeNull();
+    expect(multiples.find(({joint, column}) => joint === "theta2" && column === "load")?.p).toBeNull();
+    const {points, means, zero} = panelPlaces(loudest(multiples)!, pair, multiplesScale(multiples, pair), 200, 60);
+    expect(points.map((places) => places.length)).toEqual([COUNT, COUNT]);
+    expect(zero).toBe(30);
+    expect(means).toHaveLength(2);
+    for (const [x, y] of points.flat()) expect(x >= 0 && x <= 200 && y >= 0 && y <= 60).toBe(true);
   });
 });
 

@@ -6,8 +6,8 @@ import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:
 import {tmpdir} from "node:os";
 import path from "node:path";
 import {afterAll, beforeAll, describe, expect, it} from "vitest";
-import {turnedBy, viewOfCause} from "../source/error/own_variable";
-import {partsOf} from "../source/error/parts";
+import {turnedBy, viewOfCause} from "../../drawing/own_variable.js";
+import {partsOf} from "../../drawing/error_parts.js";
 import {variablesOf} from "../../drawing/variables.js";
 import type {
   CatalogueDocument,

@@ -85,7 +85,7 @@ TEST_F(CompareCommand, aModelThatFallsShortExitsWithOneAndSaysWhatItsErrorFollow
   EXPECT_EQ(first["variable"], "sense of theta2");
   EXPECT_EQ(first["trend"].size(), 2u);
   EXPECT_LE(first["p_value"], 0.01);
-  expectSays(first["sentence"], "The error follows sense of theta2: ");
+  expectSays(first["sentence"], "The error follows the direction of approach of theta2: ");
   expectSays(first["sentence"], " in more ");
   expectSays(run("compare " + shipped("bench.yaml") + " readings.csv").out, "falls-short");
 }

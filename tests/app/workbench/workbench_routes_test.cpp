@@ -184,6 +184,14 @@ TEST_F(WorkbenchRoutes, readingsAreLoadedOrRefusedWithTheReadersOwnWords) {
   EXPECT_EQ(post("/api/measurements/open", {{"file", "../readings.csv"}}).status, 422);
   EXPECT_EQ(post("/api/measurements/open", {{"file", "bench.yaml"}}).status, 422);
   EXPECT_EQ(get("/api/files").body["measurements"], json({"readings.csv"}));
+  write("opened/flow.yaml", "{name: flow, arm: cobra-arm.yaml, base: {position: [0, 0, 0], rpy: [0, 0, 0]}}");
+  write("opened/broken.yaml", "name: broken\narm: [\n");
+  write("opened/notes.yaml", "words: the arm: of the law\n");
+  const json cells = get("/api/files").body["cells"];
+  for (const char* cell : {"bench.yaml", "mockup.yaml", "flow.yaml", "broken.yaml"})
+    EXPECT_TRUE(std::find(cells.begin(), cells.end(), cell) != cells.end()) << cell << " in " << cells;
+  for (const char* other : {"cobra-arm.yaml", "notes.yaml"})
+    EXPECT_TRUE(std::find(cells.begin(), cells.end(), other) == cells.end()) << other << " in " << cells;
 }
 
 TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
@@ -198,11 +206,16 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
   const json check = wrong.body["measurements"]["checks"][0];
   EXPECT_EQ(check["severity"], "mistake");
   EXPECT_EQ(check["assume"], "coordinates=in");
+  EXPECT_NE(check.dump().find("the unit of the coordinates is in, not mm as their columns say"), std::string::npos);
+  EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"3", "4"}}, {"aside", true}}).status, 200);
+  EXPECT_EQ(post("/api/measurements/hold-out", {{"ids", {"5"}}, {"held_out", true}}).status, 200);
   EXPECT_EQ(post("/api/measurements/assume").status, 422);
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=parsec"}}}).status, 422);
   const json mended = post("/api/measurements/assume", {{"assume", {check["assume"]}}}).body["measurements"];
   for (const auto& left : mended["checks"]) EXPECT_NE(left["severity"], "mistake") << left.dump();
   EXPECT_EQ(mended["readings"], 30);
+  EXPECT_EQ(mended["set_aside"], 2) << "marks made by hand stay";
+  EXPECT_EQ(mended["held_out"], 1);
   done("/api/compare");
   EXPECT_LT(get("/api/results/compare").body["rms"]["after"], 0.5);
 

@@ -12,7 +12,8 @@ import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
-import {chosenExplanation, letterOf} from "./residuals";
+import {letterOf} from "../../../drawing/reading_errors.js";
+import {chosenExplanation} from "./residuals";
 
 type Shown = Pick<Explanation, "effects"> & Partial<Explanation>;
 type Row = ReturnType<typeof rankingRows<RankedEffect>>[number];

@@ -1,12 +1,17 @@
 // Joint by joint: small pictures of the error as that of each joint, the loudest framed. One look says where.
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
-import {chance, isNumber, short} from "../../../drawing/numbers.js";
-import {besideLevel} from "../../../drawing/variables.js";
+import {
+  loudest,
+  MULTIPLE_COLUMNS,
+  multiplesOf,
+  multiplesScale,
+  panelPlaces,
+  type Multiple,
+} from "../../../drawing/joint_multiples.js";
+import {chance, short} from "../../../drawing/numbers.js";
 import {cell, sceneDocument} from "../server/workbench";
-import {binnedMeans} from "./binned";
 import {chosenPart, chosenVariable, parts, shownView, variables} from "./focus";
-import {COLUMNS, loudest, multiplesOf, type Multiple} from "./joint_multiples";
 import {compare} from "./loop";
 import {readingErrors, type ReadingErrors} from "./residuals";
 import {SeriesLegend} from "./residual_plot";
@@ -24,14 +29,14 @@ export function JointPanels() {
     [errors, variables.value, parts.value, tested, sceneDocument.value],
   );
   const loud = loudest(multiples);
-  const most = useMemo(() => scaleOf(multiples, errors), [multiples, errors]);
+  const most = useMemo(() => multiplesScale(multiples, errors), [multiples, errors]);
   if (!errors || multiples.length === 0)
     return <p class="muted pad">The joints stand here once readings are compared.</p>;
   return (
     <div class="panel-body flush with-legend">
       <div class="joint-panels" style={{gridTemplateRows: `auto repeat(${errors.joints.length}, minmax(36px, 1fr))`}}>
         <span class="muted">as error of, {multiples[0].part.unit}</span>
-        {COLUMNS.map((column) => (
+        {MULTIPLE_COLUMNS.map((column) => (
           <span class="muted">{column}</span>
         ))}
         {errors.joints.map((joint) => (
@@ -40,7 +45,7 @@ export function JointPanels() {
               <b>{joint}</b>
               <small class="muted">± {short(most)}</small>
             </span>
-            {COLUMNS.map((column) => {
+            {MULTIPLE_COLUMNS.map((column) => {
               const entry = multiples.find((one) => one.joint === joint && one.column === column);
               return entry ? (
                 <JointPanel multiple={entry} errors={errors} most={most} isLoud={entry === loud} />
@@ -58,18 +63,6 @@ export function JointPanels() {
       </SeriesLegend>
     </div>
   );
-}
-
-/** One scale for all, so that sizes compare: of the errors before, but for the wildest. */
-function scaleOf(multiples: readonly Multiple[], errors: ReadingErrors | null): number {
-  const sizes = [...new Set(multiples.map((entry) => entry.part))].flatMap((part) =>
-    (errors?.series[errors.judged].errors ?? []).flatMap((error, i) => {
-      const value = error ? part.of(error, i) : null;
-      return isNumber(value) ? [Math.abs(value)] : [];
-    }),
-  );
-  sizes.sort((a, b) => a - b);
-  return sizes[Math.floor(0.97 * (sizes.length - 1))] || 1;
 }
 
 function JointPanel({
@@ -113,12 +106,9 @@ function JointPanel({
   );
 }
 
-/** So many points say as much as thousands do in a picture of this size. */
-const MOST_POINTS = 300;
-
 function drawPanel(
   canvas: HTMLCanvasElement,
-  {variable, part}: Multiple,
+  multiple: Multiple,
   errors: ReadingErrors,
   most: number,
   colours: Palette,
@@ -130,51 +120,33 @@ function drawPanel(
   canvas.height = Math.max(1, Math.round(height * ratio));
   const context = canvas.getContext("2d")!;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  const xs = errors.readings.map((reading, i) => variable.of(reading, i));
-  const known = xs.filter(isNumber);
-  const low = known.reduce((least, x) => Math.min(least, x), Infinity),
-    high = known.reduce((largest, x) => Math.max(largest, x), -Infinity);
-  const inner = width - 16;
-  const at = (x: number) => 8 + (inner * (x - low)) / (high - low || 1);
-  const up = (value: number) => height / 2 - (0.46 * height * Math.max(-1.08, Math.min(1.08, value / most))) / 1.08;
+  const {points, means, zero} = panelPlaces(multiple, errors, most, width, height);
   context.strokeStyle = colours.line;
   context.beginPath();
-  context.moveTo(0, up(0));
-  context.lineTo(width, up(0));
+  context.moveTo(0, zero);
+  context.lineTo(width, zero);
   context.stroke();
-  const step = Math.max(1, Math.ceil(errors.readings.length / MOST_POINTS));
-  errors.series.forEach((series, k) => {
-    context.strokeStyle = context.fillStyle = colours[series.mark.colour];
+  points.forEach((places, k) => {
+    context.strokeStyle = context.fillStyle = colours[errors.series[k].mark.colour];
     context.globalAlpha = 0.75;
-    for (let i = 0; i < xs.length; i += step) {
-      const x = xs[i],
-        error = series.errors[i],
-        value = error ? part.of(error, i) : null;
-      if (!isNumber(x) || !isNumber(value)) continue;
-      // Levels are spread a little, so that their points are seen.
-      const beside = variable.kind === "sense" ? besideLevel(i) * 0.2 * inner : 0;
-      const px = at(x) + (x > (low + high) / 2 ? -Math.abs(beside) : Math.abs(beside));
+    for (const [x, y] of places) {
       context.beginPath();
       if (k === 0) {
-        context.moveTo(px, up(value) - 2.2);
-        context.lineTo(px + 2, up(value) + 1.6);
-        context.lineTo(px - 2, up(value) + 1.6);
+        context.moveTo(x, y - 2.2);
+        context.lineTo(x + 2, y + 1.6);
+        context.lineTo(x - 2, y + 1.6);
         context.closePath();
         context.stroke();
       } else {
-        context.arc(px, up(value), 1.3, 0, 2 * Math.PI);
+        context.arc(x, y, 1.3, 0, 2 * Math.PI);
         context.fill();
       }
     }
     context.globalAlpha = 1;
   });
-  const means = binnedMeans(
-    xs,
-    errors.series[errors.tested].errors.map((error, i) => (error ? part.of(error, i) : null)),
-  );
   context.strokeStyle = colours.ink;
   context.lineWidth = 1.6;
   context.beginPath();
-  means.forEach((bin) => context.lineTo(at(bin.x), up(bin.mean)));
+  means.forEach(([x, y]) => context.lineTo(x, y));
   context.stroke();
 }

@@ -6,7 +6,7 @@ import {get, isMissing} from "../server/requests";
 import {cell, currentModel, report, state} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {diagnose} from "./loop";
-import {turnedBy} from "./own_variable";
+import {turnedBy} from "../../../drawing/own_variable.js";
 
 export const leverage = signal<LeverageDocument | null>(null);
 

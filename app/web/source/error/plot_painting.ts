@@ -1,7 +1,7 @@
 // What is painted into the plot of the errors beside its points: the law with its band below them, means above them.
 import uPlot from "uplot";
 import type {Palette} from "../drawing/colours";
-import type {Bin} from "./binned";
+import type {Bin} from "../../../drawing/binned.js";
 
 /** The law as a line through what the cause does, its band the spread of that; levels as short lines of their own. */
 export function paintLaw(plot: uPlot, law: readonly Bin[], isLevel: boolean, colours: Palette): void {

@@ -10,18 +10,18 @@ import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js
 import {roundTicks, symmetric, widened} from "../../../drawing/scales.js";
 import {Plot, axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
-import {besideLevel, variableTitle} from "../../../drawing/variables.js";
-import {binnedMeans, lawAlong, type Bin} from "./binned";
-import {chosenPart, chosenVariable, doneBy, parts, shownView, variables, viewBeside} from "./focus";
+import type {Bin} from "../../../drawing/binned.js";
+import type {View} from "../../../drawing/own_variable.js";
+import {commonMost, letterOf, levelRange, levelTicks, plotted, spreadAtLevel} from "../../../drawing/reading_errors.js";
+import {variableTitle} from "../../../drawing/variables.js";
+import {chosenPart, chosenVariable, parts, shownView, variables, viewBeside} from "./focus";
 import {currentDiagnosis} from "./loop";
-import type {View} from "./own_variable";
 import {paintLaw, paintMeans} from "./plot_painting";
 import {PointedReading, usePointing} from "./pointing";
 import {
   besideExplanation,
   drawnExplanation,
   errorsBeside,
-  letterOf,
   putBeside,
   readingErrors,
   type ReadingErrors,
@@ -126,16 +126,6 @@ function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
   );
 }
 
-/** The largest error of either, where both are drawn as the same part: one scale. */
-function commonMost(...plots: [ReadingErrors, View][]): number | null {
-  if (new Set(plots.map(([, {part}]) => part.key)).size > 1) return null;
-  let most = 0;
-  for (const [errors, {part}] of plots)
-    for (const series of errors.series)
-      series.errors.forEach((error, i) => (most = Math.max(most, Math.abs(error ? (part.of(error, i) ?? 0) : 0))));
-  return most;
-}
-
 export function SeriesLegend({
   errors,
   isBrief = false,
@@ -190,11 +180,6 @@ interface MadePlot {
   words: string;
 }
 
-/** Points of one level are spread a little, so that all of them are seen. */
-function spread(isLevel: boolean, value: number, index: number): number {
-  return isLevel ? value + 0.5 * besideLevel(index) : value;
-}
-
 function makePlot(
   errors: ReadingErrors,
   view: View,
@@ -203,20 +188,12 @@ function makePlot(
   isBrief: boolean,
 ): MadePlot {
   const {variable, part} = view;
-  const isLevel = variable.kind === "sense" || variable.levels !== undefined;
-  const xs = errors.readings.map((reading, index) => variable.of(reading, index));
+  const {isLevel, xs, values, means, law} = plotted(errors, view);
   const rows = xs
-    .flatMap((x, index) => (isNumber(x) ? [{x: spread(isLevel, x, index), index, id: errors.readings[index].id}] : []))
+    .flatMap((x, index) =>
+      isNumber(x) ? [{x: spreadAtLevel(isLevel, x, index), index, id: errors.readings[index].id}] : [],
+    )
     .sort((a, b) => a.x - b.x);
-  const values = errors.series.map((series) => series.errors.map((error, i) => (error ? part.of(error, i) : null)));
-  const means = part.isSigned ? binnedMeans(xs, values[errors.judged]) : [];
-  const hasLaw = part.isSigned && errors.causes.length > 0;
-  const law = hasLaw
-    ? lawAlong(
-        xs,
-        doneBy(errors).map((error, i) => (error ? part.of(error, i) : null)),
-      )
-    : [];
   const name = variableTitle(variable);
   const title = `${part.title}, ${plainUnit(part.unit)}`;
   return {
@@ -236,7 +213,7 @@ function makePlot(
       scales: {
         x: {
           time: false,
-          range: (_, low, high) => (isLevel ? levelRange(variable.levels, low, high) : widened(low, high)),
+          range: (_, low, high) => (isLevel ? levelRange(variable) : widened(low, high)),
         },
         y: {
           range: (_, low, high) =>
@@ -245,7 +222,7 @@ function makePlot(
       },
       axes: [
         axis(colours, name, {
-          splits: isLevel ? () => levelTicks(variable.levels) : undefined,
+          splits: isLevel ? () => levelTicks(variable) : undefined,
           values: (_plot: uPlot, splits: number[]) => splits.map((value) => variable.levels?.[value] ?? exact(value)),
         }),
         axis(colours, isBrief ? `${part.key}, ${plainUnit(part.unit)}` : title, {
@@ -266,12 +243,4 @@ function makePlot(
       ],
     },
   };
-}
-
-function levelTicks(levels: string[] | undefined): number[] {
-  return levels ? levels.map((_, k) => k) : [-1, 0, 1];
-}
-
-function levelRange(levels: string[] | undefined, low: number, high: number): [number, number] {
-  return levels ? [-0.5, levels.length - 0.5] : [Math.min(low, -1) - 0.3, Math.max(high, 1) + 0.3];
 }

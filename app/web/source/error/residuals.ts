@@ -1,32 +1,14 @@
 // The readings' errors, measured less predicted, before and after: the diagnosis with the explanation that is chosen,
 // else the model before beside the model as it is now, else the comparison of the model as given and refitted.
 import {computed, effect, signal} from "@preact/signals";
-import {AS_IT_STANDS, isEnough, REFITTED, withIt, WITHOUT_IT} from "../../../drawing/explanations.js";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";
-import type {Mark} from "../drawing/marks";
-import type {CompareDocument, DiagnoseDocument, EffectAt, ErrorReading, Model, Vector3} from "../server/documents";
+import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
+import type {CompareDocument, DiagnoseDocument, ErrorReading, Model, Vector3} from "../server/documents";
 import {get} from "../server/requests";
 import {report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
 
-export interface ErrorSeries {
-  name: string;
-  mark: Mark;
-  errors: (Vector3 | null)[];
-}
-
-export interface ReadingErrors {
-  readings: ErrorReading[];
-  places: (Vector3 | null)[];
-  /** Before, then after; one alone where there is no after. */
-  series: ErrorSeries[];
-  joints: string[];
-  /** The series that means, shares and p-values are about: what the causes take away from; of a refit, what it leaves. */
-  judged: number;
-  /** The series that the comparison's tests are about. */
-  tested: number;
-  /** What is between before and after: the causes, first the one that is looked at; none for a mere refit. */
-  causes: EffectAt[];
+export interface ReadingErrors extends ErrorPair<ErrorReading> {
   /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
   sigmas: (number | undefined)[][];
 }
@@ -72,30 +54,13 @@ function reversed(error: Vector3): Vector3 {
 }
 
 function ofDiagnosis(document: DiagnoseDocument, index: number): ReadingErrors {
-  const explanation = document.explanations[index];
   const compared = compare.value.document;
   const known = new Map(
     compared?.model === document.model ? compared.readings.map((reading) => [reading.id, reading]) : [],
   );
-  const sigmasOf = (reading: ErrorReading) => known.get(reading.id)?.sigmas_after;
-  const before = document.readings.map(sigmasOf);
-  const series: ErrorSeries[] = [
-    {name: `before: ${WITHOUT_IT}`, mark: BEFORE, errors: document.readings.map((reading) => reading.before)},
-  ];
-  if (explanation)
-    series.push({
-      name: `after: ${withIt(explanation)}`,
-      mark: AFTER,
-      errors: document.readings.map((reading) => reading.explained[index]),
-    });
+  const before = document.readings.map((reading) => known.get(reading.id)?.sigmas_after);
   return {
-    readings: document.readings,
-    places: document.readings.map((reading) => reading.position),
-    series,
-    joints: document.joints.map((joint) => joint.name),
-    judged: 0,
-    tested: 0,
-    causes: explanation && isEnough(explanation) ? explanation.effects : [],
+    ...errorsOfExplanation(document, index),
     sigmas: [
       before,
       document.readings.map((reading, i) => scaledSigmas(before[i], reading.before, reading.explained[index])),
@@ -139,26 +104,15 @@ function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model
 }
 
 function ofComparison(document: CompareDocument): ReadingErrors {
-  const when = document.model === state.value?.model ? "" : ", of the model before";
   return {
-    readings: document.readings,
-    places: document.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
-    series: [
-      {
-        name: `before: ${AS_IT_STANDS}${when}`,
-        mark: BEFORE,
-        errors: document.readings.map((reading) => reversed(reading.error_before)),
-      },
-      {
-        name: `after: ${REFITTED}${when}`,
-        mark: AFTER,
-        errors: document.readings.map((reading) => reversed(reading.error_after)),
-      },
-    ],
-    joints: jointsOf(document),
-    judged: 1,
-    tested: 1,
-    causes: [],
+    ...errorsOfRefit(
+      document.readings,
+      document.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
+      jointsOf(document),
+      document.readings.map((reading) => reversed(reading.error_before)),
+      document.readings.map((reading) => reversed(reading.error_after)),
+      document.model === state.value?.model ? "" : ", of the model before",
+    ),
     sigmas: [
       document.readings.map((reading) => reading.sigmas_before),
       document.readings.map((reading) => reading.sigmas_after),
@@ -200,11 +154,6 @@ export const errorsBeside = computed<ReadingErrors | null>(() => {
   const document = currentDiagnosis.value;
   return document && besideExplanation.value >= 0 ? ofDiagnosis(document, besideExplanation.value) : null;
 });
-
-/** "A", "B", ... as the cards have them. */
-export function letterOf(index: number): string {
-  return String.fromCharCode(65 + index);
-}
 
 function jointsOf(document: CompareDocument): string[] {
   return document.joint_columns.map((name) => name.replace(/_[^_]*$/, ""));

@@ -1,12 +1,8 @@
 // "A or B": the readings that would split what these cannot, and what else would tell.
-import {poseRequest} from "../arm/pose_link";
-import {PAIR_HEADS, pairCells, senseArrow, separations} from "../../../drawing/conditions.js";
-import {fixed, isNumber, short} from "../../../drawing/numbers.js";
+import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
 import {PosteriorPicture} from "./posterior_picture";
 import {RunSheetPanel} from "./run_sheet_panel";
-import type {DiagnoseDocument, NextReading} from "../server/documents";
-import {cell} from "../server/workbench";
-import {view} from "../shell/page_state";
+import type {DiagnoseDocument} from "../server/documents";
 
 /** The proposals of a diagnosis, the run sheet that is under way, and what the readings taken since have said. */
 export function Splitting({document}: {document: DiagnoseDocument | null}) {
@@ -35,7 +31,9 @@ function Proposals({document}: {document: DiagnoseDocument}) {
   }
   return (
     <>
-      {readings.length > 0 && !document.run_sheet ? <ReadingTable readings={readings} /> : null}
+      {readings.length > 0 && !document.run_sheet ? (
+        <p class="muted">An earlier program proposed readings here: diagnose again for their run sheet.</p>
+      ) : null}
       {others.length > 0 ? (
         <ul>
           {others.map((text) => (
@@ -65,55 +63,4 @@ function Proposals({document}: {document: DiagnoseDocument}) {
       )}
     </>
   );
-}
-
-function ReadingTable({readings}: {readings: NextReading[]}) {
-  const joints = Object.keys(readings[0].posture ?? {});
-  return (
-    <table>
-      <thead>
-        <tr>
-          {joints.map((joint) => (
-            <th class="number">{joint}</th>
-          ))}
-          <th class="number">load</th>
-          <th>tells apart, in sigmas</th>
-          <th />
-        </tr>
-      </thead>
-      <tbody>
-        {separations(readings).map(({reading, share, text}) => (
-          <tr title={(reading.splits ?? []).join(" from ")}>
-            {joints.map((joint) => (
-              <td class="number">
-                {fixed(reading.posture[joint], 1)}
-                {senseArrow(reading.senses?.[joint])}
-              </td>
-            ))}
-            <td class="number">{short(reading.load ?? 0)}</td>
-            <td>
-              <span class="chance">
-                <span class="chance-bar">
-                  <i style={{width: `${100 * share}%`}} />
-                </span>
-                {text}
-              </span>
-            </td>
-            <td class="number">
-              <button class="button small" onClick={() => show(reading)}>
-                Arm
-              </button>
-            </td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
-function show(reading: NextReading): void {
-  const joints = cell.value?.joints ?? [];
-  poseRequest.joints.value = joints.map((joint, i) => reading.posture[joint.name] ?? poseRequest.joints.value[i]);
-  if (isNumber(reading.load)) poseRequest.load.value = reading.load;
-  view.value = "arm";
 }

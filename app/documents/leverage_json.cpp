@@ -1,4 +1,4 @@
-#include "app/workbench/leverage_json.hpp"
+#include "app/documents/leverage_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -6,6 +6,8 @@
 
 #include "app/documents/figures.hpp"
 #include "app/files/input_error.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::app {
@@ -57,16 +59,24 @@ json vectorOf(const Vector3d& v) { return {roundedTo6(v.x()), roundedTo6(v.y()),
 
 }  // namespace
 
-json leverageJson(const Cell& cell, const ReadingSet& set, const std::vector<std::string>& names) {
+bool isAxisOfRow(const deflection::Arm& arm, const std::string& at) {
+  const auto dot = at.rfind('.');
+  return dot != std::string::npos && findLever(arm, at).has_value();
+}
+
+json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>& all,
+                  const std::vector<std::string>& names) {
+  auto placed = startOf(cell, all);
+  calibration::alignBases(placed, all);
   const auto levers = leversOf(cell.arm, names);
   const double turn = cell.units.factor(dimension::kAngle) / cell.units.factor(dimension::kLength);
   json tools = json::object(), readings = json::object();
-  for (const auto& reading : set.readings) {
-    const auto shape =
-        deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));
+  for (const auto& reading : all) {
+    const Isometry3d& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+    const auto shape = deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, X_WB));
     if (shape.status != deflection::KinematicsStatus::kConverged) continue;
-    const auto X_WL = deflection::rowFramesInWorld(shape, cell.X_WB);
-    const Isometry3d X_WD = cell.X_WB * deflection::toIsometry(shape.X_BD);
+    const auto X_WL = deflection::rowFramesInWorld(shape, X_WB);
+    const Isometry3d X_WD = X_WB * deflection::toIsometry(shape.X_BD);
     json numbers = json::array(), axes = json::array();
     for (const auto& lever : levers)
       for (const double part : leverage(lever, X_WL[static_cast<std::size_t>(lever.row)], X_WD.translation()))
@@ -78,9 +88,10 @@ json leverageJson(const Cell& cell, const ReadingSet& set, const std::vector<std
   json units = json::array();
   for (const auto& lever : levers)
     units.push_back(cell.units.nameOf(lever.slides ? dimension::kLength : dimension::kAngle));
+  const Isometry3d& X_WB = placed.base_poses.empty() ? cell.X_WB : placed.base_poses.front().X_WB;
   return {{"units", units},
           {"names", names},
-          {"base", vectorJson(cell.X_WB.translation(), cell.units, dimension::kLength)},
+          {"base", vectorJson(X_WB.translation(), cell.units, dimension::kLength)},
           {"up", vectorOf(-cell.arm.gravity_W.normalized())},
           {"tool", tools},
           {"readings", readings}};

@@ -1,20 +1,25 @@
-#include "app/workbench/moments_json.hpp"
+#include "app/documents/moments_json.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "app/files/effects_reader.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/user_formula.hpp"
 
 namespace tubeplan::app {
 
-nlohmann::json momentsJson(const Cell& cell, const ReadingSet& set) {
+nlohmann::json momentsJson(const Cell& cell, const std::vector<calibration::Measurement>& all) {
+  auto placed = startOf(cell, all);
+  calibration::alignBases(placed, all);
   auto symbols = deflection::formulaSymbols(cell.arm, formulaUnitsOf(cell.units));
   std::erase_if(symbols, [](const auto& named) { return named.symbol.of != deflection::FormulaSymbol::Of::kMoment; });
   nlohmann::json names = nlohmann::json::array(), readings = nlohmann::json::object();
   for (const auto& named : symbols) names.push_back(named.name);
-  for (const auto& reading : set.readings) {
-    const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
+  for (const auto& reading : all) {
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+    const auto posture = calibration::postureOf(reading, cell.arm, X_WB);
     deflection::EffectContext<double> context(cell.arm, posture);
     nlohmann::json moments = nlohmann::json::array();
     for (const auto& named : symbols)

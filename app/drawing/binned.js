@@ -1,0 +1,44 @@
+// Residuals summed up along a variable: means of bins with their standard errors, and the law of a cause as what it does
+// on average there, with its spread.
+import {groupsOf, knownPairs} from "./groups.js";
+
+/** `error`: of the mean; `spread`: of the values about it.
+ *  @typedef {{x: number, from: number, to: number, mean: number, error: number, spread: number, count: number}} Bin */
+
+const MEANS = 10;
+const MOST_LAW_STEPS = 40;
+/** So many readings of a step, that what other variables do there averages out. */
+const OF_A_STEP = 6;
+
+/** @param {[number, number][]} group @returns {Bin} */
+function binOf(group) {
+  const count = group.length;
+  const mean = group.reduce((sum, [, value]) => sum + value, 0) / count;
+  const square = group.reduce((sum, [, value]) => sum + (value - mean) ** 2, 0);
+  const spread = count > 1 ? Math.sqrt(square / (count - 1)) : 0;
+  return {
+    x: group.reduce((sum, [x]) => sum + x, 0) / count,
+    from: group[0][0],
+    to: group[count - 1][0],
+    mean,
+    error: spread / Math.sqrt(count),
+    spread,
+    count,
+  };
+}
+
+/**
+ * Bins of one reading say nothing of their scatter: they are left out.
+ * @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} values
+ */
+export function binnedMeans(xs, values) {
+  return groupsOf(knownPairs(xs, values), MEANS)
+    .map(binOf)
+    .filter((bin) => bin.count > 1);
+}
+
+/** @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} done */
+export function lawAlong(xs, done) {
+  const rows = knownPairs(xs, done);
+  return groupsOf(rows, Math.min(MOST_LAW_STEPS, Math.max(MEANS, Math.ceil(rows.length / OF_A_STEP)))).map(binOf);
+}

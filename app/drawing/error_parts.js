@@ -1,0 +1,133 @@
+// Parts of an error at the tip: its size, along axes of the world, of the base or of the tool, or as the error of one
+// joint that it would be.
+
+/** @typedef {[number, number, number]} Vector3 */
+/** `name` as a list says it, `title` as an axis does; `of`: of an error at the reading of that place in the list, null
+ *  where it says nothing there.
+ *  @typedef {{key: string, name: string, title: string, unit: string, isSigned: boolean,
+ *    of: (error: Vector3, index: number) => number | null}} Part */
+/** How far joints and axes take the tip at each reading, three numbers for each name; where base and tool stand.
+ *  @typedef {{units: string[], names: string[], base: Vector3, up: Vector3, tool: Record<string, number[]>,
+ *    readings: Record<string, number[]>}} Leverage */
+/** @typedef {{ids: string[], places: (Vector3 | null)[], unit: {length: string, angle: string},
+ *    leverage: Leverage | null}} PartSource */
+
+/** A joint through whose axis the tip nearly lies moves it too little to be asked: as a share of the longest lever. */
+const LEAST_LEVER = 0.05;
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+export function dot(a, b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** @param {Vector3} a @param {Vector3} b @returns {Vector3} */
+function crossProduct(a, b) {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+/** @param {Vector3} a @param {number} by @returns {Vector3} */
+function scaledVector(a, by) {
+  return [a[0] * by, a[1] * by, a[2] * by];
+}
+
+/**
+ * Away from the base's axis, around it, up.
+ * @param {Vector3} place @param {Vector3} base @param {Vector3} up @returns {Vector3[] | null}
+ */
+function radialAxes(place, base, up) {
+  /** @type {Vector3} */
+  const from = [place[0] - base[0], place[1] - base[1], place[2] - base[2]];
+  const level = scaledVector(up, dot(from, up));
+  /** @type {Vector3} */
+  const out = [from[0] - level[0], from[1] - level[1], from[2] - level[2]];
+  const long = Math.hypot(...out);
+  if (!(long > 0)) return null;
+  const radial = scaledVector(out, 1 / long);
+  return [radial, crossProduct(up, radial), up];
+}
+
+/** @param {PartSource} source @returns {Part[]} */
+export function partsOf(source) {
+  const {length} = source.unit;
+  /**
+   * @param {string} key @param {string} title
+   * @param {(index: number) => ArrayLike<number> | null | undefined} axis @returns {Part}
+   */
+  const along = (key, title, axis) => ({
+    key,
+    name: key,
+    title,
+    unit: length,
+    isSigned: true,
+    of: (error, index) => {
+      const direction = axis(index);
+      return direction ? dot(error, direction) : null;
+    },
+  });
+  /** @type {Part[]} */
+  const parts = [
+    {key: "size", name: "size", title: "error", unit: length, isSigned: false, of: (error) => Math.hypot(...error)},
+    ...["x", "y", "z"].map((name, k) => along(name, `error along ${name}`, () => WORLD_AXES[k])),
+  ];
+  const {leverage} = source;
+  if (!leverage) return parts;
+  const radials = source.places.map((place) => (place ? radialAxes(place, leverage.base, leverage.up) : null));
+  const tools = source.ids.map((id) => leverage.tool[id]);
+  return [
+    ...parts,
+    ...RADIAL_PARTS.map(([name, words], k) => along(name, words, (index) => radials[index]?.[k])),
+    ...["x", "y", "z"].map((name, k) =>
+      along(`tool ${name}`, `error along the tool's ${name}`, (index) => tools[index]?.slice(3 * k, 3 * k + 3)),
+    ),
+    ...leverage.names.map((name, k) => jointPart(name, k, source, leverage)),
+  ];
+}
+
+/** @type {Vector3[]} */
+const WORLD_AXES = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+const RADIAL_PARTS = [
+  ["radial", "radial error"],
+  ["tangential", "tangential error"],
+  ["up", "error upwards"],
+];
+
+/** @param {string} name */
+export function jointKey(name) {
+  return `as ${name}`;
+}
+
+/**
+ * The error as that of one joint: what it would have to be off by, in least squares.
+ * @param {string} name @param {number} k @param {PartSource} source @param {Leverage} leverage @returns {Part}
+ */
+function jointPart(name, k, source, leverage) {
+  const levers = source.ids.map((id) => leverage.readings[id]?.slice(3 * k, 3 * k + 3));
+  const longest = levers.reduce((most, lever) => Math.max(most, lever ? dot(lever, lever) : 0), 0);
+  return {
+    key: jointKey(name),
+    name: `as error of ${name}`,
+    title: `error as that of ${name}`,
+    unit: leverage.units?.[k] ?? source.unit.angle,
+    isSigned: true,
+    of: (error, index) => {
+      const lever = levers[index];
+      if (!lever) return null;
+      const square = dot(lever, lever);
+      return square > LEAST_LEVER ** 2 * longest ? dot(error, lever) / square : null;
+    },
+  };
+}
+
+/**
+ * The part that a pattern of the comparison speaks of: its frame and component.
+ * @param {string | undefined} frame @param {string | undefined} component @param {readonly Part[]} parts
+ */
+export function findPart(frame, component, parts) {
+  if (!component) return null;
+  const key = frame === "tool" ? `tool ${component}` : component;
+  return parts.find((part) => part.key === key) ?? null;
+}

@@ -1,0 +1,40 @@
+// What the session keeps of what was found out: all that is small, and of what is large no more than fits.
+#include "app/workbench/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+json listing(std::size_t readings) { return {{"readings", std::vector<int>(readings)}}; }
+
+TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
+  Session session;
+  const Cell cell = readCell((shippedCells() / "bench.yaml").string());
+  for (int k = 0; k < 8; ++k) {
+    const int id = pushModel(session, std::to_string(k), "fit", cell);
+    ++session.revision;
+    putResult(session, "compare", id, listing(10000));
+    putResult(session, "identify", id, {{"parameters", json::array()}});
+  }
+  EXPECT_EQ(session.results["identify"].size(), 8u) << "those without readings are small";
+  EXPECT_EQ(session.results["compare"].size(), 4u);
+  const int last = currentModel(session).id;
+  for (int id = last - 3; id <= last; ++id) EXPECT_TRUE(findResult(session, "compare", id)) << id;
+
+  session.current = 0;  // gone back: what is made again stays, and is not the first to go
+  ++session.revision;
+  putResult(session, "compare", currentModel(session).id, listing(10000));
+  ++session.revision;
+  putResult(session, "diagnose", currentModel(session).id, listing(40000));
+  EXPECT_TRUE(findResult(session, "compare", currentModel(session).id));
+  EXPECT_TRUE(findResult(session, "diagnose", currentModel(session).id));
+  EXPECT_EQ(session.results["compare"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace tubeplan::app
