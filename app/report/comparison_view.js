@@ -57,5 +57,7 @@ export function modelsSection(report) {
            isNumber(model.numbers) ? whole(model.numbers) : null]);
   return [el(
       "div", {class: "card"},
-      table(["model", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree", "p", "fitted numbers"], rows))];
+      table(
+          ["model", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree of freedom", "p", "fitted numbers"],
+          rows))];
 }

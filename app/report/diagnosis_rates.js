@@ -51,15 +51,19 @@ export function sizesSection(report) {
 
 export function effectsSection(report) {
   const outcomes = list(report.outcomes), keys = outcomes.map((outcome) => outcome.name);
-  const rows = list(report.by_effect)
-                   .map(
-                       (entry) =>
-                           [effectCell(entry), ...keys.map((key) => whole(object(entry.outcomes)?.[key])),
-                            probability(object(entry.truth_among_answers)?.value)]);
+  const all = list(report.by_effect),
+        isDrawn = ({outcomes: counts}) => keys.some((key) => (object(counts)?.[key] ?? 0) > 0);
+  const rows = all.filter(isDrawn).map(
+      (entry) =>
+          [effectCell(entry), ...keys.map((key) => whole(object(entry.outcomes)?.[key])),
+           probability(object(entry.truth_among_answers)?.value)]);
   const nothing = object(object(report.nothing_hidden)?.outcomes) ?? {};
   rows.unshift(["(nothing)", ...keys.map((key) => whole(nothing[key])), MISSING]);
   const heads = ["hidden", ...outcomes.map((outcome) => textOf(outcome.words)), "truth among the answers"];
-  return [el("div", {class: "card"}, table(heads, rows))];
+  const absent = all.filter((entry) => !isDrawn(entry)).map(({effect}) => textOf(effect));
+  return [el(
+      "div", {class: "card"}, table(heads, rows),
+      absent.length === 0 ? null : el("p", {class: "note"}, `Hidden in none of these runs: ${absent.join(", ")}.`))];
 }
 
 /// The name of an effect over what it is.

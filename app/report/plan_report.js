@@ -1,5 +1,6 @@
 // The page itself, section by section.
 import {duration, isNumber, plural, short, whole} from "../drawing/numbers.js";
+import {MARKED} from "../drawing/sigma_text.js";
 import {countsOf} from "./cases.js";
 import {clearanceSection} from "./clearance_view.js";
 import {append, el, followColourScheme, notRecorded} from "./elements.js";
@@ -38,7 +39,7 @@ function headSentence(report) {
         isNumber(time) ? ` in ${duration(time)} of travel` : ""}`);
   }
   if (Array.isArray(report.unreachable) && report.unreachable.length > 0)
-    parts.push(`${whole(report.unreachable.length)} cannot be`);
+    parts.push(`${whole(report.unreachable.length)} cannot be visited`);
   const after = countsOf(report, "via_point"), before = countsOf(report, "none");
   if (after) {
     const total = after.reduce((sum, count) => sum + count, 0);
@@ -57,15 +58,27 @@ function summaryRows(report) {
       .map(([name, value]) => [textOf(name), typeof value === "number" ? short(value) : textOf(value)]);
 }
 
+/// What is longer is no figure for the summary's grid, but a sentence of its own.
+const LONGEST_FACT = 60;
+
 function showHead(report) {
   const title = textOf(report.title, "Plan report");
   document.title = title;
   const rows = summaryRows(report);
+  const warnings = rows.filter(([name]) => name === "warning"), others = rows.filter(([name]) => name !== "warning");
+  const isBrief = ([, value]) => value.length <= LONGEST_FACT;
   append(document.getElementById("head"), [
     el("h1", {}, title), el("p", {class: "sentence"}, headSentence(report)),
-    rows.length === 0 ? notRecorded("The summary") :
-                        el("dl", {class: "summary"},
-                           rows.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value))))
+    rows.length === 0 ?
+        notRecorded("The summary") :
+        el("dl", {class: "summary"},
+           others.filter(isBrief).map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value)))),
+    others.filter((row) => !isBrief(row))
+        .map(([name, value]) => el("p", {class: "remark"}, el("b", {}, name), `: ${value}.`)),
+    warnings.length === 0 ?
+        null :
+        el("ul", {class: "warnings"},
+           warnings.map(([, value]) => el("li", {class: "bad"}, MARKED, el("b", {}, "Warning"), `: ${value}.`)))
   ]);
 }
 

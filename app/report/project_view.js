@@ -16,7 +16,7 @@ export function historySection(report) {
     el("p", {class: "lead"},
        "Every model of the project, the first as it was given; errors are refitted, on the readings in use."),
     el("div", {class: "card"},
-       table(["model", "by", "", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree", "p", "file"], rows,
+       table(["model", "by", "", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree of freedom", "p", "file"], rows,
              {text: [0, 1, 2, 7]}))
   ];
 }

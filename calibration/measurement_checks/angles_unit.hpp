@@ -13,7 +13,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto factor = factorOf(checked.units.angle_units, checked.units.angles, value);
   if (!factor) return std::nullopt;
   Mend mend{"angles", value,
-            "the joint readings are in " + value + ", not in " + checked.units.angles.name + " as their columns say"};
+            "the unit of the joint readings is " + value + ", not " + checked.units.angles.name + " as their columns say"};
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(checked.start.arm.jointCount());
   for (Eigen::Index j = 0; j < factors.size(); ++j)
     if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute) factors[j] = *factor;

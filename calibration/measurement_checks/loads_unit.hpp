@@ -17,7 +17,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto factor = factorOf(checked.units.forces, checked.units.loads, value);
   if (!factor) return std::nullopt;
   Mend mend{"loads", value,
-            "the loads are in " + value + ", not in " + checked.units.loads.name + " as their column says"};
+            "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column says"};
   mend.change = [factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.load *= factor;
   };

@@ -39,7 +39,7 @@ struct CheckedReadings {
 /// The readings as they would be taken if one mistake had been made.
 struct Mend {
   std::string mistake, value;  ///< as `--assume MISTAKE=VALUE` takes them
-  std::string sentence;        ///< "the coordinates are in mm, not in in as their columns say"
+  std::string sentence;        ///< "the unit of the coordinates is mm, not in as their columns say"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   bool frees_base = false;    ///< the base is taken as not known
   bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own

@@ -47,9 +47,18 @@ export function BasePanel() {
         {document.warnings.map((warning) => (
           <p class="warning">{warning}</p>
         ))}
-        {document.to_do.map((step) => (
-          <p class="muted">To do: {step}</p>
-        ))}
+        {document.to_do.length > 0 ? (
+          <>
+            <h3>What to do</h3>
+            <ul class="to-do">
+              {document.to_do.map((step) => (
+                <li>
+                  <InCode text={step} />
+                </li>
+              ))}
+            </ul>
+          </>
+        ) : null}
         <table>
           <thead>
             <tr>
@@ -78,7 +87,7 @@ export function BasePanel() {
             : ""}{" "}
           and {short(document.nominal.angle)} {angle} from nominal
         </p>
-        <h3>Left at each touch, {length}</h3>
+        <h3>Residual at each touch, {length}</h3>
         <table>
           <tbody>
             {document.residuals.map((touch) => (
@@ -141,4 +150,9 @@ function FigureRows({name, values, sigmas}: {name: string; values: readonly numb
       ))}
     </>
   );
+}
+
+/** What stands between backticks as code. */
+function InCode({text}: {text: string}) {
+  return <>{text.split("`").map((part, k) => (k % 2 === 1 ? <code>{part}</code> : part))}</>;
 }

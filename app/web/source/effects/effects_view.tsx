@@ -154,10 +154,10 @@ function PlaceTable({kind, shown}: {kind: EffectKind; shown: string}) {
         <tr>
           <th>at</th>
           <th class="number" title="What no fitted number can do instead">
-            shows
+            observable
           </th>
-          {hasLeast ? <th class="number">least seen</th> : null}
-          <th>hardly told from</th>
+          {hasLeast ? <th class="number">smallest detectable</th> : null}
+          <th>hardly distinguished from</th>
         </tr>
       </thead>
       <tbody>
