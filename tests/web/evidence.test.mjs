@@ -4,18 +4,12 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {begin, closable, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
-before(async () => {
-  made = makeFolder();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  made?.remove();
-});
+before(async () => ({made, browser} = await begin()));
+after(() => finish({made, browser}));
 
 /** A workbench with readings that hide an effect, compared. */
 async function compared(name, hide, more = {}) {
@@ -29,15 +23,7 @@ async function compared(name, hide, more = {}) {
   await tab.waitForFunction(() =>
     ["moment_tool_z", "as theta4"].every((value) => document.querySelector(`.residual-plot option[value='${value}']`)),
   );
-  return {
-    tab,
-    server,
-    close: async () => {
-      assert.deepEqual(tab.errors, []);
-      await tab.context().close();
-      await server.stop();
-    },
-  };
+  return closable(tab, server);
 }
 
 async function diagnosed(tab) {

@@ -5,18 +5,12 @@ import {after, before, describe} from "node:test";
 import {appendFileSync, readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, begin, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
-before(async () => {
-  made = makeFolder();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  made?.remove();
-});
+before(async () => ({made, browser} = await begin()));
+after(() => finish({made, browser}));
 
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 const joints = (k) => [10 + 0.05 * k, 45, -35 - 0.03 * k, 12];

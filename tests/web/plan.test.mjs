@@ -81,7 +81,7 @@ describe("the mock-up", () => {
       await tab.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
     }
     await tab.click(".touch-list > .button.first");
-    await tab.waitForSelector(".calibrate-view h3 >> text=Left at each touch", {
+    await tab.waitForSelector(".calibrate-view h3 >> text=Residual at each touch", {
       timeout: 60000,
     });
     assert.ok((await tab.locator(".covariance rect.cell").count()) === 21);

@@ -5,19 +5,13 @@ import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, drop, ended, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, begin, closable, drop, ended, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 const LIMIT = {timeout: 120_000};
 let made, browser;
 
-before(async () => {
-  made = makeFolder();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  made?.remove();
-});
+before(async () => ({made, browser} = await begin()));
+after(() => finish({made, browser}));
 
 const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
 
@@ -29,15 +23,7 @@ async function diagnosed(name, options) {
   await tab.click(".next:has-text('Diagnose'):not([disabled])", LIMIT);
   await tab.waitForSelector(".explanation", LIMIT);
   await idle(tab);
-  return {
-    tab,
-    server,
-    close: async () => {
-      assert.deepEqual(tab.errors, []);
-      await tab.context().close();
-      await server.stop();
-    },
-  };
+  return closable(tab, server);
 }
 
 describe("the models as steps", () => {

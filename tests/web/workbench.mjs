@@ -1,5 +1,6 @@
 // Starts the real server with the built page, and a browser to look at it: what every test here and the measuring
 // script share.
+import assert from "node:assert/strict";
 import {spawn, execFileSync} from "node:child_process";
 import {cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {createRequire} from "node:module";
@@ -242,4 +243,24 @@ export async function drop(tab, name, text) {
     [name, text],
   );
   await tab.dispatchEvent("main", "drop", {dataTransfer: data});
+}
+
+/** What a file of tests begins with: a folder with the shipped cells, and a browser. */
+export async function begin() {
+  return {made: makeFolder(), browser: await launch()};
+}
+
+export async function finish({made, browser}) {
+  await browser?.close();
+  made?.remove();
+}
+
+/** A tab and its server with the way to put both away: the page must have said nothing wrong. */
+export function closable(tab, server) {
+  const close = async () => {
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await server.stop();
+  };
+  return {tab, server, close};
 }
