@@ -60,8 +60,8 @@ describe("reports", () => {
       await tab.innerText("#ranking tbody tr"),
       /a joint's position depends on the direction of its last motion/,
     );
-    assert.match(await tab.innerText("#why .chart >> nth=0"), /error as that of theta4, deg/);
-    assert.match(await tab.innerText("#why .chart >> nth=0"), /direction of theta4/);
+    assert.match(await tab.textContent("#why .chart >> nth=0"), /error as that of theta4, deg/);
+    assert.match(await tab.textContent("#why .chart >> nth=0"), /direction of theta4/);
     assert.equal(await tab.locator("#why .law-line").count(), 2); // one for each direction
     assert.equal(await tab.locator("#why .mean").count(), 2);
     assert.equal(await tab.locator("#joints .joint-panel.loud").count(), 1);
@@ -79,7 +79,7 @@ describe("reports", () => {
     const compared = await opened("comparison.html");
     assert.equal(await compared.innerText(".verdict b"), "The model falls short");
     assert.equal(await compared.locator("#ladder .error-fitted").count(), 3); // two bars and the legend's
-    assert.match(await compared.innerText("#why .chart"), /direction of theta4/);
+    assert.match(await compared.textContent("#why .chart"), /direction of theta4/);
     await compared.context().close();
     run("ladder", readings, "bench.yaml", "--rigid", "--report", "ladder.html");
     const ladder = await opened("ladder.html");
@@ -93,7 +93,7 @@ describe("reports", () => {
     const steps = await tab.locator(".improvement-step").allInnerTexts();
     assert.match(steps[0], /Step 1: Explained[^]*Added: hysteresis@theta4: certain/);
     assert.match(steps.at(-1), /Nothing was added: nothing is missing\./);
-    assert.match(await tab.innerText(".improvement-step >> nth=0 >> .chart"), /error as that of theta4, deg/);
+    assert.match(await tab.textContent(".improvement-step >> nth=0 >> .chart"), /error as that of theta4, deg/);
     assert.equal(await tab.locator("#ladder .error-fitted").count(), 3); // two models and the legend's
     await tab.context().close();
   });
