@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "deflection/resized.hpp"
 #include "deflection/revolute_chain/kernels.hpp"
 #include "deflection/revolute_chain/revolute_chain.hpp"
 
@@ -47,9 +48,11 @@ void solveRest(const simd::Kernel& kernel, const simd::RevoluteArm& arm, const P
 }  // namespace
 
 void PostureBatch::resize(Index joints, Index count, double load_of_all, const Vector3d& gravity_of_all) {
-  q.resize(joints, count);
-  load.setConstant(count, load_of_all);
-  gravity_B = gravity_of_all.replicate(1, count);
+  resizeOrEmpty(q, joints, count);
+  resizeOrEmpty(load, count, 1);
+  resizeOrEmpty(gravity_B, 3, count);
+  load.setConstant(load_of_all);
+  gravity_B.colwise() = gravity_of_all;
 }
 
 PoseOf<double> TipBatch::X_BD(Index k) const {
@@ -88,8 +91,8 @@ void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const Fl
   assert(postures.q.rows() == static_cast<Index>(joints_.size()) && postures.load.size() == n &&
          postures.gravity_B.cols() == n);
   tips.status.assign(static_cast<std::size_t>(n), KinematicsStatus::kNotRun);
-  tips.poses.resize(12, n);
-  tips.jacobian.resize(6 * static_cast<Index>(variables.size()), n);
+  resizeOrEmpty(tips.poses, 12, n);
+  resizeOrEmpty(tips.jacobian, 6 * static_cast<Index>(variables.size()), n);
   if (n == 0) return;
   if (hasKernel(variables))
     solveSideBySide(postures, tips, options, variables);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "deflection/effects/effect.hpp"
+#include "deflection/resized.hpp"
 #include "deflection/row_numbers.hpp"
 
 namespace tubeplan::deflection {
@@ -219,7 +220,7 @@ void TipDifferentiation::castPosture(const Posture& posture) {
 
 /// Makes room for the columns of a shape that was solved; they are not numbers where it does not converge.
 KinematicsStatus TipDifferentiation::settle(std::size_t variables) {
-  columns_.resize(6, static_cast<Eigen::Index>(variables));
+  resizeOrEmpty(columns_, 6, static_cast<Eigen::Index>(variables));
   if (arm_.status() != KinematicsStatus::kConverged) columns_.setConstant(std::numeric_limits<double>::quiet_NaN());
   return arm_.status();
 }
@@ -239,7 +240,7 @@ KinematicsStatus TipDifferentiation::solve(const Posture& posture, const std::ve
                                            const FlexibleKinematicsOptions& options) {
   const simd::RevoluteVariables* kernel = variables.empty() || posture.wrench ? nullptr : arm_.kernelFor(variables);
   if (kernel) {
-    columns_.resize(6, static_cast<Eigen::Index>(variables.size()));
+    resizeOrEmpty(columns_, 6, static_cast<Eigen::Index>(variables.size()));
     solveByKernel(posture, *kernel, options);
     return settle(variables.size());
   }

@@ -52,9 +52,9 @@ MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Is
                        const Measurement& reading, std::size_t joints) {
   const Eigen::Matrix3d R = X_WB.linear();
   const MeasuredSlope slope = predictedSlope(reading, toolOf(batch, k, X_WB, reading));
-  MatrixXd slopes(slope.by_place.rows(), static_cast<Index>(joints));
-  if (referenceOf(reading)) {  // two postures, each with the encoders' noise of its own
-    slopes.resize(Eigen::NoChange, 2 * static_cast<Index>(joints));
+  const bool has_reference = referenceOf(reading) != nullptr;
+  MatrixXd slopes(slope.by_place.rows(), (has_reference ? 2 : 1) * static_cast<Index>(joints));
+  if (has_reference) {  // two postures, each with the encoders' noise of its own
     for (std::size_t j = 0; j < joints; ++j) {
       slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.ownColumn(k, j));
       slopes.col(static_cast<Index>(joints + j)) = -slope.by_place * (R * batch.referenceColumn(k, j));

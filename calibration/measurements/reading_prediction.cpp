@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
@@ -101,9 +102,9 @@ void subtract(ToolPrediction& a, const ToolPrediction& b, bool shares_joints) {
     a.by_joints -= b.by_joints;
     return;
   }
-  const MatrixXd own = a.by_joints;
-  a.by_joints.resize(6, 2 * own.cols());
-  a.by_joints << own, -b.by_joints;
+  MatrixXd both(6, 2 * a.by_joints.cols());
+  both << a.by_joints, -b.by_joints;
+  a.by_joints = std::move(both);
 }
 
 /// Of the tool, or of a row's frame.

@@ -84,7 +84,7 @@ class Check:
         if run.code is None:
             return ["hangs"]
         if not is_done and run.code not in FAILED:
-            found.append(f"exit code {run.code}")
+            found.append(f"exit code {run.code}: {run.told.strip()[-200:] or 'nothing was said'}")
         if not is_done and not re.search(r"^tubeplan: .", run.told, re.MULTILINE):
             found.append("no word why")
         state = {output: self.state(output, content) for output, content in run.outputs.items()}

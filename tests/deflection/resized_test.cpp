@@ -1,0 +1,55 @@
+// What has no memory for another size is empty, and is not freed a second time at its end.
+#include "deflection/resized.hpp"
+
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "deflection/posture_batch.hpp"
+
+/// The address sanitizer's allocator says no as any other, where it would end the program.
+extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
+
+namespace tubeplan::deflection {
+namespace {
+
+constexpr Eigen::Index kTooMany = Eigen::Index{1} << 56;  // more than addresses reach
+
+template <class Matrix>
+void expectEmptyWithoutMemory() {
+  Matrix matrix = Matrix::Ones(6, 9);
+  EXPECT_THROW(resizeOrEmpty(matrix, 6, kTooMany), std::bad_alloc);
+  EXPECT_EQ(matrix.size(), 0);
+  EXPECT_EQ(matrix.data(), nullptr);
+  resizeOrEmpty(matrix, 6, 2);
+  EXPECT_EQ(matrix.cols(), 2);
+}
+
+TEST(ResizeOrEmpty, IsEmptyWithoutMemory) {
+  expectEmptyWithoutMemory<Eigen::MatrixXd>();
+  expectEmptyWithoutMemory<Side>();
+  expectEmptyWithoutMemory<Eigen::Matrix<double, 6, Eigen::Dynamic>>();
+}
+
+TEST(ResizeOrEmpty, KeepsItsPlaceInMemoryForAsManyNumbers) {
+  Eigen::MatrixXd matrix(4, 6);
+  const double* const place = matrix.data();
+  resizeOrEmpty(matrix, 6, 4);
+  EXPECT_EQ(matrix.data(), place);
+  Eigen::VectorXd vector(3);
+  resizeOrEmpty(vector, 5, 1);
+  EXPECT_EQ(vector.size(), 5);
+}
+
+TEST(ResizeOrEmpty, ABatchOfPosturesOutlivesASizeThatItHasNoMemoryFor) {
+  PostureBatch batch;
+  batch.resize(4, 9);
+  EXPECT_THROW(batch.resize(4, kTooMany), std::bad_alloc);
+  EXPECT_EQ(batch.size(), 0);
+  batch.resize(4, 2, 20);
+  EXPECT_EQ(batch.load.size(), 2);
+  EXPECT_EQ(batch.gravity_B.col(1), -Eigen::Vector3d::UnitZ());
+}
+
+}  // namespace
+}  // namespace tubeplan::deflection
