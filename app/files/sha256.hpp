@@ -6,7 +6,7 @@
 
 namespace tubeplan::app {
 
-/// 64 hexadecimal digits.
+/// 64 hexadecimal digits. Throws std::bad_alloc where there is no memory for the library's work.
 [[nodiscard]] std::string sha256Of(std::string_view bytes);
 
 }  // namespace tubeplan::app

@@ -2,11 +2,24 @@
 #include "app/files/sha256.hpp"
 
 #include <gtest/gtest.h>
+#include <openssl/crypto.h>
 
+#include <cstdlib>
+#include <new>
 #include <set>
 
 namespace tubeplan::app {
 namespace {
+
+bool has_memory = true;
+void* allocated(std::size_t size, const char*, int) { return has_memory ? std::malloc(size) : nullptr; }
+void* reallocated(void* old, std::size_t size, const char*, int) {
+  return has_memory ? std::realloc(old, size) : nullptr;
+}
+void freed(void* memory, const char*, int) { std::free(memory); }
+
+/// The library takes them before its first use alone.
+const bool kIsTaken = CRYPTO_set_mem_functions(allocated, reallocated, freed) == 1;
 
 TEST(Sha256, IsThatOfTheStandard) {
   EXPECT_EQ(sha256Of(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -20,6 +33,14 @@ TEST(Sha256, EveryLengthAboutABlockHasItsOwn) {
   std::set<std::string> all;
   for (std::size_t length = 50; length < 140; ++length) all.insert(sha256Of(std::string(length, 'x')));
   EXPECT_EQ(all.size(), 90u);
+}
+
+TEST(Sha256, WithoutMemoryIsOutOfMemory) {
+  ASSERT_TRUE(kIsTaken);
+  has_memory = false;
+  EXPECT_THROW((void)sha256Of("abc"), std::bad_alloc);
+  has_memory = true;
+  EXPECT_EQ(sha256Of("abc").substr(0, 8), "ba7816bf");
 }
 
 }  // namespace
