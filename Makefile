@@ -2,7 +2,8 @@
 # make test   the same, and runs every test
 # make package  the same as demo's build, and a Debian package of it in build/
 # make site   the documents, every command and the catalogue of effects as a site in build/site/html
-# make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; an hour or more)
+# make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
+#                sanitize-program and sanitize-threads in a row
 # make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
 # make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
 # make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
@@ -12,11 +13,12 @@ SEED    ?= 1
 OUT     ?= out/demo
 JOBS    ?= $(shell nproc)
 
+space := $(subst ,, )
 BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test sanitize mutants clean-root bench package site program packages format clean
+.PHONY: demo test sanitize sanitize-libraries sanitize-program sanitize-threads mutants clean-root bench package site program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -33,11 +35,27 @@ bench: $(BENCH)/build.ninja
 package: program $(BUILD)/.packages-deb
 	cd $(BUILD) && SOURCE_DATE_EPOCH=$$(git -C .. log -1 --format=%ct) cpack -G DEB
 
-# The suite under the address and undefined-behaviour sanitizers; what runs in parallel under the thread sanitizer.
-sanitize: $(BUILD)/.packages-sanitize
+# The suite under the address and undefined-behaviour sanitizers, the libraries before the program, so that a find comes early.
+LIBRARY_TESTS := tubesheets_test deflection_test calibration_test planner_test visit_plan_test
+
+sanitize: sanitize-libraries sanitize-program sanitize-threads
+
+build-asan/build.ninja: $(BUILD)/.packages-sanitize CMakePresets.json
 	cmake --preset asan
+	@touch $@
+
+sanitize-libraries: build-asan/build.ninja
+	for test in $(LIBRARY_TESTS); do \
+	  cmake --build build-asan -j $(JOBS) --target $$test && \
+	  ctest --test-dir build-asan -R "^$$test\\." --output-on-failure --no-tests=error -j $(JOBS) || exit 1; \
+	done
+
+sanitize-program: build-asan/build.ninja
 	cmake --build build-asan -j $(JOBS)
-	ctest --test-dir build-asan -LE web --output-on-failure --no-tests=error -j $(JOBS)
+	ctest --test-dir build-asan -LE web -E '^($(subst $(space),|,$(LIBRARY_TESTS)))\.' --output-on-failure --no-tests=error -j $(JOBS)
+
+# What runs in parallel, under the thread sanitizer.
+sanitize-threads: $(BUILD)/.packages-sanitize
 	tests/sanitize/thread_tbb.sh build-tsan/tbb
 	cmake --preset tsan -DTBB_DIR=$(CURDIR)/build-tsan/tbb/installed/lib/cmake/TBB
 	cmake --build build-tsan -j $(JOBS)
