@@ -17,9 +17,9 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(TOUCH "${stamp}")
 endif()
 
-# Sources are copied, so that nothing is built among them; what reports draw with too stands beside the page, as it does there.
+# Sources are copied anew (tests of an earlier page would not compile), so that nothing is built among them; what reports draw with too stands beside the page, as it does there.
 cmake_path(GET TO PARENT_PATH beside)
-file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/dist" "${beside}/drawing")
+file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/tests" "${TO}/dist" "${beside}/drawing")
 file(COPY "${DRAWING}" DESTINATION "${beside}")
 file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN tests EXCLUDE)
 execute_process(COMMAND ${NPM} run --silent build WORKING_DIRECTORY "${TO}" COMMAND_ERROR_IS_FATAL ANY)

@@ -141,11 +141,11 @@ TEST_F(Identify, PrintsItsIterationsWhereThatIsAskedFor) {
   maker.add(MeasurementKind::kPosition, 12);
   writeReadings("readings.csv");
   const std::string arguments = "identify " + shipped("bench.yaml") + " readings.csv" + kFree;
-  const Outcome plain = run(arguments), verbose = run(arguments + " -v"), json = run(arguments + " -v --json -");
+  const Outcome plain = run(arguments), verbose = run(arguments + " -v"), as_json = run(arguments + " -v --json -");
   EXPECT_EQ(plain.out.find("iteration"), std::string::npos);
   expectSays(verbose.out, "levenberg-marquardt\n  iteration      chi-square         step      damping\n          0 ");
   EXPECT_EQ(verbose.out.substr(verbose.out.find("errors of")), plain.out);
-  EXPECT_TRUE(nlohmann::json::accept(json.out));
+  EXPECT_TRUE(nlohmann::json::accept(as_json.out));
   expectSays(json.err, "levenberg-marquardt");
 }
 

@@ -111,7 +111,9 @@ TEST_F(WorkbenchRoutes, thePoseIsThatOfTheCommand) {
   ASSERT_EQ(std::system(command.c_str()), 0);
   const json printed = json::parse(contentOf(folder / "pose.json"));
   for (const auto& [key, value] : printed.items())
-    if (key != "version" && key != "inputs") EXPECT_EQ(pose.value(key, json()), value) << key;
+    if (key != "version" && key != "inputs") {
+      EXPECT_EQ(pose.value(key, json()), value) << key;
+    }
   EXPECT_EQ(pose["tip"]["flexible"], pose["flexible"]["position"]);  // the bench's base is the world's origin
   EXPECT_EQ(pose["frames"]["rigid"].size(), 6u);
   EXPECT_EQ(pose["clearance"], nullptr);
