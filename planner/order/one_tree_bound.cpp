@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "planner/order/posture_cuts.hpp"
 #include "planner/order/priced_tree.hpp"
 
 namespace tubeplan::planner {
@@ -14,6 +15,9 @@ constexpr int kPatience = 10;     // steps without gain before the share falls
 constexpr double kFall = 0.8;
 // Of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
+constexpr std::size_t kCutsOfRound = 10;
+constexpr double kWorthwhile = 1e-3;  // of the bound, that cuts gain in a round, or could in all
+constexpr int kIdleCutRounds = 3;     // one after the other that gain less: borders help one another
 
 enum class Detail { kNodes, kPostures };
 
@@ -21,7 +25,8 @@ enum class Detail { kNodes, kPostures };
 // postures together, which is all there is with one posture a node and gets the most from the first steps with several.
 std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
                                Detail detail) {
-  std::vector<double> violation(tree.ends.size() + tree.pair_ends.size(), 0.0);
+  const std::size_t first_cut = tree.ends.size() + tree.pair_ends.size();
+  std::vector<double> violation(first_cut + tree.crossings.size(), 0.0);
   for (int node = 0; node < table.nodes(); ++node) {
     const double ends =
         std::accumulate(tree.ends.begin() + table.first(node), tree.ends.begin() + table.last(node), 0.0);
@@ -33,6 +38,7 @@ std::vector<double> violations(const PostureTable& table, const PairGraph& graph
   for (std::size_t k = 0; k < tree.pair_ends.size(); ++k) {
     violation[tree.ends.size() + k] = tree.pair_ends[k] - tree.taken[graph.postureOfPrice(k)];
   }
+  for (std::size_t c = 0; c < tree.crossings.size(); ++c) violation[first_cut + c] = 1 - tree.crossings[c];
   return violation;
 }
 
@@ -40,9 +46,9 @@ class Ascent {
  public:
   Ascent(const PostureTable& table, const OneTreeOptions& options) : table_(table), options_(options), graph_(table) {
     const bool complete = table.visits() <= options.complete_up_to;
-    const auto neighbours = nearestNeighbours(table, complete ? table.nodes() : options.neighbours);
+    neighbours_ = nearestNeighbours(table, complete ? table.nodes() : options.neighbours);
     for (int node = 0; node < table.nodes(); ++node) {
-      for (const Neighbour& neighbour : neighbours[node]) graph_.add(node, neighbour.node);
+      for (const Neighbour& neighbour : neighbours_[node]) graph_.add(node, neighbour.node);
     }
     best_.of_posture.assign(table.postures(), 0.0);
     best_.of_pair.assign(graph_.pairPrices(), 0.0);
@@ -52,8 +58,17 @@ class Ascent {
   void prove() {
     const PricedTree tree = graph_.completeTree(best_);
     proved_ = std::max(proved_, tree.bound);
-    for (const auto& [a, b] : tree.edges) graph_.add(a, b);
+    for (const auto& [p, q] : tree.edges) graph_.add(table_.nodeOf(p), table_.nodeOf(q));
     best_.of_pair.resize(graph_.pairPrices(), 0.0);
+  }
+
+  // Adds borders that the trees of the last climb cross too seldom. False where there are none.
+  bool cut() {
+    const std::size_t most = std::min(kCutsOfRound, PairGraph::kMostCuts - graph_.cuts());
+    const auto cuts = findCrossedTooSeldom(table_, neighbours_, meanUse(), most);
+    for (const auto& inside : cuts) graph_.addCut(inside);
+    best_.of_cut.resize(graph_.cuts(), 0.0);
+    return !cuts.empty();
   }
 
   // From the best prices along a running mean of what the trees break (the volume method of Barahona and Anbil, 2000).
@@ -63,11 +78,14 @@ class Ascent {
     int without_gain = 0;
     PricedTree tree = graph_.tree(best_);
     double best_on_graph = tree.bound;
+    use_.clear();
+    use_scale_ = 1;
     std::vector<double> mean = violations(table_, graph_, tree, detail);
     for (int i = 0; i < steps && !(best_on_graph >= options_.known_time * (1 - 1e-9)); ++i, ++iterations_) {
       if (options_.stop && options_.stop()) return;
       Prices prices = moved(mean, share, best_on_graph);
       tree = graph_.tree(prices);
+      if (countsUse()) addUse(tree, mean_share);
       const std::vector<double> latest = violations(table_, graph_, tree, detail);
       for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += mean_share * (latest[k] - mean[k]);
       if (tree.bound > best_on_graph) {
@@ -82,6 +100,11 @@ class Ascent {
     }
   }
 
+  // Whether the mean of what trees use is kept, to find borders by.
+  bool countsUse() const {
+    return table_.postures() > table_.nodes() && table_.visits() <= options_.cuts_up_to &&
+           graph_.cuts() < PairGraph::kMostCuts;
+  }
   double proved() const { return proved_; }
   int iterations() const { return iterations_; }
 
@@ -94,22 +117,38 @@ class Ascent {
     Prices prices = best_;
     const std::size_t postures = prices.of_posture.size();
     for (std::size_t p = 0; p < postures; ++p) prices.of_posture[p] += length * mean[p];
-    for (std::size_t k = 0; k < prices.of_pair.size(); ++k) {
-      prices.of_pair[k] = std::max(0.0, prices.of_pair[k] + length * mean[postures + k]);
-    }
+    const std::size_t first_cut = postures + prices.of_pair.size();
+    for (std::size_t k = postures; k < first_cut; ++k)
+      prices.of_pair[k - postures] = std::max(0.0, prices.of_pair[k - postures] + length * mean[k]);
+    for (std::size_t k = first_cut; k < mean.size(); ++k)
+      prices.of_cut[k - first_cut] = std::max(0.0, prices.of_cut[k - first_cut] + length * mean[k]);
     return prices;
   }
 
-  // A pair price that is zero cannot fall further.
+  // The price of a pair or a cut that is zero cannot fall further.
   bool counts(std::size_t k, double mean) const {
-    const std::size_t postures = best_.of_posture.size();
-    return k < postures || mean > 0 || best_.of_pair[k - postures] > 0;
+    const std::size_t postures = best_.of_posture.size(), first_cut = postures + best_.of_pair.size();
+    return k < postures || mean > 0 || (k < first_cut ? best_.of_pair[k - postures] : best_.of_cut[k - first_cut]) > 0;
+  }
+
+  void addUse(const PricedTree& tree, double mean_share) {
+    use_scale_ *= 1 - mean_share;
+    for (const auto& [p, q] : tree.edges) use_[std::minmax(p, q)] += mean_share / use_scale_;
+  }
+
+  EdgeUse meanUse() const {
+    EdgeUse mean = use_;
+    for (auto& [ends, share] : mean) share *= use_scale_;
+    return mean;
   }
 
   const PostureTable& table_;
   const OneTreeOptions& options_;
+  std::vector<std::vector<Neighbour>> neighbours_;
   PairGraph graph_;
   Prices best_;
+  EdgeUse use_;  // by which trees of the climb so far, over the scale: the latest count most
+  double use_scale_ = 1;
   double proved_ = 0;  // times are not negative
   int iterations_ = 0;
 };
@@ -141,6 +180,14 @@ OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options) {
     ascent.climb(options.iterations / rounds, kFirstStep / (1 + round), detail);
     if (is_stopped()) break;
     ascent.prove();
+  }
+  for (int round = 0, idle = 0; round < options.cut_rounds && idle < kIdleCutRounds; ++round) {
+    const double before = ascent.proved();
+    if (is_stopped() || !ascent.countsUse() || options.known_time - before < kWorthwhile * before || !ascent.cut())
+      break;
+    ascent.climb(options.iterations / rounds, kFirstStep, Detail::kPostures);
+    ascent.prove();
+    idle = ascent.proved() - before < kWorthwhile * before ? idle + 1 : 0;
   }
   result.lower_bound = ascent.proved();
   result.iterations = ascent.iterations();

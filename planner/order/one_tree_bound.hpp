@@ -3,7 +3,8 @@
 // A route is a path, so it is a spanning tree whose visits have two edges each (free ends count as one), both in one
 // branch. The bound is the smallest spanning tree after Lagrangian prices for these conditions (see priced_tree.hpp),
 // which extends Held and Karp (1970, 1971) to several branches. Prices are found on a sparse graph; the bound itself is
-// always taken on the complete one.
+// always taken on the complete one. Prices alone let a tree be half in one family of postures and half in another;
+// borders that every route must cross (posture_cuts.hpp) stop that.
 #pragma once
 
 #include <functional>
@@ -19,6 +20,8 @@ struct OneTreeOptions {
   int rounds = 4;           ///< trees on the complete graph; each adds its edges to the sparse one
   int neighbours = 10;      ///< of each visit in the sparse graph
   int complete_up_to = 30;  ///< visits; smaller problems use the complete graph throughout
+  int cuts_up_to = 60;      ///< visits; smaller problems with several branches ask for borders crossed too seldom
+  int cut_rounds = 12;      ///< ... after the other rounds, as long as they gain anything worth their while
   double known_time = std::numeric_limits<double>::quiet_NaN();  ///< s, of some route; steers the steps
   std::function<bool()> stop;                                    ///< asked at every step; the bound so far holds as any
 };

@@ -31,6 +31,7 @@ class PairGraph::Sum {
     tree_.ends.assign(table_.postures(), 0);
     tree_.pair_ends.assign(graph.pairPrices(), 0);
     tree_.taken.assign(table_.postures(), 0);
+    tree_.crossings.assign(graph.cuts(), 0);
     tree_.edges.reserve(table_.nodes());
   }
 
@@ -40,11 +41,14 @@ class PairGraph::Sum {
     ++tree_.ends[link.to];
     if (link.from_price != kNoPrice) ++tree_.pair_ends[link.from_price];
     if (link.to_price != kNoPrice) ++tree_.pair_ends[link.to_price];
-    tree_.edges.emplace_back(table_.nodeOf(link.from), table_.nodeOf(link.to));
+    for (std::uint64_t across = graph_.inside_[link.from] ^ graph_.inside_[link.to]; across != 0; across &= across - 1)
+      ++tree_.crossings[static_cast<std::size_t>(std::countr_zero(across))];
+    tree_.edges.emplace_back(link.from, link.to);
   }
 
   PricedTree finish() {
     addRouteEnds();
+    for (const double price : prices_.of_cut) add(price);
     std::vector<double> worth(table_.postures());
     for (int p = 0; p < table_.postures(); ++p) worth[p] = 2 * prices_.of_posture[p];
     for (std::size_t k = 0; k < prices_.of_pair.size(); ++k) worth[graph_.postureOfPrice(k)] += prices_.of_pair[k];
@@ -123,6 +127,13 @@ void PairGraph::add(int node_a, int node_b) {
   addSense(node_b, node_a, prices_b, prices_a);
 }
 
+void PairGraph::addCut(const std::vector<char>& inside) {
+  assert(cuts_ < kMostCuts);
+  for (std::size_t p = 0; p < inside_.size(); ++p)
+    if (inside[p]) inside_[p] |= std::uint64_t{1} << cuts_;
+  ++cuts_;
+}
+
 void PairGraph::relaxPair(const Prices& prices, int node, const Edge& edge, Link& link) const {
   const int p0 = table_.first(node), q0 = table_.first(edge.to);
   const double* time = &times_[edge.times];
@@ -131,7 +142,7 @@ void PairGraph::relaxPair(const Prices& prices, int node, const Edge& edge, Link
     const double price_p = prices.of_posture[p] + prices.of_pair[own];
     for (int q = q0; q < table_.last(edge.to); ++q) {
       const std::size_t other = edge.other_prices + (q - q0);
-      const double price = *time++ + price_p + prices.of_posture[q] + prices.of_pair[other];
+      const double price = *time++ + price_p + prices.of_posture[q] + prices.of_pair[other] - relief(prices, p, q);
       if (price < link.price) link = {price, p, q, own, other};
     }
   }
@@ -140,7 +151,7 @@ void PairGraph::relaxPair(const Prices& prices, int node, const Edge& edge, Link
 void PairGraph::relaxOther(const Prices& prices, int joined, int node, Link& link) const {
   for (int p = table_.first(joined); p < table_.last(joined); ++p) {
     for (int q = table_.first(node); q < table_.last(node); ++q) {
-      const double posture_prices = prices.of_posture[p] + prices.of_posture[q];
+      const double posture_prices = prices.of_posture[p] + prices.of_posture[q] - relief(prices, p, q);
       if (std::abs(table_.scaled(p, 0) - table_.scaled(q, 0)) + posture_prices >= link.price) continue;
       const double price = table_.straight(p, q) + posture_prices;
       if (price < link.price) link = {price, p, q, kNoPrice, kNoPrice};

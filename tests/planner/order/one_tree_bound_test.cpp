@@ -45,6 +45,16 @@ TEST_P(BoundSeeds, NeverAboveTheOptimum) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, BoundSeeds, testing::Range<std::uint64_t>(1, 9));
 
+/// Postures at random, with all of one node and none of another.
+std::vector<char> randomCut(std::mt19937_64& random, const PostureTable& table) {
+  std::vector<char> inside(static_cast<std::size_t>(table.postures()));
+  for (char& side : inside) side = static_cast<char>(random() % 2);
+  const int in = static_cast<int>(random() % static_cast<std::uint64_t>(table.nodes())), out = (in + 1) % table.nodes();
+  std::fill(inside.begin() + table.first(in), inside.begin() + table.last(in), 1);
+  std::fill(inside.begin() + table.first(out), inside.begin() + table.last(out), 0);
+  return inside;
+}
+
 // Whatever the prices: the bound must not lean on their being found well.
 TEST(PairGraph, AnyPricesGiveABound) {
   std::mt19937_64 random(21);
@@ -55,8 +65,11 @@ TEST(PairGraph, AnyPricesGiveABound) {
     PairGraph graph(table);
     for (int node = 1; node < table.nodes(); ++node)
       graph.add(node, static_cast<int>(random() % static_cast<std::uint64_t>(node)));
+    for (int cut = 0; cut < 3; ++cut) graph.addCut(randomCut(random, table));
     for (int k = 0; k < 100; ++k) {
-      Prices prices{std::vector<double>(table.postures()), std::vector<double>(graph.pairPrices())};
+      Prices prices{std::vector<double>(table.postures()), std::vector<double>(graph.pairPrices()),
+                    std::vector<double>(graph.cuts())};
+      for (double& price : prices.of_cut) price = uniform(random, 0, k % 3);
       for (double& price : prices.of_posture) price = uniform(random, -1, 1);
       for (double& price : prices.of_pair) price = uniform(random, 0, k % 2);
       EXPECT_LE(graph.completeTree(prices).bound, best + 1e-9);
@@ -74,7 +87,10 @@ TEST(PairGraph, BothTreesAgreeOnTheCompleteGraph) {
     for (int a = 0; a < table.nodes(); ++a) {
       for (int b = 0; b < a; ++b) all.add(a, b);
     }
-    Prices prices{std::vector<double>(table.postures()), std::vector<double>(all.pairPrices())};
+    for (int cut = 0; cut < 5; ++cut) all.addCut(randomCut(random, table));
+    Prices prices{std::vector<double>(table.postures()), std::vector<double>(all.pairPrices()),
+                  std::vector<double>(all.cuts())};
+    for (double& price : prices.of_cut) price = uniform(random, 0, 1);
     for (double& price : prices.of_posture) price = uniform(random, -1, 1);
     for (double& price : prices.of_pair) price = uniform(random, 0, 1);
     EXPECT_NEAR(all.tree(prices).bound, all.completeTree(prices).bound, 1e-9);
@@ -95,6 +111,31 @@ TEST(OneTreeBound, IsWithinTwoPercentForOneBranchEach) {
     near += bound >= 0.98 * best ? 1 : 0;
   }
   EXPECT_GE(near, 18);
+}
+
+// Visits of one family, of another far from it, and of both: a tree may pass from one to the other at those of both
+// without the move between them, a route may not.
+TEST(OneTreeBound, CountsTheMoveBetweenTwoFamiliesOfPostures) {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 5; ++trial) {
+    Route route;
+    route.speeds = {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(2, 2, 2)};
+    const Eigen::VectorXd beyond = Eigen::Vector3d(30, 0, 0);
+    for (int visit = 0; visit < 7; ++visit) {
+      const Eigen::VectorXd q = randomPosture(random, 3);
+      auto& branches = route.visits.emplace_back().branches;
+      if (visit < 5) branches.push_back(q);
+      if (visit > 1) branches.push_back(q + beyond);
+    }
+    OneTreeOptions without;
+    without.known_time = optimum(route);
+    without.cut_rounds = 0;
+    OneTreeOptions with = without;
+    with.cut_rounds = 12;
+    EXPECT_LT(oneTreeBound(route, without).lower_bound, 0.5 * without.known_time);
+    EXPECT_GT(oneTreeBound(route, with).lower_bound, 0.95 * without.known_time);
+    EXPECT_LE(oneTreeBound(route, with).lower_bound, without.known_time + 1e-9);
+  }
 }
 
 TEST(OneTreeBound, SparseRoundsComeNearTheCompleteGraph) {
