@@ -16,7 +16,8 @@ constexpr double kFall = 0.8;
 // Of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 constexpr std::size_t kCutsOfRound = 10;
-constexpr double kWorthwhile = 1e-3;  // of the bound, that cuts gain in a round, or could in all
+constexpr int kMostPosturesToCut = 1000;
+constexpr double kWorthwhile = 2e-3;  // of the bound, that cuts gain in a round, or could in all
 constexpr int kIdleCutRounds = 3;     // one after the other that gain less: borders help one another
 
 enum class Detail { kNodes, kPostures };
@@ -103,7 +104,7 @@ class Ascent {
   // Whether the mean of what trees use is kept, to find borders by.
   bool countsUse() const {
     return table_.postures() > table_.nodes() && table_.visits() <= options_.cuts_up_to &&
-           graph_.cuts() < PairGraph::kMostCuts;
+           table_.postures() <= kMostPosturesToCut && graph_.cuts() < PairGraph::kMostCuts;
   }
   double proved() const { return proved_; }
   int iterations() const { return iterations_; }

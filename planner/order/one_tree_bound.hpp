@@ -20,7 +20,7 @@ struct OneTreeOptions {
   int rounds = 4;           ///< trees on the complete graph; each adds its edges to the sparse one
   int neighbours = 10;      ///< of each visit in the sparse graph
   int complete_up_to = 30;  ///< visits; smaller problems use the complete graph throughout
-  int cuts_up_to = 60;      ///< visits; smaller problems with several branches ask for borders crossed too seldom
+  int cuts_up_to = 100;     ///< visits; smaller problems with a few branches each ask for borders crossed too seldom
   int cut_rounds = 12;      ///< ... after the other rounds, as long as they gain anything worth their while
   double known_time = std::numeric_limits<double>::quiet_NaN();  ///< s, of some route; steers the steps
   std::function<bool()> stop;                                    ///< asked at every step; the bound so far holds as any

@@ -80,6 +80,12 @@ class UsedEdges {
   std::vector<std::pair<int, int>> came_from_;  ///< posture and its edge
 };
 
+/// 1 where all postures of a visit are inside, 0 where all are outside, else -1.
+int sideOfVisit(const PostureTable& table, const std::vector<char>& inside, int visit) {
+  const auto count = std::count(inside.begin() + table.first(visit), inside.begin() + table.last(visit), 1);
+  return count == 0 ? 0 : count == table.last(visit) - table.first(visit) ? 1 : -1;
+}
+
 }  // namespace
 
 std::vector<std::vector<char>> findCrossedTooSeldom(const PostureTable& table,
@@ -101,7 +107,8 @@ std::vector<std::vector<char>> findCrossedTooSeldom(const PostureTable& table,
     const int from = k * table.visits() / kSources;
     for (int to = 0; to < table.visits() && cuts.size() < most; ++to) {
       const auto parts = [&](const std::vector<char>& cut) {
-        return cut[table.first(from)] != cut[table.first(to)] && cut[table.first(to)] == cut[table.last(to) - 1];
+        const int of_from = sideOfVisit(table, cut, from), of_to = sideOfVisit(table, cut, to);
+        return of_from >= 0 && of_to >= 0 && of_from != of_to;
       };
       if (to == from || std::ranges::any_of(cuts, parts) || edges.flow(from, to, reached) >= kEnough) continue;
       std::vector<char> cut = reached;
