@@ -146,7 +146,7 @@ TEST_F(Identify, PrintsItsIterationsWhereThatIsAskedFor) {
   expectSays(verbose.out, "levenberg-marquardt\n  iteration      chi-square         step      damping\n          0 ");
   EXPECT_EQ(verbose.out.substr(verbose.out.find("errors of")), plain.out);
   EXPECT_TRUE(nlohmann::json::accept(as_json.out));
-  expectSays(json.err, "levenberg-marquardt");
+  expectSays(as_json.err, "levenberg-marquardt");
 }
 
 TEST_F(Identify, RefusesAFreeListThatMakesNoSense) {
