@@ -8,6 +8,7 @@
 
 #include "calibration/diagnosis/indistinguishable.hpp"
 #include "calibration/diagnosis/model_fit.hpp"
+#include "calibration/diagnosis/same_posture.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/statistics.hpp"
 
@@ -217,6 +218,14 @@ void findSure(const DiagnosisWork& work, Posterior& posterior) {
   sure.explanation.remainder_probability = sure.remainder_probability;
 }
 
+/// Of the errors that a model leaves; those of the baseline where it has no causes, or no fit.
+SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model) {
+  const DiagnosisBasis& basis = work.basis;
+  if (model.terms.empty() || !hasFit(model)) return judgeSamePosture(basis.readings, basis.weights, basis.residual.r);
+  const auto residual = whitenedResidual(model.fit.fitted, {}, basis.readings, basis.weights, {}, false);
+  return residual.ok ? judgeSamePosture(basis.readings, basis.weights, residual.r) : SamePosture{};
+}
+
 /// What the evidence of a cause must gain to be sure (19 to 1), its prior and its freedom paid for.
 double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
@@ -242,11 +251,12 @@ std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTe
 
 Posterior posteriorOf(const DiagnosisWork& work) {
   Posterior posterior{};
+  const bool repeats = samePostureBy(work, {}).isSure();
   std::map<std::vector<int>, ModelClass> classes;
   for (const Claim& claim : claimsOf(work)) {
     if (claim.causes.empty()) {
       const double scatter = claim.probability * claim.scatter_probability;
-      posterior.scatter += scatter;
+      (repeats ? posterior.unknown : posterior.scatter) += scatter;
       posterior.nothing += std::max(0., claim.probability * (1 - claim.remainder_probability) - scatter);
       posterior.unknown += claim.probability * claim.remainder_probability;
       continue;
@@ -379,6 +389,8 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   if (model.remainder.size() == 0) {  // what follows nothing is all there is
     remainder.floor = noise_floor;
     if (scatter > 0) remainder.size = scatter;
+    if (const SamePosture same = samePostureBy(work, model); same.isSure())
+      remainder.follows.emplace_back("posture", same.share);
     return remainder;
   }
   remainder.floor = std::hypot(noise_floor, scatter);

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "calibration/measurements/reading_prediction.hpp"
 #include "tests/calibration/bench_readings.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
@@ -82,6 +84,29 @@ TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
   constexpr int kSets = 12;
   for (std::uint64_t seed = 1; seed <= kSets; ++seed) alarms += !diagnosisOf("", "", {}, seed, 60).alternatives.empty();
   EXPECT_LE(alarms, 2);  // one in twenty is allowed; three of twelve are not (chance below 2 %)
+}
+
+// An error that no smooth function of a few joints makes, the same under every load, is no scatter.
+TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
+  const auto cell = shippedBench();
+  std::vector<Measurement> readings;
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  for (Measurement reading : benchReadings(cell, "", "", {}, 30, 4))
+    for (const double load : {0., 90., 180.}) {
+      reading.load = load;
+      reading.id = std::to_string(readings.size() + 1);
+      reading.p_W = predictReading(cell.arm, cell.X_WB, reading).value;
+      for (int axis = 0; axis < 3; ++axis)
+        (*reading.p_W)[axis] +=
+            reading.sigma * (normal(random) + 3 * std::sin(40 * reading.q[axis] + 55 * reading.q[3]));
+      readings.push_back(reading);
+    }
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.verdict, Verdict::kUnexplained);
+  EXPECT_FALSE(found.isScatterAlone());
+  ASSERT_FALSE(found.remainder.follows.empty());
+  EXPECT_EQ(found.remainder.follows.front().first, "posture");
 }
 
 // Noise twice as large as stated is no function of the readings: something is missing, and nothing is named.
