@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "calibration/estimation/repeats.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/patterns/repeats.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "calibration/estimation/identification.hpp"
+#include "calibration/estimation/repeats.hpp"
 #include "calibration/patterns/joint_equivalents.hpp"
 #include "calibration/patterns/pattern_search.hpp"
-#include "calibration/patterns/repeats.hpp"
 
 namespace tubeplan::calibration {
 

@@ -1,4 +1,4 @@
-#include "calibration/patterns/repeats.hpp"
+#include "calibration/estimation/repeats.hpp"
 
 #include <algorithm>
 #include <cmath>
