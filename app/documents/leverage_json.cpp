@@ -7,7 +7,6 @@
 #include "app/documents/figures.hpp"
 #include "app/files/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::app {
@@ -66,8 +65,7 @@ bool isAxisOfRow(const deflection::Arm& arm, const std::string& at) {
 
 json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>& all,
                   const std::vector<std::string>& names) {
-  auto placed = startOf(cell, all);
-  calibration::alignBases(placed, all);
+  const auto placed = placedWhereRead(cell, all);
   const auto levers = leversOf(cell.arm, names);
   const double turn = cell.units.factor(dimension::kAngle) / cell.units.factor(dimension::kLength);
   json tools = json::object(), readings = json::object();

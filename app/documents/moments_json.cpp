@@ -4,15 +4,13 @@
 
 #include "app/files/effects_reader.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/user_formula.hpp"
 
 namespace tubeplan::app {
 
 nlohmann::json momentsJson(const Cell& cell, const std::vector<calibration::Measurement>& all) {
-  auto placed = startOf(cell, all);
-  calibration::alignBases(placed, all);
+  const auto placed = placedWhereRead(cell, all);
   auto symbols = deflection::formulaSymbols(cell.arm, formulaUnitsOf(cell.units));
   std::erase_if(symbols, [](const auto& named) { return named.symbol.of != deflection::FormulaSymbol::Of::kMoment; });
   nlohmann::json names = nlohmann::json::array(), readings = nlohmann::json::object();

@@ -17,7 +17,8 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(TOUCH "${stamp}")
 endif()
 
-# Sources are copied anew (tests of an earlier page would not compile), so that nothing is built among them; what reports draw with too stands beside the page, as it does there.
+# Sources are copied, so that nothing is built among them; what reports draw with too stands beside the page, as it does
+# there. Copies of an earlier page go first, its tests as well: they would be checked with this one's sources.
 cmake_path(GET TO PARENT_PATH beside)
 file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/tests" "${TO}/dist" "${beside}/drawing")
 file(COPY "${DRAWING}" DESTINATION "${beside}")

@@ -99,7 +99,7 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
   if (2 * result.never.size() == result.pairs.size()) return;
   for (result.times = 1; result.times < options.most_repeats; ++result.times) {
     goOn(options.hooks.stop);
-    auto pairs = pairsOf(forecast, result.times, gap);
+    auto pairs = result.times == 1 ? result.pairs : pairsOf(forecast, result.times, gap);
     std::erase_if(pairs, [&](const DiscriminatedPair& pair) {
       return std::any_of(result.never.begin(), result.never.end(),
                          [&](const DiscriminatedPair& never) { return isSame(never, pair); });
@@ -203,7 +203,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
     const RivalForecast forecast{rivals, predictions, steps};
     const auto probability = probabilitiesOf(rivals);
     result.pairs = pairsOf(forecast, 1, separationNeeded(options.sure));
-    result.least_expected = leastExpected(rivals, predictions, steps);
+    result.least_expected = std::ranges::min(result.pairs, {}, &DiscriminatedPair::expected).expected;
     result.probability = chanceOfNaming(probability, result.pairs);
     countTimes(forecast, probability, options, result);
     result.status = DiscriminationStatus::kDone;

@@ -13,27 +13,29 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// As if all were made under one load and from one direction: what is left to tell them apart is the posture.
-std::vector<Measurement> byPostureAlone(std::vector<Measurement> readings) {
-  for (Measurement& reading : readings) {
-    reading.load = 0;
-    reading.wrench = {};
-    reading.approach_directions.clear();
-    reading.point.clear();
-  }
-  return readings;
+/// As if it were made under no load and from no direction: what is left to tell it from others is the posture.
+Measurement byPostureAlone(Measurement reading) {
+  reading.load = 0;
+  reading.wrench = {};
+  reading.approach_directions.clear();
+  reading.point.clear();
+  return reading;
 }
 
 /// Errors [m] at each posture that was kept for two readings or more.
 std::vector<std::vector<Vector3d>> errorsByPosture(const std::vector<Measurement>& readings,
                                                    const ReadingWeights& weights, const VectorXd& whitened) {
-  const auto group = groupRepeats(byPostureAlone(readings));
-  std::map<int, std::vector<Vector3d>> errors;
+  std::vector<Measurement> positions;
+  std::vector<Vector3d> errors_of_positions;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    if (readings[k].kind != MeasurementKind::kPosition || rowsOf(readings[k]) != 3) continue;
-    const VectorXd own = whitened.segment(weights.first_row[k], 3);
-    errors[group[k]].emplace_back(weights.whitener[k].partialPivLu().solve(own));
+    if (readings[k].kind != MeasurementKind::kPosition) continue;
+    positions.push_back(byPostureAlone(readings[k]));
+    errors_of_positions.emplace_back(
+        weights.whitener[k].triangularView<Eigen::Lower>().solve(whitened.segment<3>(weights.first_row[k])));
   }
+  const auto group = groupRepeats(positions);
+  std::map<int, std::vector<Vector3d>> errors;
+  for (std::size_t k = 0; k < positions.size(); ++k) errors[group[k]].push_back(errors_of_positions[k]);
   std::vector<std::vector<Vector3d>> kept;
   for (auto& [index, members] : errors)
     if (members.size() > 1) kept.push_back(std::move(members));

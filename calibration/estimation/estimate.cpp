@@ -50,7 +50,8 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   estimate.unknowns = std::move(unknowns.list);
   if (!estimate.problems.empty()) return estimate;
   estimate.x = VectorXd::Zero(static_cast<Index>(estimate.unknowns.size()));
-  estimate.information = weakInformation(estimate.unknowns);
+  // Beforehand each variable is known to its typical size.
+  estimate.information = MatrixXd::Identity(estimate.x.size(), estimate.x.size());
   if (used.empty() || estimate.unknowns.empty()) return estimate;
   IdentificationOptions options;
   options.free = free;
@@ -65,11 +66,6 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   }
   estimate.information += informationOf(estimate, used);
   return estimate;
-}
-
-MatrixXd weakInformation(const std::vector<Unknown>& unknowns) {
-  const auto n = static_cast<Index>(unknowns.size());
-  return MatrixXd::Identity(n, n);
 }
 
 PlacedArm placedAsEstimated(const Estimate& estimate) { return applied(estimate.start, estimate.unknowns, estimate.x); }

@@ -26,9 +26,6 @@ struct Estimate {
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& readings, const FreeChoice& free);
 
-/// Information on nothing but typical sizes.
-[[nodiscard]] Eigen::MatrixXd weakInformation(const std::vector<Unknown>& unknowns);
-
 /// The arm as known, placed.
 [[nodiscard]] PlacedArm placedAsEstimated(const Estimate& estimate);
 

@@ -55,10 +55,10 @@ LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, con
   if (!std::isfinite(base.chi2)) return scaled.failureAtStart();
   double step = kFirstStep;
   int iterations = 0;
-  const auto told = [&](double length) {
+  const auto report = [&](double length) {
     if (observe) observe({"hooke-jeeves", iterations, base.chi2, length, 0});
   };
-  told(0);
+  report(0);
   while (step > stop.tolerance && iterations < stop.max_iterations) {
     ++iterations;
     const Eigen::VectorXd from = base.x;
@@ -67,7 +67,7 @@ LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, con
       base = followPattern(scaled, base, found, step, stop.max_iterations, iterations);
     else
       step *= kShrink;
-    told((base.x - from).norm());
+    report((base.x - from).norm());
   }
   const bool done = step <= stop.tolerance;
   return scaled.resultAt(base.x, base.chi2, done ? LeastSquaresStatus::kConverged : LeastSquaresStatus::kIterationLimit,

@@ -80,12 +80,6 @@ class UsedEdges {
   std::vector<std::pair<int, int>> came_from_;  ///< posture and its edge
 };
 
-/// 1 where all postures of a visit are inside, 0 where all are outside, else -1.
-int sideOfVisit(const PostureTable& table, const std::vector<char>& inside, int visit) {
-  const auto count = std::count(inside.begin() + table.first(visit), inside.begin() + table.last(visit), 1);
-  return count == 0 ? 0 : count == table.last(visit) - table.first(visit) ? 1 : -1;
-}
-
 }  // namespace
 
 std::vector<std::vector<char>> findCrossedTooSeldom(const PostureTable& table,
@@ -107,7 +101,7 @@ std::vector<std::vector<char>> findCrossedTooSeldom(const PostureTable& table,
     const int from = k * table.visits() / kSources;
     for (int to = 0; to < table.visits() && cuts.size() < most; ++to) {
       const auto parts = [&](const std::vector<char>& cut) {
-        const int of_from = sideOfVisit(table, cut, from), of_to = sideOfVisit(table, cut, to);
+        const int of_from = table.sideOf(from, cut), of_to = table.sideOf(to, cut);
         return of_from >= 0 && of_to >= 0 && of_from != of_to;
       };
       if (to == from || std::ranges::any_of(cuts, parts) || edges.flow(from, to, reached) >= kEnough) continue;

@@ -38,6 +38,11 @@ PostureTable::PostureTable(const Route& route)
   one_ratio_ = std::isfinite(ratio_) && (ratio == ratio_).all();
 }
 
+int PostureTable::sideOf(int node, const std::vector<char>& inside) const {
+  const auto count = std::count(inside.begin() + first(node), inside.begin() + last(node), 1);
+  return count == 0 ? 0 : count == last(node) - first(node) ? 1 : -1;
+}
+
 int PostureTable::nearestPosture(int posture, int node) const {
   int nearest = first(node);
   for (int q = nearest + 1; q < last(node); ++q) {

@@ -39,6 +39,8 @@ class PostureTable {
   }
   /// Straight line and extra time [s]; forbidden moves cost `kForbiddenTime`.
   [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
+  /// Of a set by posture: 1 where all postures of `node` are in it, 0 where none is, else -1.
+  [[nodiscard]] int sideOf(int node, const std::vector<char>& inside) const;
   /// The posture of `node` that costs least to reach from `posture`.
   [[nodiscard]] int nearestPosture(int posture, int node) const;
 

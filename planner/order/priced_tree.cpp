@@ -131,9 +131,9 @@ void PairGraph::addCut(const std::vector<char>& inside) {
   assert(cuts_ < kMostCuts);
   bool has_whole = false, lacks_whole = false;
   for (int node = 0; node < table_.nodes(); ++node) {
-    const auto count = std::count(inside.begin() + table_.first(node), inside.begin() + table_.last(node), 1);
-    has_whole |= count == table_.last(node) - table_.first(node);
-    lacks_whole |= count == 0;
+    const int side = table_.sideOf(node, inside);
+    has_whole |= side == 1;
+    lacks_whole |= side == 0;
   }
   assert(has_whole && lacks_whole);
   for (std::size_t p = 0; p < inside_.size(); ++p)

@@ -123,11 +123,10 @@ int run(int sets, int count, int rounds, std::uint64_t first_seed) {
     ++ambiguous;
     if (whole.next.times != 1) continue;  // it is said that so many do not separate them
     ++separable;
-    request.next = count / rounds;
-    const auto first = app::diagnoseModel(input, request);
-    const auto after = Session(truth, input, seed).run(first, rounds, request.next, asProposed);
+    const int at_once = count / rounds;  // of a longer proposal the first, which are those of a shorter one
+    const auto after = Session(truth, input, seed).run(whole, rounds, at_once, asProposed);
     proposed.add(after, hidden);
-    random_ones.add(Session(truth, input, seed).run(first, rounds, request.next, atRandom), hidden);
+    random_ones.add(Session(truth, input, seed).run(whole, rounds, at_once, atRandom), hidden);
     fmt::print("{:3d} {:40s} chance {:.2f}; before", k, hidden, whole.next.probability);
     describe(whole.diagnosis);
     fmt::print("; after");

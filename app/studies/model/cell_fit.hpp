@@ -17,4 +17,8 @@ namespace tubeplan::app {
 [[nodiscard]] calibration::PlacedArm startOf(const CellModel& cell,
                                              const std::vector<calibration::Measurement>& readings);
 
+/// The same, a base that the cell does not place standing where the readings have it.
+[[nodiscard]] calibration::PlacedArm placedWhereRead(const CellModel& cell,
+                                                     const std::vector<calibration::Measurement>& readings);
+
 }  // namespace tubeplan::app

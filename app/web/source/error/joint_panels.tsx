@@ -87,7 +87,7 @@ function JointPanel({
   }, [multiple, errors, most, palette.value]);
   const {variable, part, joint, column, p} = multiple;
   const isShown = shownView.value?.variable.key === variable.key && shownView.value.part.key === part.key;
-  const words = `Error of ${joint} against ${variable.name}, ${chance(p)}${isLoud ? ", the loudest" : ""}`;
+  const words = `Error of ${joint} against ${variable.name}, ${chance(p)}${isLoud ? ", the most significant" : ""}`;
   return (
     <button
       class={`joint-panel ${isLoud ? "loud" : ""}`}
