@@ -10,7 +10,7 @@
 #include "benchmarks/run_benchmarks.hpp"
 #include "deflection/prepared_arm.hpp"
 #include "planner/collision/arm_clearance.hpp"
-#include "planner/collision/frames_along_chords.hpp"
+#include "deflection/frames_along_chords.hpp"
 #include "planner/collision/nearest_pairs.hpp"
 #include "planner/motion/motion_check.hpp"
 #include "planner/motion/side_by_side.hpp"
@@ -103,8 +103,8 @@ void distances(benchmark::State& state, const MarginOf& margin_of) {
 /// The same postures, so many side by side, each for itself.
 void distancesSideBySide(benchmark::State& state, const NearestPairs& pairs) {
   const PostureColumns q = bench().standoffs();
-  BodyPlacing placing(bench().cell);
-  std::vector<PlacedPostures> blocks;
+  deflection::RowPlacing placing(bench().cell.arm, bench().cell.load, bench().cell.X_WB);
+  std::vector<deflection::PlacedRows> blocks;
   for (Eigen::Index first = 0; first + placing.lanes() <= q.cols(); first += placing.lanes())
     blocks.push_back(placing.place(q, first));
   std::vector<NearestPair> found(static_cast<std::size_t>(placing.lanes()));
@@ -178,7 +178,7 @@ void registerAll() {
     static const Eigen::Vector3d gravity_B = deflection::gravityInBase(bench().cell.arm, bench().cell.X_WB);
     arm.solve({q, bench().cell.load, gravity_B});
     double bow = 0;
-    Clearance clearance = world.closest(framesAlongChords(bench().cell, arm.shape(), &bow));
+    Clearance clearance = world.closest(deflection::framesAlongChords(bench().cell.arm, bench().cell.X_WB, arm.shape(), &bow));
     clearance.margin -= bow;
     return clearance;
   };

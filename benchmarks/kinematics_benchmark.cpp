@@ -11,7 +11,7 @@
 #include <string>
 
 #include "deflection/inverse/inverse_solver.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::benchmarks {
@@ -133,7 +133,7 @@ constexpr int kSideBySide = 64;
 /// The same postures as a batch; an iteration is one of them.
 void batch(benchmark::State& state, bool derive) {
   Postures postures;
-  BatchKinematics kinematics(postures.arm);
+  Kinematics kinematics(postures.arm);
   PostureBatch all;
   all.resize(4, kSideBySide);
   for (Eigen::Index k = 0; k < kSideBySide; ++k) {
@@ -151,7 +151,7 @@ void batch(benchmark::State& state, bool derive) {
       kinematics.solve(all, tips);
     benchmark::DoNotOptimize(tips.poses.data());
   }
-  state.counters["lanes"] = kinematics.lanes();
+  state.counters["lanes"] = simd::kernels().back().lanes;
 }
 
 void batchedPose(benchmark::State& state) { batch(state, false); }

@@ -8,7 +8,7 @@
 #include "calibration/estimation/fit.hpp"
 #include "deflection/inverse/inverse_kinematics.hpp"
 #include "deflection/inverse/rigid_branches.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 
 namespace tubeplan::benchmarks {
 
@@ -113,7 +113,7 @@ class Misfit {
     VectorXd values(kCount);  // what a derivative by the logarithm is multiplied with
     for (Eigen::Index u = 0; u < kCount; ++u)
       values[u] = deflection::locate(arm, paths_[static_cast<std::size_t>(u)]) *= std::exp(x[u]);
-    deflection::BatchKinematics kinematics(arm);
+    deflection::Kinematics kinematics(arm);
     deflection::TipBatch tips;
     kinematics.solveWithDerivatives(postures_, jacobian ? variables_ : std::vector<deflection::Variable>{}, tips,
                                     kKinematics);

@@ -70,6 +70,12 @@ bool turns(const Joint<S>& joint) {
   return joint.type == JointType::kRevolute || !joint.follows.empty();
 }
 
+/// Whether a row moves at all, by a reading of its own or with others.
+template <class S>
+bool moves(const Joint<S>& joint) {
+  return joint.type != JointType::kPassive || !joint.follows.empty();
+}
+
 /// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. An I of infinity does not bend;
 /// G J of infinity does not twist. `segments` splits it into equal elements.
 template <class S>

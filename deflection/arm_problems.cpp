@@ -25,11 +25,10 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
     if (field.of_tool) continue;
     const int lumps = field.of_lump ? static_cast<int>(row.weight.lumps.size()) : 1;
     for (int lump = 0; lump < lumps; ++lump) {
-      const double* number = field.find(copy, lump);
+      const double* number = findNumber(copy, field, lump);
       if (!number) continue;
-      const std::string path = row.name + "." + field.name;
-      const bool may_be_rigid = field.quantity == Quantity::kTorquePerAngle || field.quantity == Quantity::kPressure ||
-                                field.quantity == Quantity::kLengthToTheFourth;
+      const std::string path = row.name + "." + std::string(field.name);
+      const bool may_be_rigid = isStiffness(field.quantity);
       if (std::isnan(*number) || (std::isinf(*number) && !may_be_rigid))
         out.push_back({path, text(*number), "a finite number"});
       else if (*number < field.lower || *number > field.upper || (may_be_rigid && *number <= 0))

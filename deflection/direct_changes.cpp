@@ -58,12 +58,12 @@ void DirectChanges::begin() {
   first_link_.clear();
   first_element_.clear();
   std::size_t element = 0;
-  for (std::size_t k = 0; k < arm_.chain_.links.size(); ++k) {
-    if (arm_.chain_.links[k].row == static_cast<int>(first_link_.size())) {
+  for (std::size_t k = 0; k < arm_.chain().links.size(); ++k) {
+    if (arm_.chain().links[k].row == static_cast<int>(first_link_.size())) {
       first_link_.push_back(k);
       first_element_.push_back(element);
     }
-    element += arm_.chain_.links[k].component >= 0;
+    element += arm_.chain().links[k].component >= 0;
   }
 }
 
@@ -91,7 +91,7 @@ void DirectChanges::addLink(std::size_t k, const ChainLink<Dual>& link, TipColum
 
 void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const Row<Dual>& row,
                                TipColumns& tip) const {
-  const FlexibleElement& element = arm_.equilibrium_.elements[e];
+  const FlexibleElement& element = arm_.equilibrium().elements[e];
   const ElementSensitivity& answer = sensitivity_.element(e);
   if (changes(link.weight))
     addProduct(Eigen::Matrix<double, 6, 1>(answer.weight * arm_.effectivePosture().gravity_B), changesOf(link.weight),
@@ -105,7 +105,7 @@ void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const
   if (!changes(flexibility.compliance) && !changes(flexibility.softness) && !changes(flexibility.knee) &&
       !changes(flexibility.member))
     return;
-  const Deflection<Dual> deflected = element.kind->deflectDual(flexibility, arm_.equilibrium_.loadingOf(e));
+  const Deflection<Dual> deflected = element.kind->deflectDual(flexibility, arm_.equilibrium().loadingOf(e));
   if (changes(deflected.displacement)) addProduct(answer.displacement, changesOf(deflected.displacement), tip);
   if (changes(deflected.rotation)) addProduct(answer.rotation, changesOf(deflected.rotation), tip);
 }
@@ -131,10 +131,10 @@ void DirectChanges::addRow(std::size_t index, const Row<Dual>& row, const Dual& 
 
 void DirectChanges::addElements(std::size_t index, const Row<Dual>& row, TipColumns& tip) {
   std::size_t e = first_element_[index];
-  for (; e < arm_.equilibrium_.elements.size(); ++e) {
-    if (arm_.chain_.components[e].row != static_cast<int>(index)) return;
+  for (; e < arm_.equilibrium().elements.size(); ++e) {
+    if (arm_.chain().components[e].row != static_cast<int>(index)) return;
     ChainLink<Dual> link{ChainLinkType::kMember, static_cast<int>(index)};
-    link.p = arm_.equilibrium_.elements[e].flexibility.member.cast<Dual>();
+    link.p = arm_.equilibrium().elements[e].flexibility.member.cast<Dual>();
     addElement(e, link, row, tip);
   }
 }
@@ -151,7 +151,7 @@ void DirectChanges::addGravity(const Vector3<Dual>& gravity_B, TipColumns& tip) 
 
 void DirectChanges::addTipLoad(const Dual& load, const std::optional<TipLoad<Dual>>& added, TipColumns& tip) const {
   const Vector3d& g = arm_.effectivePosture().gravity_B;
-  const std::size_t last = arm_.chain_.links.size() - 1;
+  const std::size_t last = arm_.chain().links.size() - 1;
   const PoseOf<double>& end = sensitivity_.frames().back();
   const Dual size = added ? Dual(load - added->contact_force) : load;
   if (changes(size))

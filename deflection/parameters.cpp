@@ -4,113 +4,71 @@
 #include <cmath>
 
 #include "deflection/effects/effect.hpp"
-#include "deflection/rotation.hpp"
+#include "deflection/row_numbers.hpp"
 
 namespace tubeplan::deflection {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTiny = 1e-12;
 
-/// Both scalar versions of one accessor, a generic lambda from (row, lump) to a pointer.
-template <class Find>
-ParameterField field(const char* name, Quantity quantity, double lower, double upper, Find, bool of_lump = false) {
-  return {name,
-          quantity,
-          lower,
-          upper,
-          false,
-          of_lump,
-          [](Row<double>& row, int lump) { return Find{}(row, lump); },
-          [](Row<Dual>& row, int lump) { return Find{}(row, lump); }};
+/// A row with every kind of number that a row placed so can have.
+Row<double> fullRow(const std::variant<DenavitHartenberg<double>, Origin<double>>& placement, JointType type) {
+  Row<double> row;
+  row.placement = placement;
+  row.joint.type = type;
+  row.beam.emplace();
+  row.weight.lumps.resize(1);
+  return row;
 }
 
-ParameterField toolField(const char* name) {
-  return {name, Quantity::kLength, -kInfinity, kInfinity, true, false, nullptr, nullptr};
+/// The kinds that rows have, in the order of files.
+std::vector<ParameterField> rowFields() {
+  std::vector<ParameterField> fields;
+  const auto add = [&](const RowNumber& about, double&) {
+    if (!about.name || !about.is_parameter || about.part != RowPart::kPlacement) return;
+    fields.push_back({about.name, about.quantity, about.lower, about.upper, false, false});
+  };
+  // A joint stands for its row's theta: only a row that does not move has one of its own.
+  Row<double> by_dh = fullRow(DenavitHartenberg<double>{}, JointType::kPassive),
+              by_origin = fullRow(Origin<double>{}, JointType::kRevolute);
+  visitNumbers(add, by_dh);
+  visitNumbers(add, by_origin);
+  visitNumbers(
+      [&](const RowNumber& about, double&) {
+        if (!about.name || !about.is_parameter || about.part == RowPart::kPlacement) return;
+        fields.push_back({about.name, about.quantity, about.lower, about.upper, false, about.lump >= 0});
+      },
+      by_origin);
+  return fields;
 }
 
 template <class S>
-DenavitHartenberg<S>* dhOf(Row<S>& row) {
-  return std::get_if<DenavitHartenberg<S>>(&row.placement);
-}
-template <class S>
-Origin<S>* originOf(Row<S>& row) {
-  return std::get_if<Origin<S>>(&row.placement);
-}
-template <class S>
-bool moves(const Row<S>& row) {
-  return row.joint.type != JointType::kPassive || !row.joint.follows.empty();
-}
-
-/// A number of what places a row, of rows that are placed so.
-template <class Find, class Of>
-ParameterField placementField(const char* name, Quantity quantity, Find, Of) {
-  const double most = quantity == Quantity::kAngle ? kFullTurn : kInfinity;
-  return field(name, quantity, -most, most, [](auto& r, int) {
-    auto* placement = Find{}(r);
-    return placement ? Of{}(*placement) : nullptr;
-  });
-}
-
-template <class Of>
-ParameterField dhField(const char* name, Quantity quantity, Of of) {
-  return placementField(
-      name, quantity, [](auto& r) { return dhOf(r); }, of);
-}
-template <class Of>
-ParameterField originField(const char* name, Quantity quantity, Of of) {
-  return placementField(
-      name, quantity, [](auto& r) { return originOf(r); }, of);
+S* findIn(Row<S>& row, const ParameterField& field, int lump) {
+  S* found = nullptr;
+  visitNumbers(
+      [&](const RowNumber& about, S& number) {
+        if (about.is_parameter && about.name && about.name == field.name && (!field.of_lump || about.lump == lump))
+          found = &number;
+      },
+      row);
+  return found;
 }
 
 }  // namespace
 
 const std::vector<ParameterField>& parameterFields() {
-  using Q = Quantity;
-  static const std::vector<ParameterField> kFields{
-      dhField("dh.alpha", Q::kAngle, [](auto& dh) { return &dh.alpha; }),
-      dhField("dh.a", Q::kLength, [](auto& dh) { return &dh.a; }),
-      dhField("dh.d", Q::kLength, [](auto& dh) { return &dh.d; }),
-      field("dh.theta", Q::kAngle, -kFullTurn, kFullTurn,
-            [](auto& r, int) {
-              auto* dh = dhOf(r);
-              return dh && !moves(r) ? &dh->theta : nullptr;
-            }),
-      originField("origin.position.x", Q::kLength, [](auto& origin) { return &origin.position[0]; }),
-      originField("origin.position.y", Q::kLength, [](auto& origin) { return &origin.position[1]; }),
-      originField("origin.position.z", Q::kLength, [](auto& origin) { return &origin.position[2]; }),
-      originField("origin.rpy.r", Q::kAngle, [](auto& origin) { return &origin.rpy[0]; }),
-      originField("origin.rpy.p", Q::kAngle, [](auto& origin) { return &origin.rpy[1]; }),
-      originField("origin.rpy.y", Q::kAngle, [](auto& origin) { return &origin.rpy[2]; }),
-      field("joint.offset", Q::kAngle, -kFullTurn, kFullTurn,
-            [](auto& r, int) { return moves(r) ? &r.joint.offset : nullptr; }),
-      field("joint_stiffness.x", Q::kTorquePerAngle, kTiny, kInfinity,
-            [](auto& r, int) { return &r.joint_stiffness[0]; }),
-      field("joint_stiffness.y", Q::kTorquePerAngle, kTiny, kInfinity,
-            [](auto& r, int) { return &r.joint_stiffness[1]; }),
-      field("joint_stiffness.z", Q::kTorquePerAngle, kTiny, kInfinity,
-            [](auto& r, int) { return &r.joint_stiffness[2]; }),
-      field("beam.E", Q::kPressure, kTiny, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->E : nullptr; }),
-      field("beam.Ix", Q::kLengthToTheFourth, 0, kInfinity,
-            [](auto& r, int) { return r.beam ? &r.beam->I[0] : nullptr; }),
-      field("beam.Iy", Q::kLengthToTheFourth, 0, kInfinity,
-            [](auto& r, int) { return r.beam ? &r.beam->I[1] : nullptr; }),
-      field("beam.Iz", Q::kLengthToTheFourth, 0, kInfinity,
-            [](auto& r, int) { return r.beam ? &r.beam->I[2] : nullptr; }),
-      field("beam.G", Q::kPressure, kTiny, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->G : nullptr; }),
-      field("beam.J", Q::kLengthToTheFourth, 0, kInfinity, [](auto& r, int) { return r.beam ? &r.beam->J : nullptr; }),
-      field("weight.distributed", Q::kForcePerLength, 0, kInfinity, [](auto& r, int) { return &r.weight.distributed; }),
-      field("weight.end", Q::kForce, 0, kInfinity, [](auto& r, int) { return &r.weight.end; }),
-      field(
-          "weight.lumps", Q::kForce, 0, kInfinity, [](auto& r, int lump) { return &r.weight.lumps[lump].weight; },
-          true),
-      toolField("tip.x"),
-      toolField("tip.y"),
-      toolField("tip.z"),
-  };
+  static const std::vector<ParameterField> kFields = [] {
+    std::vector<ParameterField> fields = rowFields();
+    for (const char* tip : {"tip.x", "tip.y", "tip.z"})
+      fields.push_back({tip, Quantity::kLength, -kInfinity, kInfinity, true, false});
+    return fields;
+  }();
   return kFields;
 }
+
+double* findNumber(Row<double>& row, const ParameterField& field, int lump) { return findIn(row, field, lump); }
+Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump) { return findIn(row, field, lump); }
 
 namespace {
 
@@ -128,11 +86,7 @@ S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields().at(path.field);
   if (f.of_tool) return arm.p_LT[toolAxis(f)];
   Row<S>& row = rowsOf(arm, path.side_chain).at(path.row);
-  S* found = nullptr;
-  if constexpr (std::is_same_v<S, double>)
-    found = f.find(row, path.lump);
-  else
-    found = f.findDual(row, path.lump);
+  S* found = findNumber(row, f, path.lump);
   assert(found);
   return *found;
 }
@@ -147,66 +101,46 @@ Vector3<To> castVector(const Vector3<From>& v) {
 }
 
 template <class To, class From>
-std::vector<Lump<To>> castLumps(const std::vector<Lump<From>>& lumps) {
-  std::vector<Lump<To>> out;
-  for (const auto& lump : lumps) out.push_back({castScalar<To>(lump.weight), castVector<To>(lump.at)});
-  return out;
-}
-
-template <class To, class From>
-EffectTerms<To> castEffectTerms(const EffectTerms<From>& a) {
-  return {a.joint_is_compliant,
-          a.member_is_compliant,
-          a.bends,
-          a.has_gap,
-          castVector<To>(a.compliance),
-          castVector<To>(a.softness),
-          castVector<To>(a.knee),
-          castVector<To>(a.gap),
-          castVector<To>(a.bending_compliance),
-          castScalar<To>(a.torsion_compliance),
-          castVector<To>(a.pull),
-          castLumps<To>(a.hung)};
-}
-
-template <class To, class From>
 TipLoad<To> castTipLoad(const TipLoad<From>& a) {
   return {castVector<To>(a.payload_offset), castScalar<To>(a.contact_force), castVector<To>(a.force),
           castVector<To>(a.moment)};
 }
 
+/// The row without its numbers: what there is of each kind.
 template <class To, class From>
-Row<To> castRow(const Row<From>& row) {
+Row<To> shapeOf(const Row<From>& row) {
   Row<To> out;
   out.name = row.name;
-  if (const auto* dh = std::get_if<DenavitHartenberg<From>>(&row.placement))
-    out.placement = DenavitHartenberg<To>{castScalar<To>(dh->alpha), castScalar<To>(dh->a), castScalar<To>(dh->d),
-                                          castScalar<To>(dh->theta)};
-  else {
-    const auto& origin = std::get<Origin<From>>(row.placement);
-    out.placement = Origin<To>{castVector<To>(origin.position), castVector<To>(origin.rpy)};
-  }
+  if (!dhOf(row)) out.placement = Origin<To>{};
   const auto& j = row.joint;
-  out.joint = {j.name,       j.type,      castScalar<To>(j.offset), j.lower,
-               j.upper,      j.max_speed, j.max_acceleration,       j.encoder_sigma,
-               j.gear_ratio, j.follows};
-  out.joint_stiffness = castVector<To>(row.joint_stiffness);
-  if (row.beam)
-    out.beam = Beam<To>{castScalar<To>(row.beam->E), castVector<To>(row.beam->I), castScalar<To>(row.beam->G),
-                        castScalar<To>(row.beam->J), row.beam->segments};
-  out.weight.distributed = castScalar<To>(row.weight.distributed);
-  out.weight.end = castScalar<To>(row.weight.end);
-  out.weight.lumps = castLumps<To>(row.weight.lumps);
-  if (row.effect_terms) out.effect_terms = castEffectTerms<To>(*row.effect_terms);
+  out.joint = {j.name,          j.type,       To(0),    j.lower, j.upper, j.max_speed, j.max_acceleration,
+               j.encoder_sigma, j.gear_ratio, j.follows};
+  if (row.beam) out.beam.emplace().segments = row.beam->segments;
+  out.weight.lumps.resize(row.weight.lumps.size());
+  if (!row.effect_terms) return out;
+  const auto& from = *row.effect_terms;
+  auto& terms = out.effect_terms.emplace();
+  terms.joint_is_compliant = from.joint_is_compliant;
+  terms.member_is_compliant = from.member_is_compliant;
+  terms.bends = from.bends;
+  terms.has_gap = from.has_gap;
+  terms.hung.resize(from.hung.size());
+  return out;
+}
+
+template <class To, class From>
+Row<To> castRow(const Row<From>& row) {
+  Row<To> out = shapeOf<To>(row);
+  visitNumbers([](const RowNumber&, To& to, const From& from) { to = castScalar<To>(from); }, out, row);
   return out;
 }
 
 Parameter makeParameter(Arm& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields()[path.field];
   const Row<double>* row = f.of_tool ? nullptr : &rowsOf(arm, path.side_chain)[path.row];
-  std::string name = (row ? row->name : "tool") + "." + f.name;
+  std::string name = (row ? row->name : "tool") + "." + std::string(f.name);
   if (f.of_lump) name.append(".").append(std::to_string(path.lump + 1));
-  const bool slides = row && row->joint.type == JointType::kPrismatic && std::string_view(f.name) == "joint.offset";
+  const bool slides = row && row->joint.type == JointType::kPrismatic && f.name == "joint.offset";
   return {name, slides ? Quantity::kLength : f.quantity, path, locateIn(arm, path), f.lower, f.upper};
 }
 
@@ -217,7 +151,7 @@ void appendRowParameters(Arm& arm, int side_chain, int index, std::vector<Parame
     if (fields[f].of_tool) continue;
     const int lumps = static_cast<int>(row.weight.lumps.size());
     for (int lump = fields[f].of_lump ? 0 : -1; lump < (fields[f].of_lump ? lumps : 0); ++lump) {
-      const double* number = fields[f].find(row, lump);
+      const double* number = findNumber(row, fields[f], lump);
       if (number && std::isfinite(*number))
         out.push_back(makeParameter(arm, {.row = index, .field = f, .lump = lump, .side_chain = side_chain}));
     }
@@ -269,11 +203,6 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
 
 template ArmOf<Dual> castArm<Dual, double>(const ArmOf<double>&);
 template ArmOf<double> castArm<double, Dual>(const ArmOf<Dual>&);
-
-bool isStiffness(Quantity quantity) {
-  return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
-         quantity == Quantity::kLengthToTheFourth;
-}
 
 double& locate(Arm& arm, const ParameterPath& path) { return locateIn(arm, path); }
 Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path) { return locateIn(arm, path); }

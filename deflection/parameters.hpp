@@ -7,29 +7,9 @@
 #include <vector>
 
 #include "deflection/arm.hpp"
+#include "deflection/quantity.hpp"
 
 namespace tubeplan::deflection {
-
-/// What kind of number a parameter is; readers and printers find its unit from it.
-enum class Quantity {
-  kNone,  ///< a plain number
-  kLength,
-  kAngle,
-  kForce,
-  kForcePerLength,
-  kTorquePerAngle,
-  kPressure,
-  kLengthToTheFourth,
-  kTorque,
-  kAnglePerTorque,
-  kPerBendingStiffness,  ///< 1/(N m^2)
-  kPerTemperature,       ///< 1/K
-  kSpeed,                ///< m/s
-  kTime,
-};
-
-/// E, G, I, J and joint stiffnesses: what a part's compliance is the inverse of.
-[[nodiscard]] bool isStiffness(Quantity quantity);
 
 /// Where a parameter lives: `row` -1 is the tool; `field` indexes parameterFields(); `lump` counts the row's lumps. A
 /// number of an effect has only the effect's index in the arm and the value's index in the effect.
@@ -43,17 +23,19 @@ struct ParameterPath {
   bool operator==(const ParameterPath&) const = default;
 };
 
-/// A kind of number a row (or the tool) can have. An open table: a new number is one row in parameters.cpp.
+/// A kind of number that rows (or the tool) can have and that can be identified: those of row_numbers.hpp.
 struct ParameterField {
-  const char* name;  ///< within the row: "joint_stiffness.z"
+  std::string_view name;  ///< within the row: "joint_stiffness.z"
   Quantity quantity;
   double lower, upper;  ///< physical bounds in internal units
   bool of_tool, of_lump;
-  double* (*find)(Row<double>&, int lump);  ///< nullptr where the row has no such number
-  Dual* (*findDual)(Row<Dual>&, int lump);
 };
 
 const std::vector<ParameterField>& parameterFields();
+
+/// A row's number of that kind; nullptr where the row has none.
+double* findNumber(Row<double>& row, const ParameterField& field, int lump);
+Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump);
 
 struct Parameter {
   std::string name;  ///< dotted path in the arm file: "tool.joint_stiffness.z", "tool.tip.x", "backlash@tool.z.gap"

@@ -1,51 +1,10 @@
 #include "deflection/posture_batch.hpp"
 
-#include <algorithm>
-#include <cassert>
-
 #include "deflection/resized.hpp"
-#include "deflection/revolute_chain/kernels.hpp"
-#include "deflection/revolute_chain/revolute_chain.hpp"
 
 namespace tubeplan::deflection {
 
 using Eigen::Index, Eigen::Vector3d;
-
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr int kMostLanes = 8;
-
-/// Columns of a matrix that stands row by row: `count` of them from `first`, as `width` lanes; the last one again where
-/// there are fewer.
-void copyIn(const Side& from, Index first, Index count, Index width, double* to) {
-  for (Index row = 0; row < from.rows(); ++row)
-    for (Index l = 0; l < width; ++l) to[row * width + l] = from(row, first + std::min(l, count - 1));
-}
-
-void copyOut(const double* from, Index first, Index count, Index width, Side& to) {
-  for (Index row = 0; row < to.rows(); ++row)
-    for (Index l = 0; l < count; ++l) to(row, first + l) = from[row * width + l];
-}
-
-/// The last postures of a batch, fewer than lanes. Derivatives stay lane by lane, in `out`.
-void solveRest(const simd::Kernel& kernel, const simd::RevoluteArm& arm, const PostureBatch& postures, Index first,
-               const FlexibleKinematicsOptions& options, TipBatch& tips, double* sweeps, simd::Shapes out) {
-  double q[simd::kMaxJoints * kMostLanes], load[kMostLanes], gravity[3 * kMostLanes], pose[12 * kMostLanes],
-      took[kMostLanes];
-  const Index count = postures.size() - first, width = kernel.lanes;
-  copyIn(postures.q, first, count, width, q);
-  copyIn(postures.gravity_B, first, count, width, gravity);
-  for (Index l = 0; l < width; ++l) load[l] = postures.load[first + std::min(l, count - 1)];
-  out.pose = pose;
-  out.sweeps = took;
-  out.stride = width;
-  kernel.solve(arm, {q, load, gravity, width, options.tolerance * arm.reach, options.max_iterations}, out);
-  copyOut(pose, first, count, width, tips.poses);
-  std::copy_n(took, count, sweeps + first);
-}
-
-}  // namespace
 
 void PostureBatch::resize(Index joints, Index count, double load_of_all, const Vector3d& gravity_of_all) {
   resizeOrEmpty(q, joints, count);
@@ -60,94 +19,6 @@ PoseOf<double> TipBatch::X_BD(Index k) const {
   X.p = poses.col(k).head<3>();
   for (int column = 0; column < 3; ++column) X.R.col(column) = poses.col(k).segment<3>(3 + 3 * column);
   return X;
-}
-
-BatchKinematics::BatchKinematics(const Arm& arm) : given_(arm), arm_(arm), joints_(jointVariables(arm)) {}
-
-int BatchKinematics::lanes() const { return arm_.hasJacobian() ? simd::kernels().back().lanes : 1; }
-
-void BatchKinematics::solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options) {
-  static const std::vector<Variable> kNone;
-  run(postures, tips, options, kNone);
-}
-
-void BatchKinematics::solveWithJacobian(const PostureBatch& postures, TipBatch& tips,
-                                        const FlexibleKinematicsOptions& options) {
-  run(postures, tips, options, joints_);
-}
-
-void BatchKinematics::solveWithDerivatives(const PostureBatch& postures, const std::vector<Variable>& variables,
-                                           TipBatch& tips, const FlexibleKinematicsOptions& options) {
-  run(postures, tips, options, variables);
-}
-
-bool BatchKinematics::hasKernel(const std::vector<Variable>& variables) {
-  return variables.empty() ? arm_.hasJacobian() : arm_.kernelFor(variables) != nullptr;
-}
-
-void BatchKinematics::run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                          const std::vector<Variable>& variables) {
-  const Index n = postures.size();
-  assert(postures.q.rows() == static_cast<Index>(joints_.size()) && postures.load.size() == n &&
-         postures.gravity_B.cols() == n);
-  tips.status.assign(static_cast<std::size_t>(n), KinematicsStatus::kNotRun);
-  resizeOrEmpty(tips.poses, 12, n);
-  resizeOrEmpty(tips.jacobian, 6 * static_cast<Index>(variables.size()), n);
-  if (n == 0) return;
-  if (hasKernel(variables))
-    solveSideBySide(postures, tips, options, variables);
-  else
-    solveOneByOne(postures, tips, options, variables);
-  for (Index k = 0; k < n; ++k) {
-    if (tips.status[static_cast<std::size_t>(k)] == KinematicsStatus::kConverged) continue;
-    tips.poses.col(k).setConstant(kNaN);
-    tips.jacobian.col(k).setConstant(kNaN);
-  }
-}
-
-void BatchKinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips,
-                                      const FlexibleKinematicsOptions& options,
-                                      const std::vector<Variable>& variables) {
-  const simd::Kernel& kernel = simd::kernels().back();
-  const simd::RevoluteVariables* derived = variables.empty() ? nullptr : arm_.kernelFor(variables);
-  if (derived) derivatives_.resize(static_cast<std::size_t>(6 * kMostLanes * derived->columns()));
-  const simd::RevoluteArm arm = arm_.revoluteChain()->numbers();
-  const Index n = postures.size();
-  sweeps_.resize(static_cast<std::size_t>(n));
-  simd::Shapes out{};
-  for (Index k = 0; k < n; k += kernel.lanes) {
-    const Index count = std::min<Index>(kernel.lanes, n - k);
-    if (derived) derived->place(derivatives_.data(), kernel.lanes, out);
-    if (count < kernel.lanes) {
-      solveRest(kernel, arm, postures, k, options, tips, sweeps_.data(), out);
-    } else {
-      out.pose = tips.poses.data() + k;
-      out.sweeps = sweeps_.data() + k;
-      out.stride = n;
-      kernel.solve(arm,
-                   {postures.q.data() + k, postures.load.data() + k, postures.gravity_B.data() + k, n,
-                    options.tolerance * arm.reach, options.max_iterations},
-                   out);
-    }
-    for (std::size_t v = 0; v < variables.size(); ++v)
-      derived->gather(v, derivatives_.data(), kernel.lanes, count,
-                      tips.jacobian.data() + 6 * static_cast<Index>(v) * n + k, n);
-  }
-  for (std::size_t i = 0; i < sweeps_.size(); ++i)
-    tips.status[i] = sweeps_[i] < 0 ? KinematicsStatus::kNotConverged : KinematicsStatus::kConverged;
-}
-
-void BatchKinematics::solveOneByOne(const PostureBatch& postures, TipBatch& tips,
-                                    const FlexibleKinematicsOptions& options, const std::vector<Variable>& variables) {
-  if (!tip_) tip_.emplace(given_);
-  for (Index k = 0; k < postures.size(); ++k) {
-    const Posture posture{postures.q.col(k), postures.load[k], postures.gravity_B.col(k)};
-    tips.status[static_cast<std::size_t>(k)] = tip_->solve(posture, variables, options);
-    const PoseOf<double>& X = tip_->arm().X_BD();
-    tips.poses.col(k).head<3>() = X.p;
-    tips.poses.col(k).tail<9>() = X.R.reshaped();
-    if (!variables.empty()) tips.jacobian.col(k) = tip_->columns().reshaped();
-  }
 }
 
 }  // namespace tubeplan::deflection

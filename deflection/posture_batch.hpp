@@ -1,13 +1,11 @@
-// Many postures of one arm at once, as many side by side as the processor has lanes.
+// Many postures of one arm, and the tips at each, as plain tables.
 //
-// Numbers are laid out kind by kind: all readings of the first joint, then all of the second, and so on. Each posture's
-// shape has the same bits as PreparedArm gives it, whatever its neighbours and whatever the processor.
+// Numbers are laid out kind by kind: all readings of the first joint, then all of the second, and so on.
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "deflection/tip_differentiation.hpp"
+#include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::deflection {
 
@@ -33,43 +31,6 @@ struct TipBatch {
                   ///< base axes
 
   [[nodiscard]] PoseOf<double> X_BD(Eigen::Index k) const;
-};
-
-/// Solves batches of one arm; each thread needs its own. An arm that is no case for a kernel (effects, slides,
-/// clearances, elements that give about several axes) is solved posture by posture, with the same results.
-class BatchKinematics {
- public:
-  /// `arm` must outlive this, and stay as it is.
-  explicit BatchKinematics(const Arm& arm);
-
-  /// Every posture on its own: one that fails fails alone. Nothing is taken from the heap where `tips` has held as many
-  /// before and a kernel does the work.
-  void solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
-  void solveWithJacobian(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
-
-  /// The same with derivatives by other variables than the joints.
-  void solveWithDerivatives(const PostureBatch& postures, const std::vector<Variable>& variables, TipBatch& tips,
-                            const FlexibleKinematicsOptions& options = {});
-
-  /// Whether a kernel does the work for derivatives by these, too; for none, whether it does for shapes.
-  [[nodiscard]] bool hasKernel(const std::vector<Variable>& variables);
-
-  /// The lanes of the kernel that does the work, 1 where none does.
-  [[nodiscard]] int lanes() const;
-
- private:
-  void run(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-           const std::vector<Variable>& variables);
-  void solveSideBySide(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                       const std::vector<Variable>& variables);
-  void solveOneByOne(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
-                     const std::vector<Variable>& variables);
-
-  const Arm& given_;
-  PreparedArm arm_;
-  std::optional<TipDifferentiation> tip_;  ///< where no kernel does the work
-  std::vector<Variable> joints_;
-  std::vector<double> sweeps_, derivatives_;
 };
 
 }  // namespace tubeplan::deflection

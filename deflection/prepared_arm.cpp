@@ -225,7 +225,7 @@ std::string PreparedArm::reason() const {
 /// Calls `visit(k, X)` with the near frame of every link and with the tip's, without any deflection where `rigid`.
 template <class Visit>
 void PreparedArm::walkLinks(bool rigid, Visit&& visit) const {
-  tellElements();
+  copyOutElements();
   const VectorXd& q = effectivePosture().q;
   PoseOf<double> X;
   std::size_t element = 0;

@@ -59,11 +59,20 @@ class PreparedArm {
   /// All that is known of the shape.
   [[nodiscard]] FlexibleKinematics shape() const;
 
- private:
-  friend class DirectChanges;
-  friend class TipDifferentiation;
-  friend class TipSensitivity;
+  /// What derivatives of the shape are taken from: the arm and the posture with its effects, the chain that was put
+  /// together from them, its elements and loads at rest, the near frame of every link and the tip's, and the base as
+  /// effects have moved it (null where there are none).
+  [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
+  [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
+  [[nodiscard]] const Chain<double>& chain() const { return chain_; }
+  [[nodiscard]] const Equilibrium& equilibrium() const {
+    if (!is_copied_out_) copyOutElements();
+    return equilibrium_;
+  }
+  [[nodiscard]] const PoseOf<double>* movedBase() const { return context_ ? &context_->X_BM : nullptr; }
+  void linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const;
 
+ private:
   /// The turn of a joint, by a link of the chain.
   struct JointTurn {
     std::size_t link;
@@ -84,14 +93,12 @@ class PreparedArm {
     Eigen::Vector3d place;
   };
 
-  [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
-  [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
   void prepare(const Arm& arm, const Eigen::VectorXd& q);
   void prepareFixed();
   [[nodiscard]] double angleOf(const JointTurn& turn, const Eigen::VectorXd& q) const;
   void findRevoluteChain(const Arm& arm);
   KinematicsStatus solveRevoluteChain(const FlexibleKinematicsOptions& options, simd::Shapes out);
-  void tellElements() const;
+  void copyOutElements() const;
   void addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k);
   void addElement(const Arm& arm, const ChainLink<double>& link);
   void addTipLoad(const Eigen::Vector3d& direction_B, bool is_couple);
@@ -100,7 +107,6 @@ class PreparedArm {
   void undefine();
   template <class Visit>
   void walkLinks(bool rigid, Visit&& visit) const;
-  void linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const;
   void recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const;
 
   const Arm& arm_;
@@ -113,7 +119,8 @@ class PreparedArm {
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< of each body
   std::vector<Hanging> hanging_;
-  mutable Equilibrium equilibrium_;  ///< where a kernel has solved the shape, told by tellElements() when asked for
+  mutable Equilibrium
+      equilibrium_;  ///< where a kernel has solved the shape, filled by copyOutElements() when asked for
   std::unique_ptr<const simd::RevoluteChain>
       revolute_chain_;                                     ///< the same arm for the kernels, where it is one for them
   std::vector<double> element_states_;                     ///< what a kernel has found of each turn

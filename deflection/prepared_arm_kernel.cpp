@@ -70,12 +70,12 @@ KinematicsStatus PreparedArm::solveWithDerivatives(const Posture& posture, const
 }
 
 /// The elements as the kernel has found them, and the loads on them.
-void PreparedArm::tellElements() const {
+void PreparedArm::copyOutElements() const {
   if (is_copied_out_) return;
   is_copied_out_ = true;
   pose(effectivePosture().q);
   load(effective(), effectivePosture());
-  revolute_chain_->tell(element_states_.data(), 1, equilibrium_.elements);
+  revolute_chain_->copyDeflections(element_states_.data(), 1, equilibrium_.elements);
   equilibrium_.carryLoads();
 }
 

@@ -1,78 +1,157 @@
-// Every number of a row, visited side by side with the same number of another row of its shape.
+// Every number of a row, described once: its name in files, messages and fits, what kind of number it is and its
+// bounds. Casts between scalars, derivatives, parameters, the arm reader and the arm writer all go by this list.
 #pragma once
 
+#include <array>
 #include <cassert>
+#include <limits>
+#include <type_traits>
 
 #include "deflection/arm.hpp"
+#include "deflection/quantity.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection {
 
-/// Calls `visit(a, b)` for each component of two vectors.
-template <class A, class B, class Visit>
-void visitVectors(Vector3<A>& a, const Vector3<B>& b, Visit&& visit) {
-  for (int k = 0; k < 3; ++k) visit(a[k], b[k]);
+/// What of a row a number belongs to: where the row is placed; what gives at its origin and along its member; the
+/// joint's offset, and what weighs or pulls.
+enum class RowPart { kPlacement, kFlexibility, kLoad };
+
+struct RowNumber {
+  const char* name = nullptr;  ///< within the row, "joint_stiffness.z"; null of what effects add, which no file has
+  Quantity quantity = Quantity::kNone;
+  double lower = -std::numeric_limits<double>::infinity();  ///< physical bounds in internal units
+  double upper = std::numeric_limits<double>::infinity();
+  RowPart part = RowPart::kLoad;
+  int lump = -1;              ///< which of the row's lumps it belongs to
+  bool is_parameter = false;  ///< that can be identified: not so what a joint's reading or offset stands for already
+};
+
+template <class R>
+using ScalarOf = std::remove_cvref_t<decltype(std::declval<R&>().joint.offset)>;
+
+/// The row's Denavit-Hartenberg numbers or its origin; null where it is placed by the other.
+template <class R>
+auto* dhOf(R& row) {
+  return std::get_if<DenavitHartenberg<ScalarOf<R>>>(&row.placement);
+}
+template <class R>
+auto* originOf(R& row) {
+  return std::get_if<Origin<ScalarOf<R>>>(&row.placement);
 }
 
-template <class A, class B, class Visit>
-void visitPlacements(Row<A>& a, const Row<B>& b, Visit&& visit) {
-  assert(a.placement.index() == b.placement.index());
-  if (auto* dh = std::get_if<DenavitHartenberg<A>>(&a.placement)) {
-    const auto& other = std::get<DenavitHartenberg<B>>(b.placement);
-    visit(dh->alpha, other.alpha);
-    visit(dh->a, other.a);
-    visit(dh->d, other.d);
-    visit(dh->theta, other.theta);
-    return;
+/// Calls `visit(about, components...)` for each component of vectors side by side.
+template <class Visit, class... V>
+void visitVectors(const RowNumber& about, const std::array<const char*, 3>& names, Visit&& visit, V&... vectors) {
+  for (int k = 0; k < 3; ++k) {
+    RowNumber one = about;
+    one.name = names[static_cast<std::size_t>(k)];
+    visit(one, vectors[k]...);
   }
-  auto& origin = std::get<Origin<A>>(a.placement);
-  const auto& other = std::get<Origin<B>>(b.placement);
-  visitVectors(origin.position, other.position, visit);
-  visitVectors(origin.rpy, other.rpy, visit);
 }
 
-/// What effects add to what gives.
-template <class A, class B, class Visit>
-void visitEffectTerms(EffectTerms<A>& a, const EffectTerms<B>& b, Visit&& visit) {
-  visitVectors(a.compliance, b.compliance, visit);
-  visitVectors(a.softness, b.softness, visit);
-  visitVectors(a.knee, b.knee, visit);
-  visitVectors(a.gap, b.gap, visit);
-  visitVectors(a.bending_compliance, b.bending_compliance, visit);
-  visit(a.torsion_compliance, b.torsion_compliance);
+template <class Visit, class R, class... Rest>
+void visitPlacements(Visit&& visit, R& row, Rest&... rest) {
+  assert(((row.placement.index() == rest.placement.index()) && ...));
+  const RowNumber length{.quantity = Quantity::kLength, .part = RowPart::kPlacement, .is_parameter = true};
+  const RowNumber angle{.quantity = Quantity::kAngle,
+                        .lower = -kFullTurn,
+                        .upper = kFullTurn,
+                        .part = RowPart::kPlacement,
+                        .is_parameter = true};
+  const auto named = [](RowNumber about, const char* name) { return about.name = name, about; };
+  if (auto* dh = dhOf(row)) {
+    visit(named(angle, "dh.alpha"), dh->alpha, dhOf(rest)->alpha...);
+    visit(named(length, "dh.a"), dh->a, dhOf(rest)->a...);
+    visit(named(length, "dh.d"), dh->d, dhOf(rest)->d...);
+    RowNumber theta = named(angle, "dh.theta");
+    theta.is_parameter = !moves(row.joint);
+    return visit(theta, dh->theta, dhOf(rest)->theta...);
+  }
+  visitVectors(length, {"origin.position.x", "origin.position.y", "origin.position.z"}, visit, originOf(row)->position,
+               originOf(rest)->position...);
+  visitVectors(angle, {"origin.rpy.r", "origin.rpy.p", "origin.rpy.y"}, visit, originOf(row)->rpy,
+               originOf(rest)->rpy...);
 }
 
-/// What gives at a row's origin and along its member. An addition that one of the rows has not is passed over.
-template <class A, class B, class Visit>
-void visitFlexibilities(Row<A>& a, const Row<B>& b, Visit&& visit) {
-  visitVectors(a.joint_stiffness, b.joint_stiffness, visit);
-  assert(a.beam.has_value() == b.beam.has_value());
-  if (a.beam) {
-    visit(a.beam->E, b.beam->E);
-    visitVectors(a.beam->I, b.beam->I, visit);
-    visit(a.beam->G, b.beam->G);
-    visit(a.beam->J, b.beam->J);
-  }
-  if (a.effect_terms && b.effect_terms) visitEffectTerms(*a.effect_terms, *b.effect_terms, visit);
+/// What effects add to what gives. An addition that one of the rows has not is passed over.
+template <class Visit, class... R>
+void visitEffectFlexibilities(Visit&& visit, R&... rows) {
+  if (!(rows.effect_terms && ...)) return;
+  const RowNumber about{.part = RowPart::kFlexibility};
+  visitVectors(about, {}, visit, rows.effect_terms->compliance...);
+  visitVectors(about, {}, visit, rows.effect_terms->softness...);
+  visitVectors(about, {}, visit, rows.effect_terms->knee...);
+  visitVectors(about, {}, visit, rows.effect_terms->gap...);
+  visitVectors(about, {}, visit, rows.effect_terms->bending_compliance...);
+  visit(about, rows.effect_terms->torsion_compliance...);
 }
 
-/// The joint's offset, and what weighs or pulls.
-template <class A, class B, class Visit>
-void visitLoads(Row<A>& a, const Row<B>& b, Visit&& visit) {
-  visit(a.joint.offset, b.joint.offset);
-  visit(a.weight.distributed, b.weight.distributed);
-  visit(a.weight.end, b.weight.end);
-  assert(a.weight.lumps.size() == b.weight.lumps.size());
-  for (std::size_t k = 0; k < a.weight.lumps.size(); ++k) {
-    visit(a.weight.lumps[k].weight, b.weight.lumps[k].weight);
-    visitVectors(a.weight.lumps[k].at, b.weight.lumps[k].at, visit);
+template <class Visit, class R, class... Rest>
+void visitFlexibilities(Visit&& visit, R& row, Rest&... rest) {
+  constexpr double kTiny = 1e-12;
+  const auto number = [](Quantity quantity, double lower, const char* name = nullptr) {
+    return RowNumber{
+        .name = name, .quantity = quantity, .lower = lower, .part = RowPart::kFlexibility, .is_parameter = true};
+  };
+  visitVectors(number(Quantity::kTorquePerAngle, kTiny),
+               {"joint_stiffness.x", "joint_stiffness.y", "joint_stiffness.z"}, visit, row.joint_stiffness,
+               rest.joint_stiffness...);
+  assert(((row.beam.has_value() == rest.beam.has_value()) && ...));
+  if (row.beam) {
+    visit(number(Quantity::kPressure, kTiny, "beam.E"), row.beam->E, rest.beam->E...);
+    visitVectors(number(Quantity::kLengthToTheFourth, 0), {"beam.Ix", "beam.Iy", "beam.Iz"}, visit, row.beam->I,
+                 rest.beam->I...);
+    visit(number(Quantity::kPressure, kTiny, "beam.G"), row.beam->G, rest.beam->G...);
+    visit(number(Quantity::kLengthToTheFourth, 0, "beam.J"), row.beam->J, rest.beam->J...);
   }
-  if (!a.effect_terms || !b.effect_terms) return;
-  visitVectors(a.effect_terms->pull, b.effect_terms->pull, visit);
-  assert(a.effect_terms->hung.size() == b.effect_terms->hung.size());
-  for (std::size_t k = 0; k < a.effect_terms->hung.size(); ++k) {
-    visit(a.effect_terms->hung[k].weight, b.effect_terms->hung[k].weight);
-    visitVectors(a.effect_terms->hung[k].at, b.effect_terms->hung[k].at, visit);
+  visitEffectFlexibilities(visit, row, rest...);
+}
+
+/// Lumps side by side: `weight_of` describes their weights.
+template <class Visit, class L, class... Rest>
+void visitLumps(const RowNumber& weight_of, Visit&& visit, L& lumps, Rest&... rest) {
+  assert(((lumps.size() == rest.size()) && ...));
+  for (std::size_t k = 0; k < lumps.size(); ++k) {
+    RowNumber weight = weight_of;
+    weight.lump = static_cast<int>(k);
+    visit(weight, lumps[k].weight, rest[k].weight...);
+    visitVectors({.quantity = Quantity::kLength, .lump = weight.lump}, {}, visit, lumps[k].at, rest[k].at...);
   }
+}
+
+template <class Visit, class R, class... Rest>
+void visitOffsets(Visit&& visit, R& row, Rest&... rest) {
+  visit(RowNumber{.name = "joint.offset",
+                  .quantity = row.joint.type == JointType::kPrismatic ? Quantity::kLength : Quantity::kAngle,
+                  .lower = -kFullTurn,
+                  .upper = kFullTurn,
+                  .is_parameter = moves(row.joint)},
+        row.joint.offset, rest.joint.offset...);
+}
+
+template <class Visit, class R, class... Rest>
+void visitLoads(Visit&& visit, R& row, Rest&... rest) {
+  const RowNumber along{
+      .name = "weight.distributed", .quantity = Quantity::kForcePerLength, .lower = 0, .is_parameter = true};
+  const RowNumber weight{.name = "weight.end", .quantity = Quantity::kForce, .lower = 0, .is_parameter = true};
+  visit(along, row.weight.distributed, rest.weight.distributed...);
+  visit(weight, row.weight.end, rest.weight.end...);
+  RowNumber lump = weight;
+  lump.name = "weight.lumps";
+  visitLumps(lump, visit, row.weight.lumps, rest.weight.lumps...);
+  if (!(row.effect_terms && ... && rest.effect_terms.has_value())) return;
+  visitVectors({}, {}, visit, row.effect_terms->pull, rest.effect_terms->pull...);
+  visitLumps({}, visit, row.effect_terms->hung, rest.effect_terms->hung...);
+}
+
+/// Calls `visit(about, numbers...)` for every number of rows of one shape, side by side, in the order of files.
+template <class Visit, class... R>
+void visitNumbers(Visit&& visit, R&... rows) {
+  visitPlacements(visit, rows...);
+  visitOffsets(visit, rows...);
+  visitFlexibilities(visit, rows...);
+  visitLoads(visit, rows...);
 }
 
 }  // namespace tubeplan::deflection

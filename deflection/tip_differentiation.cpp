@@ -24,10 +24,14 @@ struct RowChanges {
 
 RowChanges changesOf(Row<Dual>& row) {
   RowChanges found;
-  const auto into = [](bool& any) { return [&any](const Dual& x, const Dual&) { any = any || changes(x); }; };
-  visitPlacements(row, row, into(found.placement));
-  visitFlexibilities(row, row, into(found.flexibility));
-  visitLoads(row, row, into(found.others));
+  visitNumbers(
+      [&found](const RowNumber& about, const Dual& x) {
+        bool& any = about.part == RowPart::kPlacement     ? found.placement
+                    : about.part == RowPart::kFlexibility ? found.flexibility
+                                                          : found.others;
+        any = any || changes(x);
+      },
+      row);
   return found;
 }
 
@@ -46,9 +50,7 @@ void setValues(Row<Dual>& row, const Row<double>& values) {
     row.effect_terms->bends = values.effect_terms->bends;
     row.effect_terms->has_gap = values.effect_terms->has_gap;
   }
-  visitPlacements(row, values, setValue);
-  visitFlexibilities(row, values, setValue);
-  visitLoads(row, values, setValue);
+  visitNumbers([](const RowNumber&, Dual& x, double value) { setValue(x, value); }, row, values);
 }
 
 }  // namespace
@@ -188,7 +190,7 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
 
 /// From the moved base to the base as named, which the variables may move too.
 void TipDifferentiation::moveBase(TipColumns& tip) const {
-  const PoseOf<double>& X_BM = arm_.context_->X_BM;
+  const PoseOf<double>& X_BM = *arm_.movedBase();
   const Eigen::Vector3d p_MF_B = X_BM.R * sensitivity_.frame().p;
   tip.topRows<3>() = (X_BM.R * tip.topRows<3>()).eval();
   tip.bottomRows<3>() = (X_BM.R * tip.bottomRows<3>()).eval();

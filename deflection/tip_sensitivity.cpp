@@ -46,7 +46,7 @@ TipRows TipSensitivity::turnAt(std::size_t k, const Vector3d& p) const {
 }
 
 void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t e) {
-  const Equilibrium& shape = arm.equilibrium_;
+  const Equilibrium& shape = arm.equilibrium();
   const FlexibleElement& element = shape.elements[e];
   const Loading<double> load = shape.loadingOf(e);
   const DeflectionSlopes slopes = element.kind->slopesOf(element.flexibility, load);
@@ -102,7 +102,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
 void TipSensitivity::sweepInwards(const PreparedArm& arm) {
   const Arm& numbers = arm.effective();
   const Vector3d& g = arm.effectivePosture().gravity_B;
-  const DeadLoad& load = arm.equilibrium_.loads.front();
+  const DeadLoad& load = arm.equilibrium().loads.front();
   const PoseOf<double>& tip = frames_.back();
   OutboardLoad outboard{load.at_tip * g, momentByTurn(load.at_tip * tip.p + tip.R * load.tip_moment, g)};
   if (numbers.tip_load) {
@@ -110,9 +110,9 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
     outboard.by_turn += momentByTurn(tip.p, numbers.tip_load->force);
   }
   TipRows motion = TipRows::Zero();
-  std::size_t e = arm.equilibrium_.elements.size();
-  for (std::size_t k = arm.chain_.links.size(); k-- > 0;) {
-    const ChainLink<double>& link = arm.chain_.links[k];
+  std::size_t e = arm.equilibrium().elements.size();
+  for (std::size_t k = arm.chain().links.size(); k-- > 0;) {
+    const ChainLink<double>& link = arm.chain().links[k];
     if (k + 1 == answering_) motion << -cross(frame().p), Matrix3d::Identity();
     outboard_[k] = outboard;
     motion_[k] = motion;
@@ -158,7 +158,7 @@ void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::siz
     load.by_moment += moment;
     return;
   }
-  const Vector3d weight = arm.chain_.links[k].weight * arm.effectivePosture().gravity_B;
+  const Vector3d weight = arm.chain().links[k].weight * arm.effectivePosture().gravity_B;
   const TipRows displacement = (shift - load.by_moment * cross(weight / 2)) * a.R;
   rotation = ((rotation + displacement * (a.displacement_by_moment * a.moment_by_rotation)) * a.inverse).eval();
   const TipRows compliant_rotation = rotation * a.is_compliant.asDiagonal();
@@ -176,20 +176,20 @@ void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::siz
 void TipSensitivity::sweepOutwards(const PreparedArm& arm) {
   LoadAnswer load{TipRows::Zero(), TipRows::Zero()};
   std::size_t e = 0;
-  for (std::size_t k = 0; k < arm.chain_.links.size(); ++k) {
-    if (arm.chain_.links[k].component >= 0) passElement(arm, k, e++, load);
+  for (std::size_t k = 0; k < arm.chain().links.size(); ++k) {
+    if (arm.chain().links[k].component >= 0) passElement(arm, k, e++, load);
     loads_[k] = load;
   }
 }
 
 void TipSensitivity::addGravity(const PreparedArm& arm) {
-  const std::size_t last = arm.chain_.links.size() - 1;
-  const DeadLoad& load = arm.equilibrium_.loads.front();
+  const std::size_t last = arm.chain().links.size() - 1;
+  const DeadLoad& load = arm.equilibrium().loads.front();
   const PoseOf<double>& tip = frames_.back();
   gravity_ = load.at_tip * forceAt(last, tip.p) + momentAt(last) * cross(tip.R * load.tip_moment);
   std::size_t e = 0;
   for (std::size_t k = 0; k <= last; ++k) {
-    const ChainLink<double>& link = arm.chain_.links[k];
+    const ChainLink<double>& link = arm.chain().links[k];
     if (link.weight == 0) {
       e += link.component >= 0;
       continue;
@@ -203,8 +203,8 @@ void TipSensitivity::addGravity(const PreparedArm& arm) {
 
 void TipSensitivity::linearize(const PreparedArm& arm, int row) {
   arm.linkFrames(false, frames_);
-  answering_ = row == kTool ? arm.chain_.links.size() : linkOfFrame(arm.chain_, row);
-  const std::size_t links = arm.chain_.links.size(), elements = arm.equilibrium_.elements.size();
+  answering_ = row == kTool ? arm.chain().links.size() : linkOfFrame(arm.chain(), row);
+  const std::size_t links = arm.chain().links.size(), elements = arm.equilibrium().elements.size();
   outboard_.resize(links);
   motion_.resize(links);
   loads_.resize(links);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 #include "app/files/input_error.hpp"
@@ -11,6 +10,7 @@
 #include "app/files/suggestion.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
+#include "deflection/row_numbers.hpp"
 
 namespace tubeplan::app {
 
@@ -21,8 +21,17 @@ using deflection::Joint;
 using deflection::JointType;
 using ArmRow = deflection::Row<double>;
 
-constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-constexpr std::array<const char*, 3> kInertias{"Ix", "Iy", "Iz"};
+/// Reads each of a row's numbers that stands in a map of it, "beam" or "dh"; what is left out stays as it is.
+void readNumbers(const YamlNode& node, const std::string& map, const Units& units, ArmRow& row) {
+  deflection::visitNumbers(
+      [&](const deflection::RowNumber& about, double& number) {
+        const std::string_view name = about.name ? about.name : "";
+        if (about.lump >= 0 || !name.starts_with(map + ".")) return;
+        number =
+            readQuantityOr(node, std::string(name.substr(map.size() + 1)), units, dimensionOf(about.quantity), number);
+      },
+      row);
+}
 
 JointType readJointType(const YamlNode& node) {
   const std::string type = node.text();
@@ -64,16 +73,14 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
 }
 
 // What the joint itself moves may be left out of the row's numbers.
-deflection::DenavitHartenberg<double> readDh(const YamlNode& node, const Units& units, const ArmRow& row) {
+void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
   const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
   std::vector<std::string> required{"alpha", "a"}, optional;
   (row.joint.type == JointType::kPrismatic ? optional : required).push_back("d");
   (turns ? optional : required).push_back("theta");
   node.expectKeys(required, optional);
-  return {readQuantity(node.at("alpha"), units, dimension::kAngle),
-          readQuantity(node.at("a"), units, dimension::kLength),
-          readQuantityOr(node, "d", units, dimension::kLength, 0),
-          readQuantityOr(node, "theta", units, dimension::kAngle, 0)};
+  row.placement = deflection::DenavitHartenberg<double>{};
+  readNumbers(node, "dh", units, row);
 }
 
 deflection::Origin<double> readOrigin(const YamlNode& node, const Units& units) {
@@ -89,17 +96,9 @@ void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
   if (!dh && !origin)
     node.fail("neither `dh` nor `origin`", "one of them", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
   if (dh)
-    row.placement = readDh(*dh, units, row);
+    readDh(*dh, units, row);
   else
     row.placement = readOrigin(*origin, units);
-}
-
-Eigen::Vector3d readJointStiffness(const YamlNode& node, const Units& units) {
-  node.expectKeys({}, {"x", "y", "z"});
-  Eigen::Vector3d stiffness;
-  for (int k = 0; k < 3; ++k)
-    stiffness[k] = readQuantityOr(node, kAxes[k], units, dimension::kTorquePerAngle, deflection::kRigid);
-  return stiffness;
 }
 
 // A flexibility that lacks its modulus (or a modulus without flexibility) would silently be rigid.
@@ -115,32 +114,24 @@ void checkBeamKeys(const YamlNode& node) {
               "leave `beam` out where it is rigid");
 }
 
-deflection::Beam<double> readBeam(const YamlNode& node, const Units& units) {
+void readBeam(const YamlNode& node, const Units& units, ArmRow& row) {
   node.expectKeys({}, {"E", "Ix", "Iy", "Iz", "G", "J", "segments"});
   checkBeamKeys(node);
-  deflection::Beam<double> beam;
-  beam.E = readQuantityOr(node, "E", units, dimension::kPressure, beam.E);
-  beam.G = readQuantityOr(node, "G", units, dimension::kPressure, beam.G);
-  beam.J = readQuantityOr(node, "J", units, dimension::kLengthToTheFourth, beam.J);
-  for (int k = 0; k < 3; ++k)
-    beam.I[k] = readQuantityOr(node, kInertias[k], units, dimension::kLengthToTheFourth, deflection::kRigid);
-  if (const YamlNode* segments = node.find("segments")) beam.segments = segments->integer(1, 1000);
-  return beam;
+  row.beam.emplace();
+  readNumbers(node, "beam", units, row);
+  if (const YamlNode* segments = node.find("segments")) row.beam->segments = segments->integer(1, 1000);
 }
 
-deflection::Weight<double> readWeight(const YamlNode& node, const Units& units) {
+void readWeight(const YamlNode& node, const Units& units, ArmRow& row) {
   node.expectKeys({}, {"distributed", "end", "lumps"});
-  deflection::Weight<double> weight;
-  weight.distributed = readQuantityOr(node, "distributed", units, dimension::kForcePerLength, 0);
-  weight.end = readQuantityOr(node, "end", units, dimension::kForce, 0);
+  readNumbers(node, "weight", units, row);
   const YamlNode* lumps = node.find("lumps");
-  if (!lumps) return weight;
+  if (!lumps) return;
   for (const YamlNode& lump : lumps->list()) {
     lump.expectKeys({"weight", "at"}, {});
-    weight.lumps.push_back({readQuantity(lump.at("weight"), units, dimension::kForce),
-                            readVector(lump.at("at"), units, dimension::kLength)});
+    row.weight.lumps.push_back({readQuantity(lump.at("weight"), units, dimension::kForce),
+                                readVector(lump.at("at"), units, dimension::kLength)});
   }
-  return weight;
 }
 
 ArmRow readRow(const YamlNode& node, const Units& units) {
@@ -151,10 +142,12 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
     node.at("name").fail("a name without blanks, dots and brackets");
   if (const YamlNode* joint = node.find("joint")) row.joint = readJoint(*joint, units);
   readPlacement(node, units, row);
-  if (const YamlNode* stiffness = node.find("joint_stiffness"))
-    row.joint_stiffness = readJointStiffness(*stiffness, units);
-  if (const YamlNode* beam = node.find("beam")) row.beam = readBeam(*beam, units);
-  if (const YamlNode* weight = node.find("weight")) row.weight = readWeight(*weight, units);
+  if (const YamlNode* stiffness = node.find("joint_stiffness")) {
+    stiffness->expectKeys({}, {"x", "y", "z"});
+    readNumbers(*stiffness, "joint_stiffness", units, row);
+  }
+  if (const YamlNode* beam = node.find("beam")) readBeam(*beam, units, row);
+  if (const YamlNode* weight = node.find("weight")) readWeight(*weight, units, row);
   return row;
 }
 

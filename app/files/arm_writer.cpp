@@ -5,8 +5,10 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 
 #include "app/files/yaml/yaml_text.hpp"
+#include "deflection/row_numbers.hpp"
 
 namespace tubeplan::app {
 
@@ -41,13 +43,22 @@ class FlowMap {
   std::vector<std::string> entries_;
 };
 
+/// Adds each of a row's numbers that stands in a map of it, "beam" or "dh"; where `usual` is given, those that differ
+/// from it.
+void addNumbers(const std::string& name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
+  deflection::visitNumbers(
+      [&](const deflection::RowNumber& about, const double& number) {
+        const std::string_view whole = about.name ? about.name : "";
+        if (about.lump >= 0 || !whole.starts_with(name + ".") || number == usual) return;
+        map.add(about.name + name.size() + 1, number, dimensionOf(about.quantity));
+      },
+      row);
+}
+
 std::string placementText(const ArmRow& row, const Units& units) {
   FlowMap map(units);
-  if (const auto* dh = std::get_if<deflection::DenavitHartenberg<double>>(&row.placement)) {
-    map.add("alpha", dh->alpha, dimension::kAngle);
-    map.add("a", dh->a, dimension::kLength);
-    map.add("d", dh->d, dimension::kLength);
-    map.add("theta", dh->theta, dimension::kAngle);
+  if (deflection::dhOf(row)) {
+    addNumbers("dh", row, {}, map);
     return "dh: " + map.text();
   }
   const auto& origin = std::get<deflection::Origin<double>>(row.placement);
@@ -85,23 +96,18 @@ std::string jointText(const Arm& arm, const deflection::Joint<double>& joint, co
   return map.text();
 }
 
-std::string beamText(const deflection::Beam<double>& beam, const Units& units) {
-  constexpr const char* kInertias[] = {"Ix", "Iy", "Iz"};
+std::string beamText(const ArmRow& row, const Units& units) {
   FlowMap map(units);
-  map.addUnless(deflection::kRigid, "E", beam.E, dimension::kPressure);
-  for (int k = 0; k < 3; ++k) map.addUnless(deflection::kRigid, kInertias[k], beam.I[k], dimension::kLengthToTheFourth);
-  map.addUnless(deflection::kRigid, "G", beam.G, dimension::kPressure);
-  map.addUnless(deflection::kRigid, "J", beam.J, dimension::kLengthToTheFourth);
-  map.addUnless(1, "segments", beam.segments, dimension::kNone);
+  addNumbers("beam", row, deflection::kRigid, map);
+  map.addUnless(1, "segments", row.beam->segments, dimension::kNone);
   return map.text();
 }
 
-std::string weightText(const deflection::Weight<double>& weight, const Units& units) {
+std::string weightText(const ArmRow& row, const Units& units) {
   FlowMap map(units);
-  map.addUnless(0, "distributed", weight.distributed, dimension::kForcePerLength);
-  map.addUnless(0, "end", weight.end, dimension::kForce);
+  addNumbers("weight", row, 0, map);
   std::vector<std::string> lumps;
-  for (const auto& lump : weight.lumps) {
+  for (const auto& lump : row.weight.lumps) {
     FlowMap one(units);
     one.add("weight", lump.weight, dimension::kForce);
     one.add("at", lump.at, dimension::kLength);
@@ -113,17 +119,15 @@ std::string weightText(const deflection::Weight<double>& weight, const Units& un
 
 /// A row of a list that stands so far to the right.
 std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const char* margin) {
-  constexpr const char* kAxes[] = {"x", "y", "z"};
   std::string text = fmt::format("{}- name: {}\n", margin, yamlName(row.name));
   const auto add = [&](const std::string& entry) { text += fmt::format("{}  {}\n", margin, entry); };
   add(placementText(row, units));
   if (!row.joint.name.empty()) add("joint: " + jointText(arm, row.joint, units));
   FlowMap stiffness(units);
-  for (int k = 0; k < 3; ++k)
-    stiffness.addUnless(deflection::kRigid, kAxes[k], row.joint_stiffness[k], dimension::kTorquePerAngle);
+  addNumbers("joint_stiffness", row, deflection::kRigid, stiffness);
   if (!stiffness.empty()) add("joint_stiffness: " + stiffness.text());
-  if (row.beam) add("beam: " + beamText(*row.beam, units));
-  if (const std::string weight = weightText(row.weight, units); !weight.empty()) add("weight: " + weight);
+  if (row.beam) add("beam: " + beamText(row, units));
+  if (const std::string weight = weightText(row, units); !weight.empty()) add("weight: " + weight);
   return text;
 }
 

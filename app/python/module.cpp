@@ -25,7 +25,7 @@
 #include "app/jobs/plan.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/version.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 
 namespace tubeplan::app {
 
@@ -96,7 +96,7 @@ class PythonCell {
     postures.resize(joints, q.rows(), load, deflection::gravityInBase(cell_.arm, cell_.X_WB));
     postures.q = q.transpose();
     deflection::TipBatch tips;
-    withoutLock([&] { deflection::BatchKinematics(cell_.arm).solve(postures, tips); });
+    withoutLock([&] { deflection::Kinematics(cell_.arm).solve(postures, tips); });
     Rows places(q.rows(), 3);
     std::vector<Eigen::Matrix3d> turns;
     std::vector<bool> converged;

@@ -12,6 +12,7 @@
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "planner/collision/arm_clearance.hpp"
+#include "planner/collision/deflection_travel.hpp"
 
 namespace tubeplan::app {
 
@@ -66,14 +67,17 @@ std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::C
   return nearest;
 }
 
-json clearanceJson(const Model& model, const std::vector<Isometry3d>& X_WL, double bow) {
+/// As a plan has it: less the bow of bent members, and what gaps of joints let the arm jump.
+json clearanceJson(const Model& model, const planner::Workcell& posed, const std::vector<Isometry3d>& X_WL,
+                   double bow) {
   if (!model.world || X_WL.empty()) return nullptr;
   const Units& units = model.cell.units;
   const planner::Clearance clearance = model.world->closest(X_WL);
+  const double off = bow + planner::gapJumpOf(posed, model.world->bodyReach());
   if (!std::isfinite(clearance.distance)) return nullptr;
-  const auto other = otherPoint(model.posed.scene, clearance, X_WL);
-  return {{"distance", lengthOf(clearance.distance - bow, units)},
-          {"margin", lengthOf(clearance.margin - bow, units)},
+  const auto other = otherPoint(posed.scene, clearance, X_WL);
+  return {{"distance", lengthOf(clearance.distance - off, units)},
+          {"margin", lengthOf(clearance.margin - off, units)},
           {"pair", {clearance.body, clearance.other}},
           {"from", vectorJson(clearance.point_W, units, dimension::kLength)},
           {"to", other ? vectorJson(*other, units, dimension::kLength) : json()}};
@@ -116,7 +120,7 @@ json answerPosture(const Model& model, const AskedPosture& question) {
   answer["frames"] = {{"rigid", framesJson(cell, rigidFrames(shape, cell.X_WB))}, {"flexible", framesJson(cell, bent)}};
   answer["tip"] = {{"rigid", vectorJson(X_WT.translation(), cell.units, dimension::kLength)},
                    {"flexible", vectorJson(X_WD.translation(), cell.units, dimension::kLength)}};
-  answer["clearance"] = clearanceJson(model, bent, bow);
+  answer["clearance"] = clearanceJson(model, posed, bent, bow);
   answer["centring"] = question.hole && cell.sheet ? centringOver(cell, X_WD, *question.hole) : json();
   return answer;
 }
@@ -126,7 +130,7 @@ json clearanceOf(const Model& model, const Eigen::VectorXd& q, double load) {
   posed.load = load;
   double bow = 0;
   const auto bent = planner::bodyFrames(posed, q, &bow);
-  return clearanceJson(model, bent, bow);
+  return clearanceJson(model, posed, bent, bow);
 }
 
 }  // namespace tubeplan::app

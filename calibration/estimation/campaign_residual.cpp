@@ -14,8 +14,6 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-constexpr std::size_t kReadingsOfCore = 512;  // readings that one core takes at once, side by side
-
 /// takePointsOff() in place.
 void takeWhatPointsAbsorb(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
   Eigen::Matrix3Xd common(3, columns.cols());
@@ -125,8 +123,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   moveTo(x);
   last_.error.resize(weights_.rows);
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
-  bool is_done = false;
-  if (!fillSideBySide(with_jacobian, is_done) || (!is_done && !fillOneByOne(with_jacobian))) {
+  if (!(is_for_batch_ ? fillSideBySide(with_jacobian) : fillOneByOne(with_jacobian))) {
     goOn(stop_);  // rows that were left out by a stop are no figures
     return false;
   }
@@ -155,13 +152,9 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
   }
 }
 
-/// False where a shape does not converge; nothing is done where the arm, or what is read of it, is none for a kernel.
-bool CampaignResidual::fillSideBySide(bool with_jacobian, bool& is_done) {
-  if (!is_for_batch_) return true;
-  static const std::vector<deflection::Variable> kNone;
+/// False where a shape does not converge.
+bool CampaignResidual::fillSideBySide(bool with_jacobian) {
   if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
-  if (!batch_->isFastFor(with_jacobian ? variables_ : kNone)) return true;
-  is_done = true;
   if (readings_.size() <= kReadingsOfCore) return fillBlock(*batch_, 0, readings_.size(), with_jacobian);
   std::atomic<bool> ok = true;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kReadingsOfCore), [&](const auto& range) {

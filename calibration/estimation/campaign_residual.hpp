@@ -45,7 +45,7 @@ class CampaignResidual {
   void moveTo(const Eigen::VectorXd& x);
   bool linearize(const Eigen::VectorXd& x, bool with_jacobian);
   void applyWeights(Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) const;
-  bool fillSideBySide(bool with_jacobian, bool& is_done);
+  bool fillSideBySide(bool with_jacobian);
   bool fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, bool with_jacobian);
   void fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, bool with_jacobian);
   void fillNumbers(const ReadingBatch& batch, std::size_t k, const Eigen::Matrix3d& R_WB, const MeasuredSlope& by,

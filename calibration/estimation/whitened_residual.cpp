@@ -74,15 +74,19 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
   by_joints.resize(readings.size());
   const auto base_pose_of = basePosesOf(placed, readings);
   const auto joints = deflection::jointVariables(placed.arm);
-  if (!readings.empty() && isForBatch(placed.arm, readings)) {
-    ReadingBatch batch(placed.arm);
-    if (batch.isFastFor(joints)) {
-      if (!batch.solve(placed.base_poses, readings, base_pose_of, 0, readings.size(), joints)) return false;
-      for (std::size_t k = 0; k < readings.size(); ++k)
-        by_joints[k] = jointSlopesOf(batch, k, placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB,
-                                     readings[k], joints.size());
-      return true;
-    }
+  if (isForBatch(placed.arm, readings)) {
+    std::atomic<bool> ok = true;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings.size(), kReadingsOfCore), [&](const auto& range) {
+      ReadingBatch batch(placed.arm);
+      if (shouldStop(stop) ||
+          !batch.solve(placed.base_poses, readings, base_pose_of, range.begin(), range.size(), joints))
+        ok = false;
+      for (std::size_t k = range.begin(); ok && k != range.end(); ++k)
+        by_joints[k] =
+            jointSlopesOf(batch, k - range.begin(), placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB,
+                          readings[k], joints.size());
+    });
+    return ok;
   }
   PredictionRequest request;
   request.by_joints = true;

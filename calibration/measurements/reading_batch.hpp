@@ -1,11 +1,11 @@
-// The tips of many readings at once, side by side where the arm is one for a kernel (deflection/posture_batch.hpp).
+// The tips of many readings at once (deflection/kinematics.hpp).
 #pragma once
 
 #include <vector>
 
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/placed_arm.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -13,16 +13,14 @@ namespace tubeplan::calibration {
 /// tips on which nothing but a load hangs. Readings of rows' frames are none for a batch: all that it knows is tips.
 [[nodiscard]] bool isForBatch(const deflection::Arm& arm, const std::vector<Measurement>& readings);
 
+/// Readings that one core takes at once.
+inline constexpr std::size_t kReadingsOfCore = 128;
+
 /// Of readings for which isForBatch() holds.
 class ReadingBatch {
  public:
   /// `arm` must outlive this, and stay as it is.
   explicit ReadingBatch(const deflection::Arm& arm) : arm_(arm), kinematics_(arm) {}
-
-  /// Whether tips and their derivatives by `variables` come side by side.
-  [[nodiscard]] bool isFastFor(const std::vector<deflection::Variable>& variables) {
-    return kinematics_.hasKernel(variables);
-  }
 
   /// Solves `count` readings from `first`, each at its base pose of `base_poses`; false where a shape does not
   /// converge. What follows is counted from `first`.
@@ -56,7 +54,7 @@ class ReadingBatch {
   }
 
   const deflection::Arm& arm_;
-  deflection::BatchKinematics kinematics_;
+  deflection::Kinematics kinematics_;
   deflection::PostureBatch postures_;
   deflection::TipBatch tips_;
   std::vector<Eigen::Index> from_;  ///< the posture to take off, -1 where there is none

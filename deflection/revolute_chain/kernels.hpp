@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "deflection/revolute_chain/plain_rows.hpp"
 #include "deflection/revolute_chain/revolute_arm.hpp"
 
 namespace tubeplan::deflection::simd {
@@ -11,6 +12,7 @@ struct Kernel {
   const char* instructions;  ///< what the processor must have
   int lanes;
   SolveShapes solve;
+  PlaceRows place;
   MeetGoals meet;
 };
 

@@ -75,9 +75,9 @@ Twist twistOf(const Matrix3d& R) {
 }  // namespace
 
 /// Walks the chain outwards, keeping the last turn open and the way from its frame to here.
-class RevoluteChainBuilder {
+class RevoluteChain::Builder {
  public:
-  RevoluteChainBuilder(double reach, std::size_t elements) : reach_(reach) {
+  Builder(double reach, std::size_t elements) : reach_(reach) {
     out_.turns_.reserve(elements + 8);
     out_.elements_.reserve(elements);
   }
@@ -261,7 +261,7 @@ class RevoluteChainBuilder {
 std::optional<RevoluteChain> RevoluteChain::of(const Chain<double>& chain, const Arm& arm,
                                                const std::vector<int>& joint_of,
                                                const std::vector<FlexibleElement>& elements, double reach) {
-  RevoluteChainBuilder builder(reach, elements.size());
+  Builder builder(reach, elements.size());
   const std::vector<int> active = activeRows(arm);
   auto element = elements.begin();
   for (std::size_t k = 0; k < chain.links.size(); ++k) {
@@ -285,7 +285,8 @@ RevoluteArm RevoluteChain::numbers() const {
   return arm;
 }
 
-void RevoluteChain::tell(const double* element_states, long stride, std::vector<FlexibleElement>& elements) const {
+void RevoluteChain::copyDeflections(const double* element_states, long stride,
+                                    std::vector<FlexibleElement>& elements) const {
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const RevoluteElement& hinge = elements_[e];
     elements[e].deflection = {};

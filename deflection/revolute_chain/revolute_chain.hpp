@@ -47,11 +47,12 @@ class RevoluteChain {
   /// Every row's frame, in order; empty where one of them lies between two things that turn as one.
   [[nodiscard]] const std::vector<RowOnTurn>& rows() const { return rows_; }
 
-  /// The elements' deflections, from what a kernel says of each turn (Shapes::gives, `stride` apart).
-  void tell(const double* element_states, long stride, std::vector<FlexibleElement>& elements) const;
+  /// Gives the elements their deflections, from what a kernel says of each turn (Shapes::gives, `stride` apart).
+  void copyDeflections(const double* element_states, long stride, std::vector<FlexibleElement>& elements) const;
 
  private:
-  friend class RevoluteChainBuilder;
+  class Builder;
+
   std::vector<Turn> turns_;
   RevoluteArm numbers_{};
   std::vector<RevoluteElement> elements_;

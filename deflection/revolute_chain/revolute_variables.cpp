@@ -30,7 +30,7 @@ std::optional<std::vector<ElementSlope>> elementSlopes(const Arm& arm, const Par
                                                        const std::vector<FlexibleElement>& elements) {
   if (!isStiffnessAt(path)) return std::nullopt;
   Row<double> without = arm.rows[static_cast<std::size_t>(path.row)];
-  double* number = parameterFields()[static_cast<std::size_t>(path.field)].find(without, path.lump);
+  double* number = findNumber(without, parameterFields()[static_cast<std::size_t>(path.field)], path.lump);
   const double value = *number;
   *number = kRigid;
   std::vector<ElementSlope> slopes;

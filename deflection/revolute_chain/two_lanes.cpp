@@ -1,10 +1,13 @@
 // The kernels, two postures at a time. See CMakeLists.txt for the processor that this is compiled for.
 #define TUBEPLAN_LANES 2
 #include "deflection/revolute_chain/inverse_kernel.hpp"
+#include "deflection/revolute_chain/row_kernel.hpp"
 
 namespace tubeplan::deflection::simd::two_lanes {
 
 void solve(const RevoluteArm& arm, const Postures& in, const Shapes& out) { solveShapes(arm, in, out); }
+
+void place(const PlainArm& arm, const BentShapes& in, const RowFrames& out) { placeRows(arm, in, out); }
 
 void meet(const RevoluteArm& arm, const Tool& tool, const Goals& goals, Reached& out) {
   meetGoals(arm, tool, goals, out);

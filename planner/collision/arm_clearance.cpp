@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "deflection/chain.hpp"
+#include "deflection/frames_along_chords.hpp"
 #include "deflection/inverse/rigid_branches.hpp"
 #include "deflection/tip_derivatives.hpp"
 #include "planner/collision/deflection_travel.hpp"
-#include "planner/collision/frames_along_chords.hpp"
 #include "planner/collision/nearest_pairs.hpp"
 
 namespace tubeplan::planner {
@@ -46,7 +46,7 @@ std::vector<LinkReach> linksOf(const Workcell& cell, const std::vector<double>& 
   for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) {
     const auto& joint = cell.arm.rows[row].joint;
     LinkReach link;
-    link.step = memberOf(cell.arm, row).norm();
+    link.step = deflection::memberOf(cell.arm, row).norm();
     link.body = body_reach.at(row);
     link.joint = joint.type == deflection::JointType::kPassive     ? LinkReach::Joint::kNone
                  : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
@@ -97,15 +97,17 @@ std::vector<Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& 
   const auto shape =
       deflection::solveFlexibleKinematics(cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)});
   if (shape.status != deflection::KinematicsStatus::kConverged) return {};
-  return framesAlongChords(cell, shape, bow);
+  return deflection::framesAlongChords(cell.arm, cell.X_WB, shape, bow);
 }
 
 struct ArmClearance::PreparedArms {
   explicit PreparedArms(const Workcell& cell)
-      : approach(cell.scene), travel(travelScene(cell.scene)), of_thread([&cell] { return BodyPlacing(cell); }) {}
+      : approach(cell.scene),
+        travel(travelScene(cell.scene)),
+        of_thread([&cell] { return deflection::RowPlacing(cell.arm, cell.load, cell.X_WB); }) {}
 
   NearestPairs approach, travel;
-  oneapi::tbb::enumerable_thread_specific<BodyPlacing> of_thread;
+  oneapi::tbb::enumerable_thread_specific<deflection::RowPlacing> of_thread;
 };
 
 ArmClearance::~ArmClearance() = default;
@@ -118,7 +120,8 @@ ArmClearance::ArmClearance(const Workcell& cell, double padding)
   travel_.bound.reach_per_joint *= 1 + padding_.slope();
 }
 
-void ArmClearance::find(const NearestPairs& pairs, const PlacedPostures& placed, std::span<NearestPair> found) const {
+void ArmClearance::find(const NearestPairs& pairs, const deflection::PlacedRows& placed,
+                        std::span<NearestPair> found) const {
   if (padding_.isNone()) return pairs.find(placed, found);
   for (int lane = 0; lane < placed.count; ++lane)
     found[static_cast<std::size_t>(lane)] = pairs.findPadded(placed, lane, padding_);
@@ -132,7 +135,7 @@ Clearance ArmClearance::lessBow(Clearance clearance, double bow) const {
 
 Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
-  const PlacedPostures& placed = arms_->of_thread.local().place(q);
+  const deflection::PlacedRows& placed = arms_->of_thread.local().place(q);
   NearestPair found;
   find(pairs, placed, {&found, 1});
   return lessBow(pairs.named(placed, 0, found), placed.bow.front());
@@ -140,11 +143,11 @@ Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
 
 MarginsSideBySide ArmClearance::together(const PostureColumns& q, ContactRule rule) const {
   const NearestPairs& pairs = rule == ContactRule::kTravel ? arms_->travel : arms_->approach;
-  BodyPlacing& placing = arms_->of_thread.local();
+  deflection::RowPlacing& placing = arms_->of_thread.local();
   MarginsSideBySide result;
   std::array<NearestPair, kernels::kMostLanes> found;
   for (Eigen::Index first = 0; first < q.cols(); first += placing.lanes()) {
-    const PlacedPostures& placed = placing.place(q, first);
+    const deflection::PlacedRows& placed = placing.place(q, first);
     find(pairs, placed, found);
     std::optional<std::size_t> tightest;
     for (std::size_t l = 0; l < static_cast<std::size_t>(placed.count); ++l) {

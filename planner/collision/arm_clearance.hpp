@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "deflection/row_placing.hpp"
 #include "planner/collision/clearance.hpp"
 #include "planner/collision/padding.hpp"
 #include "planner/collision/travel_bound.hpp"
@@ -12,7 +13,6 @@ namespace tubeplan::planner {
 
 class NearestPairs;
 struct NearestPair;
-struct PlacedPostures;
 
 /// The tool may enter holes only while it approaches or retreats; in between it keeps off the sheet as everything does.
 enum class ContactRule { kTravel, kApproach };
@@ -70,7 +70,7 @@ class ArmClearance {
  private:
   struct PreparedArms;
 
-  void find(const NearestPairs& pairs, const PlacedPostures& placed, std::span<NearestPair> found) const;
+  void find(const NearestPairs& pairs, const deflection::PlacedRows& placed, std::span<NearestPair> found) const;
   [[nodiscard]] Clearance lessBow(Clearance clearance, double bow) const;
 
   const Workcell& cell_;

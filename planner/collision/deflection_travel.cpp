@@ -31,21 +31,6 @@ struct FlexiblePlace {
   double bending;     ///< rad
 };
 
-/// How far a point can jump where clearances snap over: every gap times the reach beyond it.
-double jumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
-  const deflection::Posture posture{Eigen::VectorXd::Zero(cell.arm.jointCount()), cell.load,
-                                    deflection::gravityInBase(cell.arm, cell.X_WB)};
-  const auto context = deflection::contextOf(cell.arm, posture);
-  double jump = 0, reach = 0;
-  for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
-    reach = std::max(reach + deflection::undeflectedMember(context.arm, row).norm(),
-                     body_reach[static_cast<std::size_t>(row)]);
-    const auto& effect_terms = context.arm.rows[static_cast<std::size_t>(row)].effect_terms;
-    if (effect_terms) jump += effect_terms->gap.cwiseAbs().sum() * reach;
-  }
-  return jump;
-}
-
 double weightOf(const deflection::Row<double>& row, double length) {
   double weight = row.weight.distributed * length + row.weight.end;
   for (const auto& lump : row.weight.lumps) weight += std::abs(lump.weight);
@@ -160,13 +145,28 @@ class Bound {
 
 }  // namespace
 
+double gapJumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
+  if (!dependsOnPosture(cell.arm)) return 0;
+  const deflection::Posture posture{Eigen::VectorXd::Zero(cell.arm.jointCount()), cell.load,
+                                    deflection::gravityInBase(cell.arm, cell.X_WB)};
+  const auto context = deflection::contextOf(cell.arm, posture);
+  double jump = 0, reach = 0;
+  for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
+    reach = std::max(reach + deflection::undeflectedMember(context.arm, row).norm(),
+                     body_reach[static_cast<std::size_t>(row)]);
+    const auto& effect_terms = context.arm.rows[static_cast<std::size_t>(row)].effect_terms;
+    if (effect_terms) jump += effect_terms->gap.cwiseAbs().sum() * reach;
+  }
+  return jump;
+}
+
 DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<double>& body_reach) {
   DeflectionTravel travel;
   const auto refuse = [&](std::string reason) {
     travel.reason = std::move(reason);
     return travel;
   };
-  if (dependsOnPosture(cell.arm)) travel.jump = jumpOf(cell, body_reach);
+  travel.jump = gapJumpOf(cell, body_reach);
   if (dependsOnPosture(cell.arm)) return refuse("the arm has effects beyond its elements");
   for (const auto& row : cell.arm.rows)
     if (row.joint.type == deflection::JointType::kPrismatic) return refuse("the arm has a sliding joint");

@@ -28,7 +28,11 @@ struct DeflectionTravel {
   double stretch = 1;  ///< factor on all rigid lengths: chords of bent members may be longer than the members
 };
 
-/// `body_reach`: greatest distance of a body point from each row's frame [m]. Not proved for an arm with effects, with
+/// How far a point can jump where clearances of joints snap over [m]: every gap times the reach beyond it. It comes off
+/// the margin of every posture. `body_reach`: greatest distance of a body point from each row's frame [m].
+[[nodiscard]] double gapJumpOf(const Workcell& cell, const std::vector<double>& body_reach);
+
+/// With the same `body_reach`. Not proved for an arm with effects, with
 /// slides, or so soft that members bend by more than 0.1 rad.
 [[nodiscard]] DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "planner/collision/kernels/plain_pose.hpp"
+#include "deflection/revolute_chain/plain_pose.hpp"
 #include "planner/scene/mesh_shape.hpp"
 #include "planner/scene/regions.hpp"
 #include "planner/scene/separation.hpp"
@@ -13,8 +13,9 @@
 
 namespace tubeplan::planner {
 
+using deflection::simd::copy, deflection::simd::plainPose;
 using Eigen::Isometry3d, Eigen::Vector3d;
-using kernels::copy, kernels::plainPose, kernels::PairKind, kernels::PlainObstacle;
+using kernels::PairKind, kernels::PlainObstacle;
 
 namespace {
 
@@ -125,12 +126,13 @@ void NearestPairs::addPairs() {
   pairs_.insert(pairs_.end(), bounded.begin(), bounded.end());
 }
 
-Capsule NearestPairs::around(const PlacedPostures& placed, int lane, int body) const {
+Capsule NearestPairs::around(const deflection::PlacedRows& placed, int lane, int body) const {
   const auto index = static_cast<std::size_t>(body);
   return transformed(placed.X_WL(bodies_[index].row, lane), solids_[index]->around());
 }
 
-Separation NearestPairs::separationOf(const PlacedPostures& placed, int lane, const kernels::PlainPair& pair) const {
+Separation NearestPairs::separationOf(const deflection::PlacedRows& placed, int lane,
+                                      const kernels::PlainPair& pair) const {
   const auto body = static_cast<std::size_t>(pair.body), other = static_cast<std::size_t>(pair.other);
   const Isometry3d X_WB = placed.X_WL(bodies_[body].row, lane);
   if (pair.kind == PairKind::kBodyAndBody) {
@@ -144,25 +146,25 @@ Separation NearestPairs::separationOf(const PlacedPostures& placed, int lane, co
 }
 
 /// What is no solid may know more than the kernel's bound.
-bool NearestPairs::isFarther(const PlacedPostures& placed, int lane, const kernels::PlainPair& pair,
+bool NearestPairs::isFarther(const deflection::PlacedRows& placed, int lane, const kernels::PlainPair& pair,
                              double distance) const {
   if (pair.kind == PairKind::kBodyAndBody) return false;
   return scene_.obstacles[static_cast<std::size_t>(pair.other)].shape->isFartherThan(distance,
                                                                                      around(placed, lane, pair.body));
 }
 
-void NearestPairs::find(const PlacedPostures& placed, std::span<NearestPair> found) const {
+void NearestPairs::find(const deflection::PlacedRows& placed, std::span<NearestPair> found) const {
   constexpr std::size_t kLanes = kernels::kMostLanes;
   assert(found.size() >= static_cast<std::size_t>(placed.count));
-  const int width = placed.kernel->lanes;
+  const int width = placed.lanes;
   std::array<double, kLanes> distance, nearest;
   std::vector<double> ends(6 * bodies_.size() * static_cast<std::size_t>(width)),
       bounds((pairs_.size() - static_cast<std::size_t>(exact_)) * static_cast<std::size_t>(width));
   const kernels::PlainScene scene{bodies_.data(), obstacles_.data(),
                                   pairs_.data(),  static_cast<int>(bodies_.size()),
                                   exact_,         static_cast<int>(pairs_.size())};
-  placed.kernel->nearest(scene, placed.frames.data(),
-                         {ends.data(), distance.data(), nearest.data(), bounds.data(), width});
+  kernels::kernelOf(width).nearest(scene, placed.frames.data(),
+                                   {ends.data(), distance.data(), nearest.data(), bounds.data(), width});
   const auto isLost = [&](int lane) {
     for (std::size_t k = 0; k < 6 * bodies_.size(); ++k)
       if (!std::isfinite(ends[k * static_cast<std::size_t>(width) + static_cast<std::size_t>(lane)])) return true;
@@ -182,7 +184,7 @@ void NearestPairs::find(const PlacedPostures& placed, std::span<NearestPair> fou
   }
 }
 
-NearestPair NearestPairs::findPadded(const PlacedPostures& placed, int lane, const BasePadding& padding) const {
+NearestPair NearestPairs::findPadded(const deflection::PlacedRows& placed, int lane, const BasePadding& padding) const {
   NearestPair found;
   if (!placed.is_converged[static_cast<std::size_t>(lane)]) return found;
   for (const auto& body : bodies_)
@@ -210,7 +212,7 @@ NearestPair NearestPairs::findPadded(const PlacedPostures& placed, int lane, con
   return found;
 }
 
-Clearance NearestPairs::named(const PlacedPostures& placed, int lane, const NearestPair& found) const {
+Clearance NearestPairs::named(const deflection::PlacedRows& placed, int lane, const NearestPair& found) const {
   Clearance clearance;
   if (!placed.is_converged[static_cast<std::size_t>(lane)]) {
     clearance.other = "the deflected shape does not converge";

@@ -9,8 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "planner/collision/body_placing.hpp"
+#include "deflection/row_placing.hpp"
 #include "planner/collision/clearance.hpp"
+#include "planner/collision/kernels/kernels.hpp"
 #include "planner/collision/padding.hpp"
 
 namespace tubeplan::planner {
@@ -28,23 +29,25 @@ class NearestPairs {
   explicit NearestPairs(Scene scene);
 
   /// One for each posture placed; NaN where the shape does not converge or a pose is not a number.
-  void find(const PlacedPostures& placed, std::span<NearestPair> found) const;
+  void find(const deflection::PlacedRows& placed, std::span<NearestPair> found) const;
 
   /// The same of one posture, with the padding of the base taken off every distance from what stands in the world: pair
   /// by pair, without a kernel.
-  [[nodiscard]] NearestPair findPadded(const PlacedPostures& placed, int lane, const BasePadding& padding) const;
+  [[nodiscard]] NearestPair findPadded(const deflection::PlacedRows& placed, int lane,
+                                       const BasePadding& padding) const;
 
   /// What `find` has found of the posture in a lane, in words, and where.
-  [[nodiscard]] Clearance named(const PlacedPostures& placed, int lane, const NearestPair& found) const;
+  [[nodiscard]] Clearance named(const deflection::PlacedRows& placed, int lane, const NearestPair& found) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
  private:
   void addPairs();
-  [[nodiscard]] Separation separationOf(const PlacedPostures& placed, int lane, const kernels::PlainPair& pair) const;
-  [[nodiscard]] bool isFarther(const PlacedPostures& placed, int lane, const kernels::PlainPair& pair,
+  [[nodiscard]] Separation separationOf(const deflection::PlacedRows& placed, int lane,
+                                        const kernels::PlainPair& pair) const;
+  [[nodiscard]] bool isFarther(const deflection::PlacedRows& placed, int lane, const kernels::PlainPair& pair,
                                double distance) const;
-  [[nodiscard]] Capsule around(const PlacedPostures& placed, int lane, int body) const;
+  [[nodiscard]] Capsule around(const deflection::PlacedRows& placed, int lane, int body) const;
 
   Scene scene_;
   std::vector<const Solid*> solids_;  ///< one per body

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 #include "planner/reach/compensation.hpp"
 
 namespace tubeplan::planner {
@@ -24,7 +24,7 @@ class TipPrediction {
  private:
   const Workcell& cell_;
   Eigen::Vector3d gravity_B_;
-  deflection::BatchKinematics kinematics_;
+  deflection::Kinematics kinematics_;
   deflection::PostureBatch postures_;
   deflection::TipBatch tips_;
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "deflection/inverse/inverse_solver.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::planner {
@@ -30,7 +30,7 @@ class ToolPlacer {
   Eigen::Index joints_;
   Eigen::Vector3d gravity_B_;
   deflection::InverseSolver solver_;
-  deflection::BatchKinematics kinematics_;
+  deflection::Kinematics kinematics_;
   std::vector<deflection::ToolGoal> goals_;
   deflection::PostureBatch batch_;
   deflection::TipBatch tips_;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "planner/collision/arm_clearance.hpp"
-#include "planner/collision/body_placing.hpp"
+#include "deflection/row_placing.hpp"
 #include "planner/collision/deflection_travel.hpp"
 #include "planner/verification/lipschitz_distance.hpp"
 
@@ -70,7 +70,7 @@ class PathClearance {
         travel_scene_(withoutContact(cell.scene)),
         travelling_(travel_scene_, BasePadding(cell, options.padding)),
         approaching_(cell.scene, BasePadding(cell, options.padding)),
-        placing_(cell),
+        placing_(cell.arm, cell.load, cell.X_WB),
         frames_(cell.arm.rows.size()) {
     const double thick = thickestBody(cell.scene);
     const auto deflection = deflectionTravelOf(cell, std::vector<double>(cell.arm.rows.size(), thick));
@@ -120,7 +120,7 @@ class PathClearance {
     return marginOf(rows_, static_cast<int>(k % lanes), plan_.path[k].kind, names);
   }
 
-  double marginOf(const PlacedPostures& placed, int lane, SegmentKind kind, std::string* names) {
+  double marginOf(const deflection::PlacedRows& placed, int lane, SegmentKind kind, std::string* names) {
     if (!placed.is_converged[static_cast<std::size_t>(lane)]) return -std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < frames_.size(); ++row) frames_[row] = placed.X_WL(static_cast<int>(row), lane);
     LipschitzMargins& margins = kind == SegmentKind::kTravel ? travelling_ : approaching_;
@@ -164,8 +164,8 @@ class PathClearance {
   PlanCheck& result_;
   Scene travel_scene_;
   LipschitzMargins travelling_, approaching_;
-  BodyPlacing placing_;
-  PlacedPostures rows_;  ///< those around the one asked about
+  deflection::RowPlacing placing_;
+  deflection::PlacedRows rows_;  ///< those around the one asked about
   std::vector<Isometry3d> frames_;
   VectorXd lever_;
   double jump_ = 0;

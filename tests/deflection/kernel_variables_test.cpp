@@ -29,8 +29,8 @@ TEST(PostureBatch, DerivativesByStiffnessesAndGravityAreThoseOfTheGeneralSensiti
   for (const Arm& arm : kernelArms()) {
     const Arm general = withoutKernel(arm);
     const auto variables = kernelVariables(arm);
-    BatchKinematics kinematics(arm);
-    ASSERT_TRUE(kinematics.hasKernel(variables)) << arm.name;
+    Kinematics kinematics(arm);
+    ASSERT_NE(PreparedArm(arm).kernelFor(variables), nullptr) << arm.name;
     TipDifferentiation alone(arm), slow(general);
     TipBatch tips;
     const PostureBatch batch = randomBatch(arm, 27, random);
@@ -80,7 +80,7 @@ TEST(PostureBatch, StiffnessesOfOneAxisAreToldApart) {
                                         Variable::number(findParameter(arm, "latch-link.beam.Iy")->path),
                                         Variable::number(findParameter(arm, "latch-link.beam.E")->path)};
   const Posture posture{Eigen::Vector4d(0.3, 0.8, -0.5, 0.2), 100, Eigen::Vector3d(0.1, -0.3, -1).normalized()};
-  ASSERT_TRUE(BatchKinematics(arm).hasKernel(variables));
+  ASSERT_NE(PreparedArm(arm).kernelFor(variables), nullptr);
   TipDifferentiation tip(arm);
   ASSERT_EQ(tip.solve(posture, variables, kTight), KinematicsStatus::kConverged);
   for (std::size_t v = 0; v < variables.size(); ++v) {
@@ -95,10 +95,10 @@ TEST(PostureBatch, OtherVariablesAndArmsAreDerivedOneByOne) {
   const Arm arm = cobraArm();
   const std::vector<Variable> variables{Variable::number(findParameter(arm, "forearm.dh.a")->path), Variable::load()};
   std::mt19937_64 random(11);
-  BatchKinematics kinematics(arm);
-  EXPECT_FALSE(kinematics.hasKernel(variables));
-  EXPECT_TRUE(kinematics.hasKernel({}));
-  EXPECT_FALSE(BatchKinematics(withoutKernel(arm)).hasKernel({}));
+  Kinematics kinematics(arm);
+  EXPECT_EQ(PreparedArm(arm).kernelFor(variables), nullptr);
+  EXPECT_TRUE(PreparedArm(arm).hasJacobian());
+  EXPECT_FALSE(PreparedArm(withoutKernel(arm)).hasJacobian());
   TipBatch tips;
   TipDifferentiation alone(arm);
   const PostureBatch batch = randomBatch(arm, 5, random);

@@ -1,5 +1,5 @@
 // Batches: each posture as if it were alone, and what fails told alone.
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(PostureBatch, IsEachPostureAlone) {
     for (const Effect& effect : allEffects(arm)) arms.back().effects.push_back(sized(arm, effect, 0.02));
   }
   for (const Arm& arm : arms) {
-    BatchKinematics kinematics(arm);
+    Kinematics kinematics(arm);
     PreparedArm alone(arm);
     TipDifferentiation derivative(arm);
     TipBatch tips;
@@ -42,7 +42,7 @@ TEST(PostureBatch, IsEachPostureAlone) {
 TEST(PostureBatch, JacobianIsTheDifferenceOfShapes) {
   std::mt19937_64 random(6);
   for (const Arm& arm : kernelArms()) {
-    BatchKinematics kinematics(arm);
+    Kinematics kinematics(arm);
     TipBatch tips, before, after;
     const double step = 1e-5;
     for (int n = 0; n < 10; ++n) {
@@ -85,7 +85,7 @@ TEST(PostureBatch, TellsWhatFailsAloneAndLeavesTheOthersAsTheyAre) {
   Arm soft = cobraArm();
   soft.rows[5].joint_stiffness[2] /= 200;
   for (const Arm& arm : {cobraArm(), soft, rigidCopy(cobraArm()), withoutKernel(cobraArm())}) {
-    BatchKinematics kinematics(arm);
+    Kinematics kinematics(arm);
     const PostureBatch good = randomBatch(cobraArm(), 21, random);
     PostureBatch mixed = good;
     mixed.q(2, 4) = std::numeric_limits<double>::quiet_NaN();
@@ -114,7 +114,7 @@ TEST(PostureBatch, TellsWhatFailsAloneAndLeavesTheOthersAsTheyAre) {
 TEST(PostureBatch, AShapeThatDoesNotSettleIsTold) {
   Arm arm = cobraArm();
   for (auto& row : arm.rows) row.joint_stiffness /= 3000;
-  BatchKinematics kinematics(arm);
+  Kinematics kinematics(arm);
   PostureBatch batch;
   batch.resize(4, 9, 500);
   batch.q.setConstant(0.5);

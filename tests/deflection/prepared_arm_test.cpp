@@ -10,7 +10,7 @@
 
 #include "deflection/elements/beam.hpp"
 #include "deflection/elements/joint_stiffness.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 #include "tests/deflection/effects/effect_arms.hpp"
 
 namespace {
@@ -64,7 +64,7 @@ TEST(PreparedArm, SolvesWithoutTheHeap) {
 TEST(PostureBatch, IsSolvedWithoutTheHeap) {
   std::mt19937_64 random(9);
   const Arm arm = cobraArm();
-  BatchKinematics kinematics(arm);
+  Kinematics kinematics(arm);
   PostureBatch batch;
   batch.resize(4, 29, 50);
   for (Eigen::Index k = 0; k < batch.size(); ++k) batch.q.col(k) = randomJoints(arm, random);

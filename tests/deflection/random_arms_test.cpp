@@ -7,7 +7,7 @@
 #include "app/files/arm_writer.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "deflection/inverse/inverse_kinematics.hpp"
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 #include "tests/deflection/central_difference.hpp"
 #include "tests/deflection/effects/effect_arms.hpp"
 
@@ -111,7 +111,7 @@ RC_GTEST_PROP(RandomArms, AreTheSameInABatchAndInAFile, ()) {
   PostureBatch batch;
   batch.resize(posture.q.size(), 3, posture.load, posture.gravity_B);
   for (Eigen::Index k = 0; k < 3; ++k) batch.q.col(k) = posture.q;
-  BatchKinematics kinematics(arm);
+  Kinematics kinematics(arm);
   TipBatch tips;
   kinematics.solve(batch, tips, kTight);
   const auto bare = solveFlexibleKinematics(arm, posture, kTight);

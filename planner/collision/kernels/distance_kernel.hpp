@@ -6,9 +6,12 @@
 // never more than the distance, wherever the search ended.
 #pragma once
 
-#include "planner/collision/kernels/row_kernel.hpp"
+#include "deflection/revolute_chain/row_kernel.hpp"
+#include "planner/collision/kernels/plain_cell.hpp"
 
 namespace {
+
+using namespace tubeplan::planner::kernels;
 
 constexpr double kContactGap = 1e-9;   // m; a gap that is smaller counts as contact
 constexpr double kFinestStep = 1e-15;  // as a share of the segment

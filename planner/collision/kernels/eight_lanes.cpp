@@ -4,8 +4,6 @@
 
 namespace tubeplan::planner::kernels::eight_lanes {
 
-void place(const PlainArm& arm, const BentShapes& in, const PlacedRows& out) { placeRows(arm, in, out); }
-
 void nearest(const PlainScene& scene, const double* frames, const FoundPairs& out) { findNearest(scene, frames, out); }
 
 }  // namespace tubeplan::planner::kernels::eight_lanes

@@ -9,11 +9,13 @@ namespace tubeplan::planner::kernels {
 
 struct Kernel {
   int lanes;
-  void (*place)(const PlainArm&, const BentShapes&, const PlacedRows&);
   void (*nearest)(const PlainScene&, const double* frames, const FoundPairs&);
 };
 
 /// As many as deflection/revolute_chain/kernels.hpp has, of the same widths.
 std::span<const Kernel> kernels();
+
+/// The one of that width.
+const Kernel& kernelOf(int lanes);
 
 }  // namespace tubeplan::planner::kernels

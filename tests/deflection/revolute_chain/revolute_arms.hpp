@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "deflection/posture_batch.hpp"
+#include "deflection/kinematics.hpp"
 #include "tests/deflection/effects/effect_arms.hpp"
 
 namespace tubeplan::deflection {

@@ -19,10 +19,10 @@ using testing::uniformVector;
 
 using Frames = std::vector<Isometry3d>;
 
-/// Postures laid side by side as BodyPlacing lays them, the last one again in lanes that are left over.
-PlacedPostures sideBySide(std::span<const Frames> postures, const kernels::Kernel& kernel) {
-  PlacedPostures placed;
-  placed.kernel = &kernel;
+/// Postures laid side by side as RowPlacing lays them, the last one again in lanes that are left over.
+deflection::PlacedRows sideBySide(std::span<const Frames> postures, const kernels::Kernel& kernel) {
+  deflection::PlacedRows placed;
+  placed.lanes = kernel.lanes;
   placed.count = static_cast<int>(postures.size());
   const std::size_t rows = postures.front().size();
   const auto width = static_cast<std::size_t>(kernel.lanes);

@@ -1,4 +1,4 @@
-#include "planner/collision/body_placing.hpp"
+#include "deflection/row_placing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,14 +31,14 @@ deflection::Side randomPostures(const Workcell& cell, Index count, std::mt19937_
   return q;
 }
 
-TEST(BodyPlacing, IsWhereBodyFramesAreWithTheSameBow) {
+TEST(RowPlacing, IsWhereBodyFramesAreWithTheSameBow) {
   std::mt19937_64 random(1);
   for (const Workcell& cell : cells()) {
-    BodyPlacing placing(cell);
+    deflection::RowPlacing placing(cell.arm, cell.load, cell.X_WB);
     for (const Index count : {1, 2, 3, 5, 8, 17}) {
       const deflection::Side q = randomPostures(cell, count, random);
       for (Index first = 0; first < count; first += placing.lanes()) {
-        const PlacedPostures& placed = placing.place(q, first);
+        const deflection::PlacedRows& placed = placing.place(q, first);
         ASSERT_EQ(placed.count, std::min<Index>(count - first, placing.lanes()));
         for (int lane = 0; lane < placed.count; ++lane) {
           double bow = 0;
@@ -53,15 +53,15 @@ TEST(BodyPlacing, IsWhereBodyFramesAreWithTheSameBow) {
   }
 }
 
-TEST(BodyPlacing, HasTheSameBitsAloneAndInAnyCompany) {
+TEST(RowPlacing, HasTheSameBitsAloneAndInAnyCompany) {
   std::mt19937_64 random(2);
   for (const Workcell& cell : cells()) {
-    BodyPlacing placing(cell), alone(cell);
+    deflection::RowPlacing placing(cell.arm, cell.load, cell.X_WB), alone(cell.arm, cell.load, cell.X_WB);
     for (const Index count : {2, 3, 4, 7, 8}) {
       const deflection::Side q = randomPostures(cell, count, random);
-      const PlacedPostures& placed = placing.place(q, 0);
+      const deflection::PlacedRows& placed = placing.place(q, 0);
       for (int lane = 0; lane < placed.count; ++lane) {
-        const PlacedPostures& one = alone.place(VectorXd(q.col(lane)));
+        const deflection::PlacedRows& one = alone.place(VectorXd(q.col(lane)));
         EXPECT_EQ(placed.bow[static_cast<std::size_t>(lane)], one.bow[0]);
         for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row)
           EXPECT_EQ(placed.X_WL(row, lane).matrix(), one.X_WL(row, 0).matrix()) << count << " row " << row;
@@ -70,15 +70,10 @@ TEST(BodyPlacing, HasTheSameBitsAloneAndInAnyCompany) {
   }
 }
 
-TEST(BodyPlacing, AKernelPlacesWhatItCan) {
-  const std::vector<Workcell> all = cells();
-  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(BodyPlacing(all[k]).hasKernel(), k < 3) << k;
-}
-
-TEST(BodyPlacing, AShapeThatDoesNotSettleIsSaidSo) {
+TEST(RowPlacing, SaysWhichShapesDoNotConverge) {
   Workcell cell = mockup();
   cell.arm.rows.back().joint_stiffness.z() = 1e-3;
-  BodyPlacing placing(cell);
+  deflection::RowPlacing placing(cell.arm, cell.load, cell.X_WB);
   EXPECT_FALSE(placing.place(VectorXd(Eigen::Vector4d(0, 1.2, -1.4, 0))).is_converged[0]);
 }
 

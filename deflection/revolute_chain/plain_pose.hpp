@@ -4,9 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "planner/collision/kernels/plain_cell.hpp"
+#include "deflection/revolute_chain/plain_rows.hpp"
 
-namespace tubeplan::planner::kernels {
+namespace tubeplan::deflection::simd {
 
 inline void copy(const Eigen::Vector3d& from, double* to) { std::copy_n(from.data(), 3, to); }
 
@@ -19,4 +19,4 @@ inline PlainPose plainPose(const Eigen::Matrix3d& R, const Eigen::Vector3d& p) {
 
 inline PlainPose plainPose(const Eigen::Isometry3d& X) { return plainPose(X.linear(), X.translation()); }
 
-}  // namespace tubeplan::planner::kernels
+}  // namespace tubeplan::deflection::simd

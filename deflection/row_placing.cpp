@@ -1,55 +1,50 @@
-#include "planner/collision/body_placing.hpp"
+#include "deflection/row_placing.hpp"
 
 #include <algorithm>
 #include <cassert>
 
+#include "deflection/frames_along_chords.hpp"
 #include "deflection/revolute_chain/kernels.hpp"
+#include "deflection/revolute_chain/plain_pose.hpp"
 #include "deflection/revolute_chain/revolute_chain.hpp"
-#include "planner/collision/arm_clearance.hpp"
-#include "planner/collision/frames_along_chords.hpp"
-#include "planner/collision/kernels/plain_pose.hpp"
 
-namespace tubeplan::planner {
+namespace tubeplan::deflection {
 
-using deflection::KinematicsStatus, deflection::simd::RevoluteChain;
 using Eigen::Index, Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
-using kernels::copy, kernels::plainPose;
+using simd::copy, simd::kMostLanes, simd::plainPose, simd::RevoluteChain;
 
 namespace {
 
 /// The tolerance of shapes that everybody has who asks for nothing else.
-constexpr deflection::FlexibleKinematicsOptions kUsual;
+constexpr FlexibleKinematicsOptions kUsual;
 constexpr double kBowMargin = 1.1;
 
 }  // namespace
 
 /// The arm as plain numbers.
-struct BodyPlacing::Plain {
+struct RowPlacing::Plain {
   const RevoluteChain& chain;
-  std::vector<kernels::PlainRow> rows;
-  std::vector<kernels::BentPiece> pieces;
-  kernels::PlainPose X_WB;
+  std::vector<simd::PlainRow> rows;
+  std::vector<simd::BentPiece> pieces;
+  simd::PlainPose X_WB;
 
-  [[nodiscard]] kernels::PlainArm arm() const {
-    return {rows.data(), pieces.data(), static_cast<int>(rows.size()), X_WB};
-  }
+  [[nodiscard]] simd::PlainArm arm() const { return {rows.data(), pieces.data(), static_cast<int>(rows.size()), X_WB}; }
 
   /// Null where a kernel cannot take the arm. `components` are the arm's elements in order.
-  static std::unique_ptr<const Plain> of(const Workcell& cell, const deflection::PreparedArm& arm,
-                                         const std::vector<deflection::ComponentState>& components) {
+  static std::unique_ptr<const Plain> of(const Arm& given, const Isometry3d& X_WB, const PreparedArm& arm,
+                                         const std::vector<ComponentState>& components) {
     const RevoluteChain* chain = arm.revoluteChain();
-    if (!chain || chain->rows().size() != cell.arm.rows.size() || chain->rows().size() > kernels::kMostRows)
-      return nullptr;
-    auto plain = std::make_unique<Plain>(Plain{*chain, {}, {}, plainPose(cell.X_WB)});
-    for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) plain->addRow(cell.arm, row, components);
+    if (!chain || chain->rows().size() != given.rows.size() || chain->rows().size() > simd::kMostRows) return nullptr;
+    auto plain = std::make_unique<Plain>(Plain{*chain, {}, {}, plainPose(X_WB)});
+    for (int row = 0; row < static_cast<int>(given.rows.size()); ++row) plain->addRow(given, row, components);
     return plain;
   }
 
-  void addRow(const deflection::Arm& arm, int row, const std::vector<deflection::ComponentState>& components) {
+  void addRow(const Arm& arm, int row, const std::vector<ComponentState>& components) {
     const auto& found = chain.rows()[static_cast<std::size_t>(row)];
     assert(found.row == row);
     const Vector3d member = memberOf(arm, row);
-    kernels::PlainRow plain{};
+    simd::PlainRow plain{};
     plain.turn = found.turn;
     plain.X_TL = plainPose(found.X_TL.R, found.X_TL.p);
     plain.is_at_turn = found.X_TL.R.isIdentity(0) && found.X_TL.p.isZero(0);
@@ -62,15 +57,14 @@ struct BodyPlacing::Plain {
     rows.push_back(plain);
   }
 
-  void addPieces(int row, const Vector3d& member, const std::vector<deflection::ComponentState>& components) {
+  void addPieces(int row, const Vector3d& member, const std::vector<ComponentState>& components) {
     const auto numbers = chain.numbers();
     for (std::size_t e = 0; e < components.size(); ++e) {
       const auto& hinge = chain.elements()[e];
       if (components[e].row != row || hinge.turn < 0 ||
-          deflection::elementKinds()[static_cast<std::size_t>(components[e].kind)].place !=
-              deflection::ElementPlace::kMember)
+          elementKinds()[static_cast<std::size_t>(components[e].kind)].place != ElementPlace::kMember)
         continue;
-      kernels::BentPiece piece{};
+      simd::BentPiece piece{};
       piece.turn = hinge.turn;
       piece.bends = hinge.is_beam;
       piece.compliance = hinge.compliance;
@@ -83,26 +77,26 @@ struct BodyPlacing::Plain {
   }
 };
 
-Isometry3d PlacedPostures::X_WL(int row, int lane) const {
-  const double* at = frames.data() + 12 * row * kernel->lanes + lane;
-  const auto number = [&](int k) { return at[k * kernel->lanes]; };
+Isometry3d PlacedRows::X_WL(int row, int lane) const {
+  const double* at = frames.data() + 12 * row * lanes + lane;
+  const auto number = [&](int k) { return at[k * lanes]; };
   Isometry3d X = Isometry3d::Identity();
   X.translation() = Vector3d(number(0), number(1), number(2));
   for (int k = 0; k < 9; ++k) X.linear()(k % 3, k / 3) = number(3 + k);
   return X;
 }
 
-BodyPlacing::BodyPlacing(const Workcell& cell)
-    : cell_(cell), gravity_B_(deflection::gravityInBase(cell.arm, cell.X_WB)), arm_(cell.arm) {
-  const auto joints = cell.arm.jointCount();
-  constexpr std::size_t kLanes = kernels::kMostLanes;
+RowPlacing::RowPlacing(const Arm& arm, double load, const Isometry3d& X_WB)
+    : given_(arm), load_(load), X_WB_(X_WB), gravity_B_(gravityInBase(arm, X_WB)), arm_(arm) {
+  const auto joints = arm.jointCount();
+  constexpr std::size_t kLanes = kMostLanes;
   if (arm_.revoluteChain()) {
-    arm_.solve({VectorXd::Zero(joints), cell.load, gravity_B_});
-    plain_ = Plain::of(cell, arm_, arm_.shape().components);
+    arm_.solve({VectorXd::Zero(joints), load, gravity_B_});
+    plain_ = Plain::of(arm, X_WB, arm_, arm_.shape().components);
   }
   q_.resize(static_cast<std::size_t>(joints) * kLanes);
-  load_.assign(kLanes, cell.load);
-  placed_.frames.resize(12 * kLanes * cell.arm.rows.size());
+  loads_.assign(kLanes, load);
+  placed_.frames.resize(12 * kLanes * arm.rows.size());
   placed_.bow.resize(kLanes);
   placed_.is_converged.resize(kLanes);
   if (!plain_) return;
@@ -113,30 +107,28 @@ BodyPlacing::BodyPlacing(const Workcell& cell)
   sweeps_.resize(kLanes);
 }
 
-BodyPlacing::~BodyPlacing() = default;
+RowPlacing::~RowPlacing() = default;
 
-int BodyPlacing::lanes() const { return kernels::kernels().back().lanes; }
+int RowPlacing::lanes() const { return simd::kernels().back().lanes; }
 
-const PlacedPostures& BodyPlacing::place(const deflection::Side& q, Index first) {
+const PlacedRows& RowPlacing::place(const Side& q, Index first) {
   const int count = static_cast<int>(std::min<Index>(q.cols() - first, lanes()));
-  assert(count > 0 && q.rows() * kernels::kMostLanes == static_cast<Index>(q_.size()));
-  placed_.kernel =
-      &*std::ranges::find_if(kernels::kernels(), [&](const auto& kernel) { return kernel.lanes >= count; });
-  const int width = placed_.kernel->lanes;
+  assert(count > 0 && q.rows() * kMostLanes == static_cast<Index>(q_.size()));
+  const int width = placed_.lanes = simd::kernelFor(count).lanes;
   for (Index joint = 0; joint < q.rows(); ++joint)
     for (int l = 0; l < width; ++l)
       q_[static_cast<std::size_t>(joint * width + l)] = q(joint, first + std::min(l, count - 1));
   return run(count);
 }
 
-const PlacedPostures& BodyPlacing::place(const VectorXd& q) {
-  assert(q.size() * kernels::kMostLanes == static_cast<Index>(q_.size()));
-  placed_.kernel = &kernels::kernels().front();
+const PlacedRows& RowPlacing::place(const VectorXd& q) {
+  assert(q.size() * kMostLanes == static_cast<Index>(q_.size()));
+  placed_.lanes = 1;
   std::copy_n(q.data(), q.size(), q_.begin());
   return run(1);
 }
 
-const PlacedPostures& BodyPlacing::run(int count) {
+const PlacedRows& RowPlacing::run(int count) {
   placed_.count = count;
   if (plain_)
     runKernel();
@@ -145,42 +137,41 @@ const PlacedPostures& BodyPlacing::run(int count) {
   return placed_;
 }
 
-void BodyPlacing::runKernel() {
-  const int width = placed_.kernel->lanes;
-  const auto& kernel =
-      deflection::simd::kernels()[static_cast<std::size_t>(placed_.kernel - kernels::kernels().data())];
+void RowPlacing::runKernel() {
+  const int width = placed_.lanes;
+  const simd::Kernel& kernel = simd::kernelFor(width);
   assert(kernel.lanes == width);
-  const deflection::simd::RevoluteArm arm = plain_->chain.numbers();
-  double gravity[3 * kernels::kMostLanes];
+  const simd::RevoluteArm arm = plain_->chain.numbers();
+  double gravity[3 * kMostLanes];
   for (int k = 0; k < 3 * width; ++k) gravity[k] = gravity_B_[k / width];
-  deflection::simd::Shapes shapes{};
+  simd::Shapes shapes{};
   shapes.pose = tip_.data();
   shapes.sweeps = sweeps_.data();
   shapes.element_states = element_states_.data();
   shapes.turns = turns_.data();
   shapes.stride = width;
-  kernel.solve(arm, {q_.data(), load_.data(), gravity, width, kUsual.tolerance * arm.reach, kUsual.max_iterations},
+  kernel.solve(arm, {q_.data(), loads_.data(), gravity, width, kUsual.tolerance * arm.reach, kUsual.max_iterations},
                shapes);
-  placed_.kernel->place(plain_->arm(), {tip_.data(), turns_.data(), element_states_.data(), width},
-                        {placed_.frames.data(), placed_.bow.data(), width});
+  kernel.place(plain_->arm(), {tip_.data(), turns_.data(), element_states_.data(), width},
+               {placed_.frames.data(), placed_.bow.data(), width});
   for (int l = 0; l < width; ++l)
     placed_.is_converged[static_cast<std::size_t>(l)] = !(sweeps_[static_cast<std::size_t>(l)] < 0);
 }
 
-void BodyPlacing::runOneByOne() {
-  const int width = placed_.kernel->lanes;
-  VectorXd q(static_cast<Index>(q_.size()) / kernels::kMostLanes);
+void RowPlacing::runOneByOne() {
+  const int width = placed_.lanes;
+  VectorXd q(static_cast<Index>(q_.size()) / kMostLanes);
   for (int l = 0; l < width; ++l) {
     const auto lane = static_cast<std::size_t>(l);
     for (Index joint = 0; joint < q.size(); ++joint) q[joint] = q_[static_cast<std::size_t>(joint * width + l)];
     // The last one stands again in the lanes that are left over.
     if (l < placed_.count)
-      placed_.is_converged[lane] = arm_.solve({q, cell_.load, gravity_B_}) == KinematicsStatus::kConverged;
+      placed_.is_converged[lane] = arm_.solve({q, load_, gravity_B_}) == KinematicsStatus::kConverged;
     else
       placed_.is_converged[lane] = placed_.is_converged[lane - 1];
     const auto frames = placed_.is_converged[lane]
-                            ? framesAlongChords(cell_, arm_.shape(), &placed_.bow[lane])
-                            : std::vector<Isometry3d>(cell_.arm.rows.size(), Isometry3d::Identity());
+                            ? framesAlongChords(given_, X_WB_, arm_.shape(), &placed_.bow[lane])
+                            : std::vector<Isometry3d>(given_.rows.size(), Isometry3d::Identity());
     for (std::size_t row = 0; row < frames.size(); ++row) {
       double* to = placed_.frames.data() + 12 * row * static_cast<std::size_t>(width) + lane;
       for (int k = 0; k < 3; ++k) to[k * width] = frames[row].translation()[k];
@@ -189,4 +180,4 @@ void BodyPlacing::runOneByOne() {
   }
 }
 
-}  // namespace tubeplan::planner
+}  // namespace tubeplan::deflection

@@ -1,4 +1,4 @@
-// The rows' frames of bent arms side by side. See plain_cell.hpp for what is given, lanes.hpp for the numbers.
+// The rows' frames of bent arms side by side. See plain_rows.hpp for what is given, lanes.hpp for the numbers.
 //
 // Bodies of a bent member lie along its chord: the row's axes are turned by the smallest rotation that takes the member
 // to the chord. How far the member bows from it is found at five places of the cubic that the displacement d and the
@@ -6,11 +6,11 @@
 #pragma once
 
 #include "deflection/revolute_chain/lanes.hpp"
-#include "planner/collision/kernels/plain_cell.hpp"
+#include "deflection/revolute_chain/plain_rows.hpp"
 
 namespace {
 
-using namespace tubeplan::planner::kernels;
+using namespace tubeplan::deflection::simd;
 
 constexpr double kBowPlaces[] = {0.25, 1. / 3, 0.5, 2. / 3, 0.75};
 
@@ -106,7 +106,7 @@ inline Real bowOf(const PlainArm& arm, const PlainRow& row, const BentShapes& in
   return row.bow_factor * turn;
 }
 
-inline void placeRows(const PlainArm& arm, const BentShapes& in, const PlacedRows& out) {
+inline void placeRows(const PlainArm& arm, const BentShapes& in, const RowFrames& out) {
   RowFrame rows[kMostRows];
   const RowFrame base = fixedFrame({{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}});
   for (int i = 0; i < arm.row_count; ++i) {

@@ -1,17 +1,15 @@
-#include "planner/collision/frames_along_chords.hpp"
+#include "deflection/frames_along_chords.hpp"
 
 #include <algorithm>
 
 #include "deflection/chain.hpp"
 
-namespace tubeplan::planner {
+namespace tubeplan::deflection {
 
-using deflection::FlexibleKinematics;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-Vector3d memberOf(const deflection::Arm& arm, int row) {
-  return row + 1 < static_cast<int>(arm.rows.size()) ? deflection::offsetInPreviousAxes<double>(arm.rows[row + 1])
-                                                     : arm.p_LT;
+Vector3d memberOf(const Arm& arm, int row) {
+  return row + 1 < static_cast<int>(arm.rows.size()) ? offsetInPreviousAxes<double>(arm.rows[row + 1]) : arm.p_LT;
 }
 
 namespace {
@@ -25,12 +23,11 @@ double bowOf(const Vector3d& member, const Vector3d& d, const Vector3d& w) {
   return 1.1 * bow;
 }
 
-double bowOfRow(const deflection::Arm& arm, const FlexibleKinematics& shape, int row) {
+double bowOfRow(const Arm& arm, const FlexibleKinematics& shape, int row) {
   double bow = 0, turn = 0;
   int segments = 0;
   for (const auto& component : shape.components) {
-    if (component.row != row || deflection::elementKinds()[component.kind].place != deflection::ElementPlace::kMember)
-      continue;
+    if (component.row != row || elementKinds()[component.kind].place != ElementPlace::kMember) continue;
     ++segments;
     turn += component.rotation.norm();
     bow = bowOf(memberOf(arm, row), component.displacement, component.rotation);
@@ -45,20 +42,21 @@ Vector3d farEnd(const FlexibleKinematics& shape, int row) {
 
 }  // namespace
 
-std::vector<Isometry3d> framesAlongChords(const Workcell& cell, const FlexibleKinematics& shape, double* bow) {
+std::vector<Isometry3d> framesAlongChords(const Arm& arm, const Isometry3d& X_WB, const FlexibleKinematics& shape,
+                                          double* bow) {
   std::vector<Isometry3d> frames;
   if (bow) *bow = 0;
   for (int row = 0; row < static_cast<int>(shape.rows.size()); ++row) {
-    Isometry3d X_BL = deflection::toIsometry(shape.rows[row].X_BL);
-    if (cell.arm.rows[row].beam && cell.arm.rows[row].joint.type != deflection::JointType::kPrismatic) {
+    Isometry3d X_BL = toIsometry(shape.rows[row].X_BL);
+    if (arm.rows[row].beam && arm.rows[row].joint.type != JointType::kPrismatic) {
       const Vector3d chord = farEnd(shape, row) - X_BL.translation();
-      const Vector3d member = X_BL.linear() * memberOf(cell.arm, row);
+      const Vector3d member = X_BL.linear() * memberOf(arm, row);
       X_BL.linear() = Eigen::Quaterniond::FromTwoVectors(member, chord).toRotationMatrix() * X_BL.linear();
-      if (bow) *bow = std::max(*bow, bowOfRow(cell.arm, shape, row));
+      if (bow) *bow = std::max(*bow, bowOfRow(arm, shape, row));
     }
-    frames.push_back(cell.X_WB * X_BL);
+    frames.push_back(X_WB * X_BL);
   }
   return frames;
 }
 
-}  // namespace tubeplan::planner
+}  // namespace tubeplan::deflection
