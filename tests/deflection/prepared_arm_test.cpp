@@ -17,10 +17,13 @@ namespace {
 std::atomic<long> allocations = 0;
 }
 
-// Out of line, so that the compiler sees the pair as a pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
+// Out of line, so that the compiler sees the pair as a pair. All forms of them, that none is freed by another's hand.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
-  if (void* p = std::malloc(size)) return p;
+  return std::malloc(size);
+}
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  if (void* p = operator new(size, std::nothrow)) return p;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
