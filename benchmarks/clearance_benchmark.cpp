@@ -8,9 +8,9 @@
 
 #include "app/files/workcell.hpp"
 #include "benchmarks/run_benchmarks.hpp"
+#include "deflection/frames_along_chords.hpp"
 #include "deflection/prepared_arm.hpp"
 #include "planner/collision/arm_clearance.hpp"
-#include "deflection/frames_along_chords.hpp"
 #include "planner/collision/nearest_pairs.hpp"
 #include "planner/motion/motion_check.hpp"
 #include "planner/motion/side_by_side.hpp"
@@ -178,7 +178,8 @@ void registerAll() {
     static const Eigen::Vector3d gravity_B = deflection::gravityInBase(bench().cell.arm, bench().cell.X_WB);
     arm.solve({q, bench().cell.load, gravity_B});
     double bow = 0;
-    Clearance clearance = world.closest(deflection::framesAlongChords(bench().cell.arm, bench().cell.X_WB, arm.shape(), &bow));
+    Clearance clearance =
+        world.closest(deflection::framesAlongChords(bench().cell.arm, bench().cell.X_WB, arm.shape(), &bow));
     clearance.margin -= bow;
     return clearance;
   };

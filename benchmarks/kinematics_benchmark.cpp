@@ -12,6 +12,7 @@
 
 #include "deflection/inverse/inverse_solver.hpp"
 #include "deflection/kinematics.hpp"
+#include "deflection/revolute_chain/kernels.hpp"
 #include "tests/deflection/cobra.hpp"
 
 namespace tubeplan::benchmarks {

@@ -84,7 +84,7 @@ void Kinematics::run(const PostureBatch& postures, TipBatch& tips, const Flexibl
   for (Index k = 0; k < n; ++k) {
     if (tips.status[static_cast<std::size_t>(k)] == KinematicsStatus::kConverged) continue;
     tips.poses.col(k).setConstant(kNaN);
-    tips.jacobian.col(k).setConstant(kNaN);
+    if (!variables.empty()) tips.jacobian.col(k).setConstant(kNaN);
   }
 }
 

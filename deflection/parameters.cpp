@@ -26,30 +26,25 @@ Row<double> fullRow(const std::variant<DenavitHartenberg<double>, Origin<double>
 std::vector<ParameterField> rowFields() {
   std::vector<ParameterField> fields;
   const auto add = [&](const RowNumber& about, double&) {
-    if (!about.name || !about.is_parameter || about.part != RowPart::kPlacement) return;
-    fields.push_back({about.name, about.quantity, about.lower, about.upper, false, false});
+    if (!about.name || !about.is_parameter) return;
+    fields.push_back({about.name, about.quantity, about.lower, about.upper, false, about.lump >= 0});
   };
   // A joint stands for its row's theta: only a row that does not move has one of its own.
   Row<double> by_dh = fullRow(DenavitHartenberg<double>{}, JointType::kPassive),
               by_origin = fullRow(Origin<double>{}, JointType::kRevolute);
-  visitNumbers(add, by_dh);
+  visitPlacements(add, by_dh);
   visitNumbers(add, by_origin);
-  visitNumbers(
-      [&](const RowNumber& about, double&) {
-        if (!about.name || !about.is_parameter || about.part == RowPart::kPlacement) return;
-        fields.push_back({about.name, about.quantity, about.lower, about.upper, false, about.lump >= 0});
-      },
-      by_origin);
   return fields;
 }
 
+/// A row's number of a kind, null where it has none, and what kind of number it is there.
 template <class S>
-S* findIn(Row<S>& row, const ParameterField& field, int lump) {
-  S* found = nullptr;
+std::pair<S*, Quantity> findIn(Row<S>& row, const ParameterField& field, int lump) {
+  std::pair<S*, Quantity> found{nullptr, field.quantity};
   visitNumbers(
       [&](const RowNumber& about, S& number) {
         if (about.is_parameter && about.name && about.name == field.name && (!field.of_lump || about.lump == lump))
-          found = &number;
+          found = {&number, about.quantity};
       },
       row);
   return found;
@@ -67,8 +62,8 @@ const std::vector<ParameterField>& parameterFields() {
   return kFields;
 }
 
-double* findNumber(Row<double>& row, const ParameterField& field, int lump) { return findIn(row, field, lump); }
-Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump) { return findIn(row, field, lump); }
+double* findNumber(Row<double>& row, const ParameterField& field, int lump) { return findIn(row, field, lump).first; }
+Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump) { return findIn(row, field, lump).first; }
 
 namespace {
 
@@ -137,11 +132,11 @@ Row<To> castRow(const Row<From>& row) {
 
 Parameter makeParameter(Arm& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields()[path.field];
-  const Row<double>* row = f.of_tool ? nullptr : &rowsOf(arm, path.side_chain)[path.row];
+  Row<double>* row = f.of_tool ? nullptr : &rowsOf(arm, path.side_chain)[path.row];
   std::string name = (row ? row->name : "tool") + "." + std::string(f.name);
   if (f.of_lump) name.append(".").append(std::to_string(path.lump + 1));
-  const bool slides = row && row->joint.type == JointType::kPrismatic && f.name == "joint.offset";
-  return {name, slides ? Quantity::kLength : f.quantity, path, locateIn(arm, path), f.lower, f.upper};
+  const Quantity quantity = row ? findIn(*row, f, path.lump).second : f.quantity;
+  return {name, quantity, path, locateIn(arm, path), f.lower, f.upper};
 }
 
 void appendRowParameters(Arm& arm, int side_chain, int index, std::vector<Parameter>& out) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 
 #include "deflection/arm.hpp"
@@ -26,6 +27,13 @@ struct RowNumber {
   int lump = -1;              ///< which of the row's lumps it belongs to
   bool is_parameter = false;  ///< that can be identified: not so what a joint's reading or offset stands for already
 };
+
+/// Its key in a map of the row's file, "beam" or "dh"; empty where it does not stand there.
+inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
+  const std::string_view name = about.name ? about.name : "";
+  const bool is_there = about.lump < 0 && name.size() > map.size() && name.starts_with(map) && name[map.size()] == '.';
+  return is_there ? name.substr(map.size() + 1) : std::string_view();
+}
 
 template <class R>
 using ScalarOf = std::remove_cvref_t<decltype(std::declval<R&>().joint.offset)>;

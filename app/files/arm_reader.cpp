@@ -22,13 +22,11 @@ using deflection::JointType;
 using ArmRow = deflection::Row<double>;
 
 /// Reads each of a row's numbers that stands in a map of it, "beam" or "dh"; what is left out stays as it is.
-void readNumbers(const YamlNode& node, const std::string& map, const Units& units, ArmRow& row) {
+void readNumbers(const YamlNode& node, std::string_view map, const Units& units, ArmRow& row) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, double& number) {
-        const std::string_view name = about.name ? about.name : "";
-        if (about.lump >= 0 || !name.starts_with(map + ".")) return;
-        number =
-            readQuantityOr(node, std::string(name.substr(map.size() + 1)), units, dimensionOf(about.quantity), number);
+        const std::string key(deflection::keyIn(map, about));
+        if (!key.empty()) number = readQuantityOr(node, key, units, dimensionOf(about.quantity), number);
       },
       row);
 }

@@ -22,14 +22,14 @@ using ArmRow = deflection::Row<double>;
 class FlowMap {
  public:
   explicit FlowMap(const Units& units) : units_(units) {}
-  void add(const char* key, const std::string& value) { entries_.push_back(fmt::format("{}: {}", key, value)); }
-  void add(const char* key, double value, Dimension dimension) {
+  void add(std::string_view key, const std::string& value) { entries_.push_back(fmt::format("{}: {}", key, value)); }
+  void add(std::string_view key, double value, Dimension dimension) {
     add(key, formatNumber(units_.toFile(value, dimension)));
   }
-  void addUnless(double usual, const char* key, double value, Dimension dimension) {
+  void addUnless(double usual, std::string_view key, double value, Dimension dimension) {
     if (value != usual) add(key, value, dimension);
   }
-  void add(const char* key, const Vector3d& value, Dimension dimension) { add(key, listOf(value, dimension)); }
+  void add(std::string_view key, const Vector3d& value, Dimension dimension) { add(key, listOf(value, dimension)); }
   [[nodiscard]] std::string listOf(const Vector3d& value, Dimension dimension) const {
     return fmt::format("[{}, {}, {}]", formatNumber(units_.toFile(value.x(), dimension)),
                        formatNumber(units_.toFile(value.y(), dimension)),
@@ -45,12 +45,11 @@ class FlowMap {
 
 /// Adds each of a row's numbers that stands in a map of it, "beam" or "dh"; where `usual` is given, those that differ
 /// from it.
-void addNumbers(const std::string& name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
+void addNumbers(std::string_view name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, const double& number) {
-        const std::string_view whole = about.name ? about.name : "";
-        if (about.lump >= 0 || !whole.starts_with(name + ".") || number == usual) return;
-        map.add(about.name + name.size() + 1, number, dimensionOf(about.quantity));
+        const std::string_view key = deflection::keyIn(name, about);
+        if (!key.empty() && number != usual) map.add(key, number, dimensionOf(about.quantity));
       },
       row);
 }

@@ -1,7 +1,5 @@
 #include "calibration/estimation/campaign_residual.hpp"
 
-#include <atomic>
-
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/predict_all.hpp"
@@ -156,12 +154,10 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
 bool CampaignResidual::fillSideBySide(bool with_jacobian) {
   if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
   if (readings_.size() <= kReadingsOfCore) return fillBlock(*batch_, 0, readings_.size(), with_jacobian);
-  std::atomic<bool> ok = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings_.size(), kReadingsOfCore), [&](const auto& range) {
+  return inBlocks(readings_.size(), kReadingsOfCore, stop_, [&](std::size_t first, std::size_t count) {
     ReadingBatch own(placed_.arm);
-    if (shouldStop(stop_) || !fillBlock(own, range.begin(), range.size(), with_jacobian)) ok = false;
+    return fillBlock(own, first, count, with_jacobian);
   });
-  return ok;
 }
 
 bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, bool with_jacobian) {

@@ -75,18 +75,15 @@ bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readin
   const auto base_pose_of = basePosesOf(placed, readings);
   const auto joints = deflection::jointVariables(placed.arm);
   if (isForBatch(placed.arm, readings)) {
-    std::atomic<bool> ok = true;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings.size(), kReadingsOfCore), [&](const auto& range) {
+    return inBlocks(readings.size(), kReadingsOfCore, stop, [&](std::size_t first, std::size_t count) {
       ReadingBatch batch(placed.arm);
-      if (shouldStop(stop) ||
-          !batch.solve(placed.base_poses, readings, base_pose_of, range.begin(), range.size(), joints))
-        ok = false;
-      for (std::size_t k = range.begin(); ok && k != range.end(); ++k)
+      if (!batch.solve(placed.base_poses, readings, base_pose_of, first, count, joints)) return false;
+      for (std::size_t k = first; k < first + count; ++k)
         by_joints[k] =
-            jointSlopesOf(batch, k - range.begin(), placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB,
+            jointSlopesOf(batch, k - first, placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB,
                           readings[k], joints.size());
+      return true;
     });
-    return ok;
   }
   PredictionRequest request;
   request.by_joints = true;

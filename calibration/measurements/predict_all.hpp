@@ -1,4 +1,4 @@
-// Readings predicted one by one, on all cores.
+// Readings predicted on all cores.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -11,20 +11,27 @@
 
 namespace tubeplan::calibration {
 
-/// Calls `each(predictor, k)` for every reading, on all cores; false as soon as one call is, or where it was asked to
-/// stop.
+/// Calls `each(first, count)` for blocks of readings, on all cores; false as soon as one call is, or where it was asked
+/// to stop.
+template <class Each>
+bool inBlocks(std::size_t readings, std::size_t at_once, const StopQuestion& stop, const Each& each) {
+  std::atomic<bool> ok = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings, at_once), [&](const auto& range) {
+    if (ok && (shouldStop(stop) || !each(range.begin(), range.size()))) ok = false;
+  });
+  return ok;
+}
+
+/// Calls `each(predictor, k)` for every reading; false as soon as one call is, or where it was asked to stop.
 template <class Each>
 bool predictAll(const PlacedArm& placed, std::size_t readings, const StopQuestion& stop, const Each& each) {
   constexpr std::size_t kAtOnce = 16;  // readings that share what is prepared of the arm
-  std::atomic<bool> ok = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings, kAtOnce), [&](const auto& range) {
-    if (shouldStop(stop)) ok = false;
-    if (!ok) return;
+  return inBlocks(readings, kAtOnce, stop, [&](std::size_t first, std::size_t count) {
     ReadingPredictor predictor(placed.arm);
-    for (std::size_t k = range.begin(); k != range.end(); ++k)
-      if (!each(predictor, k)) ok = false;
+    for (std::size_t k = first; k < first + count; ++k)
+      if (!each(predictor, k)) return false;
+    return true;
   });
-  return ok;
 }
 
 }  // namespace tubeplan::calibration

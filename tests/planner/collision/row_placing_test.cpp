@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "deflection/effects/effect.hpp"
+#include "deflection/revolute_chain/revolute_chain.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "tests/planner/workcell.hpp"
 
@@ -67,6 +68,15 @@ TEST(RowPlacing, HasTheSameBitsAloneAndInAnyCompany) {
           EXPECT_EQ(placed.X_WL(row, lane).matrix(), one.X_WL(row, 0).matrix()) << count << " row " << row;
       }
     }
+  }
+}
+
+TEST(RowPlacing, AKernelPlacesWhatItCan) {
+  const std::vector<Workcell> all = cells();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const deflection::PreparedArm arm(all[k].arm);
+    const auto* chain = arm.revoluteChain();
+    EXPECT_EQ(chain && chain->rows().size() == all[k].arm.rows.size(), k < 3) << k;
   }
 }
 
