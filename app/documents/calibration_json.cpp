@@ -7,6 +7,7 @@
 #include "app/documents/base_verdict.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
+#include "app/files/input_error.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 
@@ -87,8 +88,9 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
                       result.chi2, result.degrees_of_freedom,
                       result.degrees_of_freedom > 0 ? fmt::format(" (p = {:.3g})", result.p_value) : "");
   for (const auto& touch : result.residuals)
-    text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", touch.id, touch.hole,
-                        length(touch.residual_W.x()), length(touch.residual_W.y()), length(touch.residual_W.z()), unit);
+    text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", nameInLine(touch.id),
+                        nameInLine(touch.hole), length(touch.residual_W.x()), length(touch.residual_W.y()),
+                        length(touch.residual_W.z()), unit);
   for (const auto& check : result.distances) {
     if (!in_full) break;
     text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from,

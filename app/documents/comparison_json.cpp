@@ -11,6 +11,7 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/documents/pattern_json.hpp"
+#include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -238,7 +239,7 @@ std::string comparisonText(const Comparison& result, const std::vector<Measureme
       fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
   for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
     const auto reading = static_cast<std::size_t>(result.worst[k]);
-    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", readings.at(reading).id,
+    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", nameInLine(readings.at(reading).id),
                         lengthText(result.readings.at(reading).error_after.norm(), units, 3),
                         result.readings.at(reading).sigmas_after);
   }

@@ -8,6 +8,7 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
+#include "app/files/input_error.hpp"
 #include "app/files/units_json.hpp"
 
 namespace tubeplan::app {
@@ -166,8 +167,8 @@ std::string identificationText(const Identification& result, const std::vector<c
     text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);
   for (const auto& outlier : result.outliers)
     text += fmt::format("  outlier: reading {} is off by {} {} ({:.1f} sigmas)\n",
-                        readings.at(static_cast<std::size_t>(outlier.reading)).id, lengthFigure(outlier.size, units),
-                        units.length().name, outlier.sigmas);
+                        nameInLine(readings.at(static_cast<std::size_t>(outlier.reading)).id),
+                        lengthFigure(outlier.size, units), units.length().name, outlier.sigmas);
   return text;
 }
 

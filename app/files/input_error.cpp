@@ -33,6 +33,8 @@ InputError::InputError(std::string where, std::string found, std::string expecte
       expected_(part(std::move(expected))),
       advice_(part(std::move(advice))) {}
 
-std::string inQuotes(std::string_view text) { return "'" + printable(text, kLongestQuote) + "'"; }
+std::string inQuotes(std::string_view text) { return "'" + nameInLine(text) + "'"; }
+
+std::string nameInLine(std::string_view name) { return printable(name, kLongestQuote); }
 
 }  // namespace tubeplan::app

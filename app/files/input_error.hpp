@@ -27,4 +27,7 @@ class InputError : public std::runtime_error {
 /// Text of the user's in quotes, fit for one line of a message: unprintable bytes as \xNN, cut after 60 characters.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
+/// A name of the user's in a line of a table: the same without the quotes.
+[[nodiscard]] std::string nameInLine(std::string_view name);
+
 }  // namespace tubeplan::app

@@ -102,6 +102,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (!linearize(x, jacobian != nullptr)) return false;
   r.resize(weights_.rows + prior_slopes_.size());
   if (jacobian) jacobian->setZero(r.size(), x.size());
+  if (x.size() == 0) jacobian = nullptr;  // no columns: nothing to weight, and nowhere that rows of them could be
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
   takeWhatPointsAbsorb(weights_, r);

@@ -50,6 +50,19 @@ class CompareCommand : public ProgramTest {
   }
 };
 
+// Of names that are longer than a line, the text shows the beginning; the figures keep them whole.
+TEST_F(CompareCommand, aReadingsNameIsCutInTheText) {
+  const std::string name(10000, 'n');
+  std::string text = readingsWith(0.1);
+  for (std::size_t at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at + 1)) text.insert(at + 1, name);
+  (void)write("readings.csv", text);
+  const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv");
+  expectSays(outcome.out, "worst: reading " + name.substr(0, 60) + "... is off by");
+  EXPECT_LT(outcome.out.size(), 5000u);
+  const Outcome figures = run("compare " + shipped("bench.yaml") + " readings.csv --json -");
+  EXPECT_EQ(json::parse(figures.out)["worst"][0]["id"].get<std::string>().substr(0, name.size()), name);
+}
+
 TEST_F(CompareCommand, anAdequateModelExitsWithZeroAndGivesEveryKey) {
   (void)write("readings.csv", readingsWith(0));
   const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --json -");

@@ -41,6 +41,24 @@ ReadingMaker everyKindTwice() {
   return maker;
 }
 
+// Slopes by nothing are rows without columns, also where the same state was evaluated without slopes before. The
+// address and undefined-behaviour sanitizers' build holds Eigen to its own bounds here.
+TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
+  ReadingMaker maker = everyKindTwice();
+  const PlacedArm start = cobraTwice();
+  const auto weights = weighReadings(start, maker.readings);
+  ASSERT_TRUE(weights);
+  const std::vector<Unknown> nothing;
+  CampaignResidual residual(start, nothing, maker.readings, *weights);
+  VectorXd alone, r;
+  MatrixXd jacobian;
+  ASSERT_TRUE(residual.evaluate(VectorXd(), alone, nullptr));
+  ASSERT_TRUE(residual.evaluate(VectorXd(), r, &jacobian));
+  EXPECT_EQ(r, alone);
+  EXPECT_EQ(jacobian.rows(), r.size());
+  EXPECT_EQ(jacobian.cols(), 0);
+}
+
 // What is kept of a state is what would be found there again, by whatever weights and in whatever order it is asked.
 TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
   ReadingMaker maker = everyKindTwice();
