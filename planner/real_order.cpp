@@ -57,6 +57,16 @@ Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, Tr
   return priced;
 }
 
+/// `penalties` and `choice` must outlive the route.
+void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Route& route) {
+  route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
+    return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
+  };
+  route.with_extra.clear();
+  for (int visit = 0; visit < static_cast<int>(route.visits.size()); ++visit)
+    route.with_extra.push_back(penalties.touches(visit));
+}
+
 /// The order of one round, from the memory where it has it. An order kept from another list that cannot avoid a
 /// forbidden move is found anew.
 VisitOrder orderOfRound(const PlanContext& context, const Route& route, const std::vector<int>& zones,
@@ -236,10 +246,7 @@ RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choi
   EdgePenalties penalties;
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < options.reprice_rounds && !context.isStopped(); ++round) {
-    if (penalties.size())
-      route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
-        return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
-      };
+    if (penalties.size()) addExtraTimes(penalties, choice, route);
     const VisitOrder order = orderOfRound(context, route, zones, rounds_done++, ordering);
     if (round == 0) {
       best.lower_bound = order.lower_bound;

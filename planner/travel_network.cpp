@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "deflection/inverse/inverse_solver.hpp"
 #include "planner/motion/side_by_side.hpp"
 #include "planner/reach/compensation.hpp"
 #include "planner/timing/flowing_timing.hpp"
@@ -12,12 +13,10 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr int kRoadmapPostures = 2400;  ///< at holes, at most
-constexpr int kTurretBranches = 4;
 
 /// How many tubes, spread over the sheet, give the roadmap their postures.
 std::size_t roadmapTubes(const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options) {
-  const int branches = deflection::isTurretArm(arm) ? kTurretBranches : options.most_branches;
-  return static_cast<std::size_t>(std::max(1, kRoadmapPostures / std::max(1, branches)));
+  return static_cast<std::size_t>(std::max(1, kRoadmapPostures / std::max(1, deflection::mostBranches(arm, options))));
 }
 
 MotionPlan reversed(MotionPlan plan) {

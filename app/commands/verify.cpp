@@ -11,6 +11,7 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
+#include "app/documents/figures.hpp"
 #include "app/files/plan_reader.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"

@@ -9,6 +9,7 @@
 #include "deflection/inverse/goal_newton.hpp"
 #include "deflection/inverse/inverse_solver.hpp"
 #include "deflection/inverse/start_postures.hpp"
+#include "deflection/inverse/turret_branches.hpp"
 #include "deflection/prepared_arm.hpp"
 #include "deflection/revolute_chain/kernels.hpp"
 #include "deflection/revolute_chain/revolute_chain.hpp"
@@ -180,6 +181,10 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
 }
 
 InverseKinematics InverseSolver::solve(const ToolGoal& goal) { return std::move(solve(std::span(&goal, 1)).front()); }
+
+int mostBranches(const Arm& arm, const InverseKinematicsOptions& options) {
+  return isTurretArm(arm) ? kTurretBranches : options.most_branches;
+}
 
 Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Vector3d& gravity_B, const VectorXd& start,
                     const InverseKinematicsOptions& options) {

@@ -9,6 +9,9 @@
 
 namespace tubeplan::deflection {
 
+/// How many branches a goal can have at the most.
+[[nodiscard]] int mostBranches(const Arm& arm, const InverseKinematicsOptions& options);
+
 /// Solves goals of one arm under one load; each thread needs its own. A goal's solution has the same bits whatever is
 /// solved with it.
 class InverseSolver {

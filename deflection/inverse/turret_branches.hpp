@@ -6,6 +6,8 @@
 
 namespace tubeplan::deflection {
 
+inline constexpr int kTurretBranches = 4;  ///< front and back of the turret, elbow either way
+
 /// Whether an arm of these axes is a turret arm.
 [[nodiscard]] bool carriesPlane(const AxesAtZero& axes);
 

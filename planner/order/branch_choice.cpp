@@ -20,16 +20,16 @@ std::string orderProblem(const Route& route, const std::vector<int>& order) {
 }
 
 // Times to reach each posture of `node` from the postures of the node before; notes where each came from.
-void extendLayer(const PostureTable& table, int before, int node, const std::vector<double>& times_before,
-                 std::vector<double>& times, std::vector<int>& came_from) {
-  times.assign(table.last(node) - table.first(node), std::numeric_limits<double>::infinity());
+void extendLayer(const PostureTable& table, int before, int node, const Eigen::ArrayXd& times_before,
+                 Eigen::ArrayXd& times, std::vector<int>& came_from) {
+  times.resize(table.last(node) - table.first(node));
+  Eigen::ArrayXd there;
   for (int p = table.first(node); p < table.last(node); ++p) {
-    for (int q = table.first(before); q < table.last(before); ++q) {
-      const double time = times_before[q - table.first(before)] + table.cost(q, p);
-      if (time >= times[p - table.first(node)]) continue;
-      times[p - table.first(node)] = time;
-      came_from[p] = q;
-    }
+    table.costsTo(before, p, there);
+    there += times_before;
+    Eigen::Index quickest = 0;
+    times[p - table.first(node)] = there.minCoeff(&quickest);
+    came_from[p] = table.first(before) + static_cast<int>(quickest);
   }
 }
 
@@ -39,16 +39,17 @@ double choosePostures(const PostureTable& table, const std::vector<int>& node_or
                       std::vector<int>& posture_of_node) {
   if (node_order.empty()) return 0;
   std::vector<int> came_from(table.postures(), -1);
-  std::vector<double> times(table.last(node_order[0]) - table.first(node_order[0]), 0.0), next;
+  Eigen::ArrayXd times = Eigen::ArrayXd::Zero(table.last(node_order[0]) - table.first(node_order[0])), next;
   for (std::size_t k = 1; k < node_order.size(); ++k) {
     extendLayer(table, node_order[k - 1], node_order[k], times, next, came_from);
     times.swap(next);
   }
-  const auto quickest = std::min_element(times.begin(), times.end());
-  int posture = table.first(node_order.back()) + static_cast<int>(quickest - times.begin());
+  Eigen::Index quickest = 0;
+  const double least = times.minCoeff(&quickest);
+  int posture = table.first(node_order.back()) + static_cast<int>(quickest);
   for (std::size_t k = node_order.size(); k-- > 0; posture = came_from[posture])
     posture_of_node[node_order[k]] = posture;
-  return *quickest;
+  return least;
 }
 
 std::vector<int> withEndNodes(const PostureTable& table, const std::vector<int>& order) {

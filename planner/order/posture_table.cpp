@@ -5,13 +5,29 @@
 #include <cmath>
 
 namespace tubeplan::planner {
+namespace {
+
+/// Values by posture and joint, those of each node's postures for one joint next to each other.
+std::vector<double> jointByJoint(const PostureTable& table, const std::vector<double>& values, int stride) {
+  std::vector<double> by_joint;
+  by_joint.reserve(static_cast<std::size_t>(table.postures() * table.joints()));
+  for (int node = 0; node < table.nodes(); ++node)
+    for (int j = 0; j < table.joints(); ++j)
+      for (int p = table.first(node); p < table.last(node); ++p)
+        by_joint.push_back(values[static_cast<std::size_t>(p * stride + j)]);
+  return by_joint;
+}
+
+}  // namespace
 
 PostureTable::PostureTable(const Route& route)
     : route_(&route),
       visits_(static_cast<int>(route.visits.size())),
       joints_(static_cast<int>(route.speeds.max_speed.size())),
       stride_((joints_ + kStep - 1) / kStep * kStep),
-      has_extra_(static_cast<bool>(route.extra_time)) {
+      has_extra_(static_cast<bool>(route.extra_time)),
+      with_extra_(route.with_extra) {
+  assert(with_extra_.empty() || with_extra_.size() == route.visits.size());
   first_.push_back(0);
   const auto addPosture = [&](const Eigen::VectorXd& q) {
     for (int j = 0; j < stride_; ++j) {
@@ -36,6 +52,32 @@ PostureTable::PostureTable(const Route& route)
   const Eigen::ArrayXd ratio = route.speeds.max_speed.array() / route.speeds.max_acceleration.array();
   ratio_ = ratio[0];
   one_ratio_ = std::isfinite(ratio_) && (ratio == ratio_).all();
+  by_joint_ = jointByJoint(*this, by_speed_, stride_);
+  if (!one_ratio_) by_joint_acceleration_ = jointByJoint(*this, by_acceleration_, stride_);
+}
+
+void PostureTable::greatestDifferences(const std::vector<double>& by_joint, const std::vector<double>& values, int node,
+                                       int posture, Eigen::ArrayXd& greatest) const {
+  const double* there = &values[static_cast<std::size_t>(posture) * static_cast<std::size_t>(stride_)];
+  const int count = last(node) - first(node);
+  const double* here = &by_joint[static_cast<std::size_t>(first(node)) * static_cast<std::size_t>(joints_)];
+  using OfJoint = Eigen::Map<const Eigen::ArrayXd>;
+  greatest = (OfJoint(here, count) - there[0]).abs();
+  for (int j = 1; j < joints_; ++j) greatest = greatest.max((OfJoint(here + j * count, count) - there[j]).abs());
+}
+
+void PostureTable::costsTo(int node, int posture, Eigen::ArrayXd& times) const {
+  greatestDifferences(by_joint_, by_speed_, node, posture, times);
+  if (one_ratio_) {
+    times = (ratio_ * times > times.square())
+                .select(2 * (ratio_ * times).sqrt(), (times > 0).select(times + ratio_ * times / times, 0.));
+  } else {
+    thread_local Eigen::ArrayXd ramps;
+    greatestDifferences(by_joint_acceleration_, by_acceleration_, node, posture, ramps);
+    times = (ramps > times.square()).select(2 * ramps.sqrt(), (times > 0).select(times + ramps / times, 0.));
+  }
+  if (!has_extra_ || !mayCostExtra(node) || !mayCostExtra(nodeOf(posture))) return;
+  for (int q = first(node); q < last(node); ++q) times[q - first(node)] += extra(posture, q);
 }
 
 int PostureTable::sideOf(int node, const std::vector<char>& inside) const {
@@ -44,11 +86,11 @@ int PostureTable::sideOf(int node, const std::vector<char>& inside) const {
 }
 
 int PostureTable::nearestPosture(int posture, int node) const {
-  int nearest = first(node);
-  for (int q = nearest + 1; q < last(node); ++q) {
-    if (cost(posture, q) < cost(posture, nearest)) nearest = q;
-  }
-  return nearest;
+  Eigen::ArrayXd times;
+  costsTo(node, posture, times);
+  Eigen::Index nearest = 0;
+  times.minCoeff(&nearest);
+  return first(node) + static_cast<int>(nearest);
 }
 
 double PostureTable::extra(int a, int b) const {
@@ -56,6 +98,7 @@ double PostureTable::extra(int a, int b) const {
     return node == start_node_ ? kStartPosture : node == end_node_ ? kEndPosture : node;
   };
   const int node_a = node_of_[a], node_b = node_of_[b];
+  if (!mayCostExtra(node_a) || !mayCostExtra(node_b)) return 0;
   const double seconds = route_->extra_time(visitOf(node_a), a - first_[node_a], visitOf(node_b), b - first_[node_b]);
   assert(seconds >= 0);
   return std::min(seconds, kForbiddenTime);

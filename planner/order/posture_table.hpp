@@ -39,6 +39,8 @@ class PostureTable {
   }
   /// Straight line and extra time [s]; forbidden moves cost `kForbiddenTime`.
   [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
+  /// The same to each posture of `node`, bit for bit; valid until this is asked again of the same `times`.
+  void costsTo(int node, int posture, Eigen::ArrayXd& times) const;
   /// Of a set by posture: 1 where all postures of `node` are in it, 0 where none is, else -1.
   [[nodiscard]] int sideOf(int node, const std::vector<char>& inside) const;
   /// The posture of `node` that costs least to reach from `posture`.
@@ -48,6 +50,11 @@ class PostureTable {
   static constexpr int kStep = 4;  // joints compared at a time
 
   [[nodiscard]] double extra(int a, int b) const;
+  [[nodiscard]] bool mayCostExtra(int node) const {
+    return node >= visits_ || with_extra_.empty() || with_extra_[node];
+  }
+  void greatestDifferences(const std::vector<double>& by_joint, const std::vector<double>& values, int node,
+                           int posture, Eigen::ArrayXd& greatest) const;
   [[nodiscard]] double greatestDifference(const std::vector<double>& values, int a, int b) const {
     const double* x = &values[static_cast<std::size_t>(a) * static_cast<std::size_t>(stride_)];
     const double* y = &values[static_cast<std::size_t>(b) * static_cast<std::size_t>(stride_)];
@@ -68,8 +75,10 @@ class PostureTable {
   bool one_ratio_ = false;  // of speed to acceleration for all joints: one difference decides
   double ratio_ = 0;        // s
   std::vector<int> first_, node_of_;
+  std::vector<char> with_extra_;         // by visit: whether a move to or from it may cost extra; empty: any may
   std::vector<double> by_speed_;         // posture x joint: value / max_speed
   std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration
+  std::vector<double> by_joint_, by_joint_acceleration_;  // the same node by node: joint x posture
 };
 
 }  // namespace tubeplan::planner

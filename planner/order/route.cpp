@@ -50,10 +50,7 @@ void EdgePenalties::set(int visit_a, int branch_a, int visit_b, int branch_b, do
 }
 
 double EdgePenalties::operator()(int visit_a, int branch_a, int visit_b, int branch_b) const {
-  for (const int visit : {visit_a, visit_b}) {
-    const auto place = static_cast<std::size_t>(visit + 2);
-    if (place >= touched_.size() || !touched_[place]) return 0;
-  }
+  if (!touches(visit_a) || !touches(visit_b)) return 0;
   const auto found = seconds_.find(packedMove(visit_a, branch_a, visit_b, branch_b));
   return found == seconds_.end() ? 0 : found->second;
 }

@@ -33,6 +33,11 @@ class EdgePenalties {
   void set(int visit_a, int branch_a, int visit_b, int branch_b, double seconds);
   [[nodiscard]] double operator()(int visit_a, int branch_a, int visit_b, int branch_b) const;
   [[nodiscard]] std::size_t size() const { return seconds_.size(); }
+  /// Whether any move to or from a visit costs extra.
+  [[nodiscard]] bool touches(int visit) const {
+    const auto place = static_cast<std::size_t>(visit + 2);
+    return place < touched_.size() && touched_[place];
+  }
 
  private:
   std::unordered_map<std::uint64_t, double> seconds_;
@@ -46,6 +51,8 @@ struct Route {
   std::optional<Eigen::VectorXd> start;  ///< rad
   std::optional<Eigen::VectorXd> end;    ///< rad
   ExtraTime extra_time;                  ///< may be empty
+  /// By visit: whether a move to or from it may take extra time. Empty: any may.
+  std::vector<char> with_extra;
 };
 
 /// What is wrong with the problem, one sentence each; empty when it can be solved.

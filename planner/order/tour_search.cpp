@@ -52,6 +52,13 @@ double TourSearch::costAt(int node_a, int posture_a, int node_b) const {
   return table_.cost(posture_a, posture_of_node_[node_b]);
 }
 
+void TourSearch::costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const {
+  if (node_a < visits_ && node_b != free_anchor_)
+    table_.costsTo(node_a, posture_of_node_[node_b], times);
+  else
+    times.setConstant(table_.last(node_a) - table_.first(node_a), costAt(node_a, table_.first(node_a), node_b));
+}
+
 void TourSearch::improve() {
   for (int i = size(); i-- > 0;) markDirty(tour_[i]);
   improveDirty();
@@ -76,8 +83,11 @@ bool TourSearch::changeBranch(int node) {
   if (table_.last(node) - table_.first(node) < 2) return false;
   const int before = previous(node), after = next(node);
   const double now = cost(node, before) + cost(node, after);
+  costsFrom(node, before, times_);
+  costsFrom(node, after, other_times_);
   for (int posture = table_.first(node); posture < table_.last(node); ++posture) {
-    const double gain = now - costAt(node, posture, before) - costAt(node, posture, after);
+    const Eigen::Index k = posture - table_.first(node);
+    const double gain = now - times_[k] - other_times_[k];
     if (!(gain > kLeastGain)) continue;
     setPosture(node, posture);
     gained_ += gain;
@@ -152,11 +162,13 @@ bool TourSearch::tryOtherBranch(const Stretches& stretches, const Junction& at, 
   const Segment& segment = stretches.segments[0];
   const int node = segment.last;
   if (table_.last(node) - table_.first(node) < 2 || segment.before == at.node) return false;
+  const double beyond = cost(at.node, at.beyond), behind = cost(at.node, at.behind);
+  costsFrom(node, at.node, times_);
   for (int posture = table_.first(node); posture < table_.last(node); ++posture) {
-    const double gain = now + stretches.saved[0] - costAt(node, posture, at.node);
-    if (posture == posture_of_node_[node] || gain + cost(at.node, at.beyond) <= kLeastGain) continue;
-    const double gain_beyond = gain + cost(at.node, at.beyond) - costAt(node, posture, at.beyond);
-    const double gain_behind = gain + cost(at.node, at.behind) - costAt(node, posture, at.behind);
+    const double gain = now + stretches.saved[0] - times_[posture - table_.first(node)];
+    if (posture == posture_of_node_[node] || gain + beyond <= kLeastGain) continue;
+    const double gain_beyond = gain + beyond - costAt(node, posture, at.beyond);
+    const double gain_behind = gain + behind - costAt(node, posture, at.behind);
     const bool fits_beyond = gain_beyond > kLeastGain && at.beyond != segment.before;
     if (!fits_beyond && !(gain_behind > kLeastGain)) continue;
     setPosture(node, posture);

@@ -54,6 +54,9 @@ class TourSearch {
   [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
   [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
 
+  /// Of each posture of `node_a`, to the posture that `node_b` has.
+  void costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const;
+
   void improveDirty();
   bool improveNode(int node);
   bool changeBranch(int node);
@@ -80,6 +83,7 @@ class TourSearch {
   std::vector<int> tour_, place_, posture_of_node_;
   std::vector<Change> changes_;  // since the last kick, to take them back
   double gained_ = 0;            // since the last kick
+  Eigen::ArrayXd times_, other_times_;
   std::vector<int> dirty_;
   std::vector<char> is_dirty_;
 };

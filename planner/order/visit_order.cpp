@@ -109,7 +109,7 @@ long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
                                       std::max(options.least_kicks, options.most_kicks));
   const double branches = static_cast<double>(table.postures()) / table.visits();
-  return std::lround(static_cast<double>(kicks) * std::min(1., kFewBranches / branches));
+  return std::lround(static_cast<double>(kicks) * std::min(1., std::sqrt(kFewBranches / branches)));
 }
 
 /// The bound is found while the search goes on: a time near the best is all that it wants to know.

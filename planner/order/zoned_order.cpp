@@ -24,7 +24,10 @@ std::vector<int> visitsOf(const std::vector<int>& zones, int zone) {
 Route partOf(const Route& route, const std::vector<int>& visits) {
   Route part;
   part.speeds = route.speeds;
-  for (const int visit : visits) part.visits.push_back(route.visits[static_cast<std::size_t>(visit)]);
+  for (const int visit : visits) {
+    part.visits.push_back(route.visits[static_cast<std::size_t>(visit)]);
+    if (!route.with_extra.empty()) part.with_extra.push_back(route.with_extra[static_cast<std::size_t>(visit)]);
+  }
   return part;
 }
 

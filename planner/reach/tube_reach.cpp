@@ -21,10 +21,12 @@ struct BranchVerdict {
 
 constexpr double kSameTilt = 0.0044;  ///< rad; a quarter of a degree
 
-/// Where others stand the tool more upright, branches that lean more are left out. A turret arm's joints have no say in
-/// what stays of its tilt: all its branches are kept.
+constexpr Eigen::Index kJointsThatTilt = 5;  ///< at least: three hold the tip's place, two more tilt the tool
+
+/// Where others stand the tool more upright, branches that lean more are left out. Fewer joints have no say in what
+/// stays of the tilt: all their branches are kept.
 void keepUpright(const deflection::Arm& arm, std::vector<TubeBranch>& branches) {
-  if (branches.size() < 2 || deflection::isTurretArm(arm)) return;
+  if (branches.size() < 2 || arm.jointCount() < kJointsThatTilt) return;
   const double least = std::ranges::min_element(branches, {}, &TubeBranch::tilt)->tilt;
   std::erase_if(branches, [&](const TubeBranch& branch) { return branch.tilt > least + kSameTilt; });
 }

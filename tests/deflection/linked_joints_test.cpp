@@ -77,8 +77,8 @@ void expectDifferences(const Arm& arm, const Posture& posture) {
       Arm copy = arm;
       const double value = locate(copy, variables[k].parameter);
       if (value != 0) h = std::min(1e-3, 1e-3 * std::abs(value));
-      if (isStiffness(parameterFields()[static_cast<std::size_t>(variables[k].parameter.field)].quantity))
-        h = 1e-3 * value;
+      const int field = variables[k].parameter.field;  // none of an effect's
+      if (field >= 0 && isStiffness(parameterFields()[static_cast<std::size_t>(field)].quantity)) h = 1e-3 * value;
     }
     const auto difference = centralDifference(arm, posture, variables[k], h);
     const auto column = static_cast<Eigen::Index>(k);

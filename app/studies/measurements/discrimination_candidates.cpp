@@ -24,6 +24,7 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Readi
 using Eigen::VectorXd;
 
 constexpr double kReached = 1e-7;  // m, of a point that is touched
+constexpr int kMostTouches = 4;    // of a point, where an arm has more ways to it
 
 /// What the readings so far have in common: how the next ones are made.
 struct Custom {
@@ -107,10 +108,10 @@ void addTouches(const planner::Workcell& work, const planner::ArmClearance& clea
   const auto shape = deflection::solveFlexibleKinematics(work.arm, {point.q, work.load, gravity_B});
   if (shape.status != deflection::KinematicsStatus::kConverged) return;
   const deflection::ToolGoal goal{work.X_WB.inverse() * *point.p_W, shape.X_BD.R * work.arm.tool_axis_L};
-  auto starts =
-      deflection::isTurretArm(work.arm) ? deflection::turretBranches(work.arm, goal) : std::vector<VectorXd>{point.q};
-  for (const auto& start : starts) {
-    const auto branch = deflection::refineBranch(work.arm, goal, work.load, gravity_B, start);
+  deflection::InverseKinematicsOptions options;
+  options.most_branches = kMostTouches;
+  for (const auto& branch :
+       deflection::solveInverseKinematics(work.arm, goal, work.load, gravity_B, options).branches) {
     if (branch.status != deflection::BranchStatus::kConverged || branch.position_error > kReached) continue;
     if (!work.scene.bodies.empty() && !(clear.at(branch.q, planner::ContactRule::kApproach).margin >= 0)) continue;
     Measurement reading = point;

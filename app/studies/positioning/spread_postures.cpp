@@ -2,31 +2,23 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include "deflection/inverse/rigid_branches.hpp"
 #include "planner/reach/compensation.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
-namespace {
-
-constexpr std::size_t kShareOfSlowArms = 10;  // a tenth of the holes, five at least
-constexpr std::size_t kFewest = 5;
-
-}  // namespace
-
 SpreadPostures spreadPostures(const CellModel& cell, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                               std::size_t most, const calibration::StopQuestion& stop) {
   SpreadPostures spread;
   if (!cell.sheet || !cell.tool_axis_stated) return spread;
-  const std::size_t count = deflection::isTurretArm(arm) ? most : std::max(kFewest, most / kShareOfSlowArms);
-  const auto tubes = tubesheets::selectTubes(*cell.sheet, tubesheets::spreadRequest(*cell.sheet, count)).tube_indices;
+  const auto tubes = tubesheets::selectTubes(*cell.sheet, tubesheets::spreadRequest(*cell.sheet, most)).tube_indices;
   spread.asked = static_cast<int>(tubes.size());
   planner::Workcell work;
   work.arm = arm;
   work.X_WB = X_WB;
   planner::CompensationOptions options;
   options.with_approach = false;
+  options.inverse.most_branches = 4;  // the first that converges is taken
   std::vector<Eigen::VectorXd> found(tubes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
     if (calibration::shouldStop(stop)) return;

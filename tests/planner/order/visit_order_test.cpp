@@ -246,7 +246,7 @@ TEST(OrderVisits, NothingToVisitIsTheMoveFromStartToEnd) {
   EXPECT_EQ(result.status, VisitOrderStatus::kSolved);
   EXPECT_TRUE(result.order.empty());
   EXPECT_NEAR(result.travel_time, straightMoveDuration(*route.start, *route.end, route.speeds), 1e-12);
-  EXPECT_EQ(orderVisits(Route{{}, evenSpeeds(2), {}, {}, {}}).travel_time, 0);
+  EXPECT_EQ(orderVisits(Route{{}, evenSpeeds(2), {}, {}, {}, {}}).travel_time, 0);
 }
 
 TEST(OrderVisits, RefusesAVisitWithoutPosture) {
