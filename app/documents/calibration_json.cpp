@@ -93,9 +93,9 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
                         length(touch.residual_W.z()), unit);
   for (const auto& check : result.distances) {
     if (!in_full) break;
-    text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n", check.from,
-                        check.to, length(check.by_arm), length(check.on_sheet), length(check.by_arm - check.on_sheet),
-                        length(check.sigma), unit);
+    text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n",
+                        nameInLine(check.from), nameInLine(check.to), length(check.by_arm), length(check.on_sheet),
+                        length(check.by_arm - check.on_sheet), length(check.sigma), unit);
   }
   return text + baseVerdictText(judgeBase(result, cell), result, units, in_full);
 }

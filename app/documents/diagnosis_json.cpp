@@ -13,6 +13,7 @@
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/effects_reader.hpp"
+#include "app/files/input_error.hpp"
 #include "app/files/units_json.hpp"
 
 namespace tubeplan::app {
@@ -347,7 +348,8 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
                         explanationText(result.closest[k], units), result.closest[k].probability,
                         result.closest[k].chi2, lengthText(result.closest[k].after.rms, units));
   for (const int reading : result.set_aside)
-    text += fmt::format("  set aside as an outlier: reading {}\n", readings.at(static_cast<std::size_t>(reading)).id);
+    text += fmt::format("  set aside as an outlier: reading {}\n",
+                        nameInLine(readings.at(static_cast<std::size_t>(reading)).id));
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
   if (result.verdict == Verdict::kAdequate || result.verdict == Verdict::kInconclusive)
     text += detectableText(result, units);

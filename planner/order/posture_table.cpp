@@ -18,6 +18,12 @@ std::vector<double> jointByJoint(const PostureTable& table, const std::vector<do
   return by_joint;
 }
 
+/// unitMoveDuration() of each: `seconds` are cruising times, and then durations.
+template <class Ramps>
+void makeDurations(Eigen::ArrayXd& seconds, const Ramps& ramps) {
+  seconds = (ramps > seconds.square()).select(2 * ramps.sqrt(), (seconds > 0).select(seconds + ramps / seconds, 0.));
+}
+
 }  // namespace
 
 PostureTable::PostureTable(const Route& route)
@@ -69,14 +75,13 @@ void PostureTable::greatestDifferences(const std::vector<double>& by_joint, cons
 void PostureTable::costsTo(int node, int posture, Eigen::ArrayXd& times) const {
   greatestDifferences(by_joint_, by_speed_, node, posture, times);
   if (one_ratio_) {
-    times = (ratio_ * times > times.square())
-                .select(2 * (ratio_ * times).sqrt(), (times > 0).select(times + ratio_ * times / times, 0.));
+    makeDurations(times, ratio_ * times);
   } else {
-    thread_local Eigen::ArrayXd ramps;
+    Eigen::ArrayXd ramps;
     greatestDifferences(by_joint_acceleration_, by_acceleration_, node, posture, ramps);
-    times = (ramps > times.square()).select(2 * ramps.sqrt(), (times > 0).select(times + ramps / times, 0.));
+    makeDurations(times, ramps);
   }
-  if (!has_extra_ || !mayCostExtra(node) || !mayCostExtra(nodeOf(posture))) return;
+  if (!mayCostExtra(node) || !mayCostExtra(nodeOf(posture))) return;
   for (int q = first(node); q < last(node); ++q) times[q - first(node)] += extra(posture, q);
 }
 

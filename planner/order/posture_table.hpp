@@ -39,7 +39,7 @@ class PostureTable {
   }
   /// Straight line and extra time [s]; forbidden moves cost `kForbiddenTime`.
   [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
-  /// The same to each posture of `node`, bit for bit; valid until this is asked again of the same `times`.
+  /// The same to each posture of `node`, first to last; bit for bit what cost() has.
   void costsTo(int node, int posture, Eigen::ArrayXd& times) const;
   /// Of a set by posture: 1 where all postures of `node` are in it, 0 where none is, else -1.
   [[nodiscard]] int sideOf(int node, const std::vector<char>& inside) const;
@@ -51,7 +51,7 @@ class PostureTable {
 
   [[nodiscard]] double extra(int a, int b) const;
   [[nodiscard]] bool mayCostExtra(int node) const {
-    return node >= visits_ || with_extra_.empty() || with_extra_[node];
+    return has_extra_ && (node >= visits_ || with_extra_.empty() || with_extra_[node]);
   }
   void greatestDifferences(const std::vector<double>& by_joint, const std::vector<double>& values, int node,
                            int posture, Eigen::ArrayXd& greatest) const;

@@ -13,7 +13,7 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
-#include "deflection/inverse/inverse_kinematics.hpp"
+#include "deflection/inverse/inverse_solver.hpp"
 #include "planner/collision/arm_clearance.hpp"
 
 namespace tubeplan::app {
@@ -102,16 +102,13 @@ std::vector<Measurement> pointsToTouch(const CellModel& cell, const std::vector<
 }
 
 /// The tip brought to a known point under a load, each way there is.
-void addTouches(const planner::Workcell& work, const planner::ArmClearance& clear, const Measurement& point,
-                std::vector<ReadingCandidate>& candidates) {
+void addTouches(const planner::Workcell& work, const planner::ArmClearance& clear, deflection::InverseSolver& solver,
+                const Measurement& point, std::vector<ReadingCandidate>& candidates) {
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
   const auto shape = deflection::solveFlexibleKinematics(work.arm, {point.q, work.load, gravity_B});
   if (shape.status != deflection::KinematicsStatus::kConverged) return;
   const deflection::ToolGoal goal{work.X_WB.inverse() * *point.p_W, shape.X_BD.R * work.arm.tool_axis_L};
-  deflection::InverseKinematicsOptions options;
-  options.most_branches = kMostTouches;
-  for (const auto& branch :
-       deflection::solveInverseKinematics(work.arm, goal, work.load, gravity_B, options).branches) {
+  for (const auto& branch : solver.solve(goal).branches) {
     if (branch.status != deflection::BranchStatus::kConverged || branch.position_error > kReached) continue;
     if (!work.scene.bodies.empty() && !(clear.at(branch.q, planner::ContactRule::kApproach).margin >= 0)) continue;
     Measurement reading = point;
@@ -133,10 +130,13 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   if (custom.has_known_points) {
     const auto points = pointsToTouch(cell, readings, static_cast<std::size_t>(options.postures));
     const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(options.postures));
+    deflection::InverseKinematicsOptions inverse;
+    inverse.most_branches = kMostTouches;
     for (const double load : custom.loads) {
       work.load = load;
       const planner::ArmClearance clear(work);
-      for (std::size_t k = 0; k < points.size(); k += step) addTouches(work, clear, points[k], candidates);
+      deflection::InverseSolver solver(work.arm, load, deflection::gravityInBase(work.arm, work.X_WB), inverse);
+      for (std::size_t k = 0; k < points.size(); k += step) addTouches(work, clear, solver, points[k], candidates);
     }
     return candidates;
   }
