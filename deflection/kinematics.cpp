@@ -90,14 +90,14 @@ void Kinematics::run(const PostureBatch& postures, TipBatch& tips, const Flexibl
 
 void Kinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options,
                                  const std::vector<Variable>& variables) {
-  const simd::Kernel& kernel = simd::kernels().back();
   const simd::RevoluteVariables* derived = variables.empty() ? nullptr : arm_.kernelFor(variables);
   if (derived) derivatives_.resize(static_cast<std::size_t>(6 * kMostLanes * derived->columns()));
   const simd::RevoluteArm arm = arm_.revoluteChain()->numbers();
   const Index n = postures.size();
   sweeps_.resize(static_cast<std::size_t>(n));
   simd::Shapes out{};
-  for (Index k = 0; k < n; k += kernel.lanes) {
+  for (Index k = 0; k < n;) {
+    const simd::Kernel& kernel = simd::kernelFor(static_cast<int>(n - k));
     const Index count = std::min<Index>(kernel.lanes, n - k);
     if (derived) derived->place(derivatives_.data(), kernel.lanes, out);
     if (count < kernel.lanes) {
@@ -114,6 +114,7 @@ void Kinematics::solveSideBySide(const PostureBatch& postures, TipBatch& tips, c
     for (std::size_t v = 0; v < variables.size(); ++v)
       derived->gather(v, derivatives_.data(), kernel.lanes, count,
                       tips.jacobian.data() + 6 * static_cast<Index>(v) * n + k, n);
+    k += count;
   }
   for (std::size_t i = 0; i < sweeps_.size(); ++i)
     tips.status[i] = sweeps_[i] < 0 ? KinematicsStatus::kNotConverged : KinematicsStatus::kConverged;

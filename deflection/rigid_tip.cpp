@@ -21,7 +21,7 @@ AxesAtZero axesAtZero(const Arm& arm) {
   return axes;
 }
 
-void placeRigidTip(const AxesAtZero& axes, const VectorXd& q, TipMotion& tip) {
+void placeRigidTip(const AxesAtZero& axes, const Eigen::Ref<const VectorXd>& q, TipMotion& tip) {
   const auto n = static_cast<Eigen::Index>(axes.point.size());
   tip.columns.resize(6, n);
   Matrix3d R = Matrix3d::Identity();

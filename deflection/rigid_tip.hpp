@@ -25,6 +25,6 @@ struct AxesAtZero {
 [[nodiscard]] AxesAtZero axesAtZero(const Arm& arm);
 
 /// The rigid tip at readings q [rad, m].
-void placeRigidTip(const AxesAtZero& axes, const Eigen::VectorXd& q, TipMotion& tip);
+void placeRigidTip(const AxesAtZero& axes, const Eigen::Ref<const Eigen::VectorXd>& q, TipMotion& tip);
 
 }  // namespace tubeplan::deflection

@@ -77,7 +77,9 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
 }
 
 bool isSameBranch(const VectorXd& a, const VectorXd& b) {
-  return ((a - b).unaryExpr([](double d) { return std::remainder(d, kFullTurn); })).cwiseAbs().maxCoeff() < 1e-4;
+  for (Eigen::Index k = 0; k < a.size(); ++k)
+    if (!(angleApart(a[k], b[k]) < 1e-4)) return false;
+  return true;
 }
 
 void summarise(InverseKinematics& result) {

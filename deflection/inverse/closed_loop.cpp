@@ -11,7 +11,7 @@ namespace tubeplan::deflection {
 
 namespace {
 
-using Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+using Eigen::Matrix, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kMoved = 1e-4;  ///< of the axes, as a share of the reach and in rad
 
 /// Even in any number of dimensions: the n-th of a low-discrepancy sequence in (-1, 1).
@@ -32,16 +32,16 @@ AxesAtZero movedALittle(AxesAtZero axes, double reach) {
 
 /// Where a matrix polynomial a + b x + c x^2 is singular. x = (1 + y) / (1 - y) makes all that is asked of it that it
 /// be regular at one place.
-std::vector<std::complex<double>> rootsOf(const std::array<MatrixXd, 3>& polynomial) {
+template <int N>
+std::vector<std::complex<double>> rootsOf(const std::array<Matrix<double, N, N>, 3>& polynomial) {
   const auto& [a, b, c] = polynomial;
-  const Eigen::Index n = a.rows();
-  const Eigen::PartialPivLU<MatrixXd> lead(a - b + c);
-  MatrixXd companion = MatrixXd::Zero(2 * n, 2 * n);
-  companion.topRightCorner(n, n).setIdentity();
-  companion.bottomLeftCorner(n, n) = -lead.solve(a + b + c);
-  companion.bottomRightCorner(n, n) = -lead.solve(2 * (c - a));
+  const Eigen::PartialPivLU<Matrix<double, N, N>> lead(a - b + c);
+  Matrix<double, 2 * N, 2 * N> companion = Matrix<double, 2 * N, 2 * N>::Zero();
+  companion.template topRightCorner<N, N>().setIdentity();
+  companion.template bottomLeftCorner<N, N>() = -lead.solve(a + b + c);
+  companion.template bottomRightCorner<N, N>() = -lead.solve(2 * (c - a));
   if (!companion.allFinite()) return {};
-  const Eigen::EigenSolver<MatrixXd> eigen(companion, false);
+  const Eigen::EigenSolver<Matrix<double, 2 * N, 2 * N>> eigen(companion, false);
   if (eigen.info() != Eigen::Success) return {};
   std::vector<std::complex<double>> roots;
   for (const std::complex<double>& y : eigen.eigenvalues()) roots.push_back((1. + y) / (1. - y));
@@ -49,13 +49,14 @@ std::vector<std::complex<double>> rootsOf(const std::array<MatrixXd, 3>& polynom
 }
 
 /// The direction that a matrix which is all but singular takes to nothing.
-VectorXd nullVector(MatrixXd m) {
+template <int N>
+Matrix<double, N, 1> nullVector(Matrix<double, N, N> m) {
   m.rowwise().normalize();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(m);
-  const Eigen::Index rest = m.rows() - 1;
-  VectorXd v = VectorXd::Ones(m.cols());
-  const MatrixXd R = qr.matrixR();
-  v.head(rest) = -R.topLeftCorner(rest, rest).triangularView<Eigen::Upper>().solve(R.col(rest).head(rest));
+  const Eigen::ColPivHouseholderQR<Matrix<double, N, N>> qr(m);
+  Matrix<double, N, 1> v = Matrix<double, N, 1>::Ones();
+  const Matrix<double, N, N> R = qr.matrixR();
+  v.template head<N - 1>() = -R.template topLeftCorner<N - 1, N - 1>().template triangularView<Eigen::Upper>().solve(
+      R.col(N - 1).template head<N - 1>());
   return qr.colsPermutation() * v;
 }
 
@@ -72,8 +73,9 @@ Closure<Size> closureOf(const Vector3d& p, const Vector3d& l) {
 template <int Size>
 struct ClosedLoop<Size>::Sides {
   Outer outer;
-  Eigen::ColPivHouseholderQR<MatrixXd> outer_solver;  ///< of all equations but that of 1, terms but that of 1
-  std::array<MatrixXd, 3> polynomial;
+  /// Of all equations but that of 1, terms but that of 1.
+  Eigen::ColPivHouseholderQR<Matrix<double, Size - 1, kOuterTerms - 1>> outer_solver;
+  std::array<Matrix<double, kUnknowns, kUnknowns>, 3> polynomial;
 };
 
 template <int Size>
@@ -147,7 +149,7 @@ auto ClosedLoop<Size>::outerSide(const Vector3d& p_B, const Vector3d& axis_B) co
 /// The readings of the joints beside the tool at a root, by the null vector there: it stands for powers of the
 /// eliminated joints, those of the last one next to each other.
 template <int Size>
-void ClosedLoop<Size>::setInner(const VectorXd& v, double x, VectorXd& q) const {
+void ClosedLoop<Size>::setInner(const Unknowns& v, double x, VectorXd& q) const {
   const auto set = [&](std::size_t joint, double numerator, double denominator) {
     q[static_cast<Eigen::Index>(joint)] =
         zero_[joint] + (slides_[joint] ? numerator / denominator : 2 * std::atan2(numerator, denominator));
@@ -185,9 +187,10 @@ Closure<Size> ClosedLoop<Size>::innerSide(const VectorXd& q) const {
 template <int Size>
 VectorXd ClosedLoop<Size>::readingsAt(const Sides& sides, double x) const {
   VectorXd q(kJoints);
-  setInner(nullVector(sides.polynomial[0] + x * (sides.polynomial[1] + x * sides.polynomial[2])), x, q);
+  setInner(nullVector<kUnknowns>(sides.polynomial[0] + x * (sides.polynomial[1] + x * sides.polynomial[2])), x, q);
   // The outer joints' terms, that of 1 left out, are what the goal then asks of them.
-  const VectorXd outer = sides.outer_solver.solve((innerSide(q) - sides.outer.col(0)).template head<Size - 1>());
+  const Matrix<double, kOuterTerms - 1, 1> outer =
+      sides.outer_solver.solve((innerSide(q) - sides.outer.col(0)).template head<Size - 1>());
   const auto set = [&](std::size_t joint, int first, int second) {
     q[static_cast<Eigen::Index>(joint)] = slides_[joint] ? outer[first] : std::atan2(outer[second], outer[first]);
   };
@@ -204,21 +207,21 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
                                 std::vector<VectorXd>& roots) const {
   Sides sides;
   sides.outer = outerSide(p_B, axis_B);
-  const MatrixXd outer_terms = sides.outer.template topRightCorner<Size - 1, kOuterTerms - 1>();
   sides.outer_solver.setThreshold(1e-13);
-  sides.outer_solver.compute(outer_terms);
-  MatrixXd equations =
+  sides.outer_solver.compute(sides.outer.template topRightCorner<Size - 1, kOuterTerms - 1>());
+  Matrix<double, Size - 1, 3 * kInnerTerms> equations =
       inner_.template topRows<Size - 1>() - sides.outer.col(0).template head<Size - 1>() * inner_weight_;
   equations.applyOnTheLeft(sides.outer_solver.householderQ().adjoint());
   const Eigen::Matrix<double, kEquations, 3 * kInnerTerms> left = equations.template bottomRows<kEquations>();
   for (int a = 0; a < 3; ++a) {
     auto& m = sides.polynomial[static_cast<std::size_t>(a)];
-    m.setZero(kUnknowns, kUnknowns);
+    m.setZero();
     constexpr int kNext = kUnknowns - kInnerTerms;  // columns by which a power more of the eliminated joint shifts
-    m.topLeftCorner(kEquations, kInnerTerms) = left.template middleCols<kInnerTerms>(a * kInnerTerms);
-    m.block(kEquations, kNext, kEquations, kInnerTerms) = left.template middleCols<kInnerTerms>(a * kInnerTerms);
+    const auto terms = left.template middleCols<kInnerTerms>(a * kInnerTerms);
+    m.template topLeftCorner<kEquations, kInnerTerms>() = terms;
+    m.template block<kEquations, kInnerTerms>(kEquations, kNext) = terms;
   }
-  for (const std::complex<double>& x : rootsOf(sides.polynomial)) {
+  for (const std::complex<double>& x : rootsOf<kUnknowns>(sides.polynomial)) {
     if (x.imag() < 0) continue;
     const double imaginary = slides_[kOuter] ? x.imag() : 2 * x.imag() / (1 + x.real() * x.real());
     if (!(imaginary <= most_imaginary)) continue;

@@ -54,10 +54,11 @@ class ClosedLoop {
 
   using Outer = Eigen::Matrix<double, Size, kOuterTerms>;
   using Inner = Eigen::Matrix<double, Size, 3 * kInnerTerms>;
+  using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
   struct Sides;
 
   Outer outerSide(const Eigen::Vector3d& p_B, const Eigen::Vector3d& axis_B) const;
-  void setInner(const Eigen::VectorXd& null_vector, double x, Eigen::VectorXd& q) const;
+  void setInner(const Unknowns& null_vector, double x, Eigen::VectorXd& q) const;
   [[nodiscard]] Closure<Size> innerSide(const Eigen::VectorXd& q) const;
   [[nodiscard]] Eigen::VectorXd readingsAt(const Sides& sides, double x) const;
 

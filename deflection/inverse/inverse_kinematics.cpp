@@ -65,7 +65,7 @@ class InverseSolver::Parts {
     // Most goals are met straight away; those that are not would keep their neighbours waiting.
     if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
-    for (const std::size_t k : open) found[k] = leadAlone(goals[k], starts[k]);
+    leadOthers(goals, starts, open, found);
     for (Branch& branch : found) judge(arm_, options, branch);
     return found;
   }
@@ -79,7 +79,8 @@ class InverseSolver::Parts {
                                           std::span<const VectorXd> starts, std::span<const std::size_t> which,
                                           bool damped, std::vector<Branch>& found);
   simd::Goals goalsFor(const simd::RevoluteArm& numbers, bool damped) const;
-  Branch leadAlone(const ToolGoal& goal, const VectorXd& start);
+  void leadOthers(std::span<const ToolGoal> goals, std::span<const VectorXd> starts, std::span<const std::size_t> which,
+                  std::vector<Branch>& found);
 
   const Arm& arm_;
   double load_;
@@ -132,15 +133,30 @@ simd::Goals InverseSolver::Parts::goalsFor(const simd::RevoluteArm& numbers, boo
   return lanes;
 }
 
-Branch InverseSolver::Parts::leadAlone(const ToolGoal& goal, const VectorXd& start) {
-  if (!problem_)
-    problem_.emplace(arm_, branches.isTurret(), deflectedTip(arm_, load_, gravity_B_, options.kinematics), options);
-  Branch branch = leadToGoal(*problem_, goal, start);
-  if (!dependsOnPosture(arm_) || branch.status != BranchStatus::kConverged) return branch;
+void InverseSolver::Parts::leadOthers(std::span<const ToolGoal> goals, std::span<const VectorXd> starts,
+                                      std::span<const std::size_t> which, std::vector<Branch>& found) {
+  if (which.empty()) return;
+  if (!problem_) {
+    const bool turret = branches.isTurret();
+    problem_.emplace(arm_, turret, deflectedTips(arm_, turret, load_, gravity_B_, options.kinematics), options);
+  }
+  std::vector<ToolGoal> goal_of;
+  std::vector<VectorXd> from;
+  for (const std::size_t k : which) goal_of.push_back(goals[k]), from.push_back(starts[k]);
+  std::vector<Branch> led = leadToGoals(*problem_, goal_of, from);
+  for (std::size_t n = 0; n < which.size(); ++n) found[which[n]] = std::move(led[n]);
+  if (!dependsOnPosture(arm_)) return;
   // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
-  VectorXd wrapped = branch.q;
-  wrapIntoLimits(arm_, wrapped);
-  return wrapped == branch.q ? branch : leadToGoal(*problem_, goal, wrapped);
+  std::vector<std::size_t> turned;
+  goal_of.clear(), from.clear();
+  for (const std::size_t k : which) {
+    if (found[k].status != BranchStatus::kConverged) continue;
+    VectorXd wrapped = found[k].q;
+    wrapIntoLimits(arm_, wrapped);
+    if (wrapped != found[k].q) turned.push_back(k), goal_of.push_back(goals[k]), from.push_back(std::move(wrapped));
+  }
+  led = leadToGoals(*problem_, goal_of, from);
+  for (std::size_t n = 0; n < turned.size(); ++n) found[turned[n]] = std::move(led[n]);
 }
 
 InverseSolver::InverseSolver(const Arm& arm, double load, const Vector3d& gravity_B,

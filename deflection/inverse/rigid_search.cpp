@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "deflection/inverse/turret_branches.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection {
 
@@ -16,8 +17,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 constexpr int kProbes = 8;              ///< postures at which an arm's freedom is looked at
 constexpr double kTurnsTheTool = 1e-3;  ///< rad per rad, at the best of the probes: less is no freedom to turn the tool
 constexpr double kNearlyReal = 0.2;     ///< rad of a complex root, that may be imaginary
-/// Readings at which joints that are over are held: of turret arms, which have a closed form; of one joint; of more.
+/// Readings at which joints that are over are held, and turns of the tool about its axis: of turret arms, which have a
+/// closed form; of one of them; of more.
 constexpr int kTurretSlices = 96, kSlicesOfOne = 24, kSlicesOfMore = 48;
+constexpr std::size_t kStride = 31;  ///< between one slice's turn of the tool and the next one's; prime to their number
 
 AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   const Vector3d direction = axes.direction[held], point = axes.point[held];
@@ -52,7 +55,20 @@ MatrixXd slopesAt(const AxesAtZero& axes, const VectorXd& q, double reach) {
   return slopes;
 }
 
+std::vector<MatrixXd> slopesAtProbes(const Arm& arm, const AxesAtZero& axes, double reach) {
+  std::vector<MatrixXd> slopes;
+  const auto joints = static_cast<Index>(axes.point.size());
+  for (const VectorXd& q : latticeStarts(arm, kProbes)) slopes.push_back(slopesAt(axes, q.head(joints), reach));
+  return slopes;
+}
+
 double leastSingularValue(const MatrixXd& m) { return Eigen::JacobiSVD<MatrixXd>(m).singularValues().minCoeff(); }
+
+std::vector<double> turnsRound(int count) {
+  std::vector<double> turns;
+  for (int k = 0; k < count; ++k) turns.push_back(kFullTurn * k / count);
+  return turns;
+}
 
 /// The joints to hold, that what the others do to the first `rows` of the slopes is as regular as may be on the whole.
 std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
@@ -74,16 +90,32 @@ std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
 }  // namespace
 
 RigidSearch::RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold) : axes_(axes), reach_(reachOf(arm)) {
-  chooseHeld(arm, hold);
+  chooseForm(arm, hold);
   if (form_ == Form::kLine) lines_ = closureChain<kLineSize>(axes_, reach_);
   if (form_ == Form::kPlace) places_ = closureChain<kPlaceSize>(axes_, reach_);
-  const int several = form_ == Form::kTurret ? kTurretSlices : held_.size() == 1 ? kSlicesOfOne : kSlicesOfMore;
-  const int count = held_.empty() ? 1 : several;
-  // Readings of an even lattice within the limits; only those of the joints that are held count.
-  for (const VectorXd& q : latticeStarts(arm, count)) slices_.push_back(sliceAt(q(held_)));
+  addSlices(arm);
 }
 
-void RigidSearch::chooseHeld(const Arm& arm, Hold hold) {
+/// Readings of an even lattice within the limits; only those of the joints that are held count.
+void RigidSearch::addSlices(const Arm& arm) {
+  const bool has_wrist = form_ == Form::kWrist;
+  if (held_.empty()) {
+    slices_.push_back(sliceAt({}, has_wrist ? turnsRound(kSlicesOfOne) : std::vector<double>()));
+    return;
+  }
+  const int count = form_ == Form::kTurret            ? kTurretSlices
+                    : held_.size() == 1 && !has_wrist ? kSlicesOfOne
+                                                      : kSlicesOfMore;
+  const std::vector<double> rolls = turnsRound(count);
+  // Each reading has its own turn of the tool, in an order that has nothing to do with the readings'.
+  std::size_t next = 0;
+  for (const VectorXd& q : latticeStarts(arm, count)) {
+    slices_.push_back(sliceAt(q(held_), has_wrist ? std::vector{rolls[next % rolls.size()]} : std::vector<double>()));
+    next += kStride;
+  }
+}
+
+void RigidSearch::chooseForm(const Arm& arm, Hold hold) {
   const Index n = arm.jointCount();
   assert(n >= 3);
   if (hold == Hold::kPlaceAndAxis && n >= 4) {
@@ -93,9 +125,13 @@ void RigidSearch::chooseHeld(const Arm& arm, Hold hold) {
       four = withJointHeld(std::move(four), static_cast<std::size_t>(held_[k]), 0);
     form_ = Form::kTurret;
     if (carriesPlane(four)) return;
+    form_ = Form::kWrist;
+    if (carriesWrist(axes_, reach_)) {
+      held_ = heldJoints(slopesAtProbes(arm, axesBeforeWrist(axes_), reach_), 3);
+      return;
+    }
   }
-  std::vector<MatrixXd> slopes;
-  for (const VectorXd& q : latticeStarts(arm, kProbes)) slopes.push_back(slopesAt(axes_, q, reach_));
+  const std::vector<MatrixXd> slopes = slopesAtProbes(arm, axes_, reach_);
   const bool turns_the_tool = n >= 5 && std::ranges::any_of(slopes, [](const MatrixXd& slope) {
                                 return leastSingularValue(slope) > kTurnsTheTool;
                               });
@@ -103,25 +139,27 @@ void RigidSearch::chooseHeld(const Arm& arm, Hold hold) {
   held_ = heldJoints(slopes, form_ == Form::kLine ? 5 : 3);
 }
 
-RigidSearch::Slice RigidSearch::sliceAt(const VectorXd& readings) const {
+RigidSearch::Slice RigidSearch::sliceAt(const VectorXd& readings, std::vector<double> rolls) const {
   const auto held = [&](auto chain) {
     for (std::size_t k = held_.size(); k-- > 0;)
       chain = withJointHeld(std::move(chain), static_cast<std::size_t>(held_[k]), readings[static_cast<Index>(k)]);
     return chain;
   };
-  if (form_ == Form::kLine) return {readings, LineLoop(held(*lines_))};
-  if (form_ == Form::kPlace) return {readings, PlaceLoop(held(*places_))};
-  return {readings, held(axes_)};
+  if (form_ == Form::kLine) return {readings, LineLoop(held(*lines_)), {}};
+  if (form_ == Form::kPlace) return {readings, PlaceLoop(held(*places_)), {}};
+  if (form_ == Form::kWrist) return {readings, WristBranches(held(axes_), reach_), std::move(rolls)};
+  return {readings, held(axes_), {}};
 }
 
-void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_imaginary,
-                          std::vector<VectorXd>& postures) const {
-  std::vector<VectorXd> found;
-  if (const auto* turret = std::get_if<AxesAtZero>(&slice.chain)) addTurretBranches(*turret, goal, found);
-  if (const auto* line = std::get_if<LineLoop>(&slice.chain))
-    line->addRoots(goal.p_BT, goal.axis_B, most_imaginary, found);
-  if (const auto* place = std::get_if<PlaceLoop>(&slice.chain))
-    place->addRoots(goal.p_BT, goal.axis_B, most_imaginary, found);
+/// The readings of the joints that are not held.
+VectorXd RigidSearch::withoutHeld(const VectorXd& q) const {
+  std::vector<int> kept;
+  for (int k = 0; k < q.size(); ++k)
+    if (std::ranges::find(held_, k) == held_.end()) kept.push_back(k);
+  return q(kept);
+}
+
+void RigidSearch::addAt(const Slice& slice, std::span<const VectorXd> found, std::vector<VectorXd>& postures) const {
   for (const VectorXd& some : found) {
     VectorXd q(some.size() + slice.readings.size());
     for (Index k = 0, held = 0; k < q.size(); ++k) {
@@ -133,14 +171,32 @@ void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_
   }
 }
 
+void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_imaginary,
+                          std::vector<VectorXd>& postures) const {
+  std::vector<VectorXd> found;
+  if (const auto* turret = std::get_if<AxesAtZero>(&slice.chain)) addTurretBranches(*turret, goal, found);
+  if (const auto* wrist = std::get_if<WristBranches>(&slice.chain))
+    wrist->addPostures(goal, slice.rolls, most_imaginary, found);
+  if (const auto* line = std::get_if<LineLoop>(&slice.chain))
+    line->addRoots(goal.p_BT, goal.axis_B, most_imaginary, found);
+  if (const auto* place = std::get_if<PlaceLoop>(&slice.chain))
+    place->addRoots(goal.p_BT, goal.axis_B, most_imaginary, found);
+  addAt(slice, found, postures);
+}
+
 void RigidSearch::addPostures(const ToolGoal& goal, std::vector<VectorXd>& postures) const {
   // Where a slice has two postures that are about to be one, the next slice has them apart.
-  const double most_imaginary = held_.empty() ? kNearlyReal : 0;
+  const double most_imaginary = isContinuum() ? 0 : kNearlyReal;
   for (const Slice& slice : slices_) addFrom(slice, goal, most_imaginary, postures);
 }
 
-void RigidSearch::addPosturesAt(const ToolGoal& goal, const VectorXd& readings, std::vector<VectorXd>& postures) const {
-  addFrom(sliceAt(readings), goal, kNearlyReal, postures);
+void RigidSearch::addPosturesLike(const ToolGoal& goal, const VectorXd& q, std::vector<VectorXd>& postures) const {
+  const Slice slice = sliceAt(q(held_));
+  const auto* wrist = std::get_if<WristBranches>(&slice.chain);
+  if (!wrist) return addFrom(slice, goal, kNearlyReal, postures);
+  std::vector<VectorXd> found;
+  wrist->addPosturesLike(goal, withoutHeld(q), kNearlyReal, found);
+  addAt(slice, found, postures);
 }
 
 }  // namespace tubeplan::deflection

@@ -9,6 +9,7 @@
 
 #include "deflection/inverse/closed_loop.hpp"
 #include "deflection/inverse/rigid_branches.hpp"
+#include "deflection/inverse/wrist_branches.hpp"
 
 namespace tubeplan::deflection {
 
@@ -25,22 +26,28 @@ class RigidSearch {
 
   /// Joints that are given readings in turn.
   [[nodiscard]] std::span<const int> sampled() const { return held_; }
+  /// Whether postures of a goal are a continuum, of which some are taken.
+  [[nodiscard]] bool isContinuum() const { return !held_.empty() || form_ == Form::kWrist; }
   /// Whether the postures leave nothing to be done for the tool's lean.
   [[nodiscard]] bool areUpright() const { return form_ != Form::kPlace; }
 
-  /// The same at readings of the sampled joints of the caller's choice.
-  void addPosturesAt(const ToolGoal& goal, const Eigen::VectorXd& readings,
-                     std::vector<Eigen::VectorXd>& postures) const;
+  /// The same where a posture of the caller's choice is in the continuum, if it meets the goal.
+  void addPosturesLike(const ToolGoal& goal, const Eigen::VectorXd& q, std::vector<Eigen::VectorXd>& postures) const;
 
  private:
-  enum class Form { kTurret, kLine, kPlace };
+  enum class Form { kTurret, kWrist, kLine, kPlace };
   /// The arm with the joints that are over held.
   struct Slice {
     Eigen::VectorXd readings;
-    std::variant<AxesAtZero, PlaceLoop, LineLoop> chain;  ///< the first of turret arms
+    std::variant<AxesAtZero, WristBranches, PlaceLoop, LineLoop> chain;  ///< the first of turret arms
+    std::vector<double> rolls;  ///< rad, of arms with a wrist: turns of the tool about its axis
   };
-  void chooseHeld(const Arm& arm, Hold hold);
-  [[nodiscard]] Slice sliceAt(const Eigen::VectorXd& readings) const;
+  void chooseForm(const Arm& arm, Hold hold);
+  [[nodiscard]] Slice sliceAt(const Eigen::VectorXd& readings, std::vector<double> rolls = {}) const;
+  [[nodiscard]] Eigen::VectorXd withoutHeld(const Eigen::VectorXd& q) const;
+  void addSlices(const Arm& arm);
+  /// The same with the slice's readings.
+  void addAt(const Slice& slice, std::span<const Eigen::VectorXd> found, std::vector<Eigen::VectorXd>& postures) const;
   void addFrom(const Slice& slice, const ToolGoal& goal, double most_imaginary,
                std::vector<Eigen::VectorXd>& postures) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deflection/inverse/branch_verdict.hpp"
+#include "deflection/inverse/goal_newton.hpp"
 #include "deflection/inverse/turret_branches.hpp"
 #include "deflection/rotation.hpp"
 
@@ -34,18 +36,16 @@ StartPostures::StartPostures(const Arm& arm, const InverseKinematicsOptions& opt
       axes_(axesAtZero(arm)),
       is_turret_(carriesPlane(axes_)),
       options_(roughly(options)),
-      rigid_(
-          arm, false, [this](const VectorXd& q, TipMotion& tip) { placeRigidTip(axes_, q, tip); }, options_) {}
+      rigid_(arm, false, rigidTips(axes_), options_) {}
 
 bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> starts,
                             std::vector<Candidate>& candidates) {
   std::vector<Candidate> met, near;
-  for (const VectorXd& start : starts) {
-    const Branch found = leadToGoal(rigid_, goal, start);
+  for (const Branch& found : leadToGoals(rigid_, std::vector(starts.size(), goal), starts)) {
     if (!(found.position_error < kBends * rigid_.reach())) continue;
     const double tilted = std::max(0., found.tilt - options_.max_tilt);
     const bool is_met = found.status == BranchStatus::kConverged;
-    (is_met ? met : near).push_back({found.q, rigid_.pastLimits(found.q).cwiseAbs().maxCoeff() + tilted});
+    (is_met ? met : near).push_back({found.q, rigid_.mostPastLimits(found.q) + tilted});
   }
   const bool is_any_met = !met.empty();
   candidates = is_any_met ? std::move(met) : std::move(near);
@@ -55,10 +55,12 @@ bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> star
 /// Those that are as good as at the goal and within limits already: of a continuum there is no need of the others.
 std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal, std::span<const VectorXd> starts) {
   std::vector<Candidate> good;
+  TipMotion tip;
   GoalResidual r;
   for (const VectorXd& start : starts) {
-    if (rigid_.pastLimits(start).cwiseAbs().maxCoeff() > 0) continue;
-    rigid_.evaluate(goal, start, r);
+    if (rigid_.mostPastLimits(start) > 0) continue;
+    rigid_.place(start, std::span(&tip, 1));
+    rigid_.evaluate(goal, tip, r);
     if (r.position_error < kNearGoal * rigid_.reach() && r.tilt < options_.max_tilt) good.push_back({start, 0});
   }
   return good;
@@ -73,7 +75,7 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
   std::vector<VectorXd> starts;
   if (!postures_) postures_.emplace(arm_, axes_);
   postures_->addPostures(goal, starts);
-  if (postures_->areUpright() && !postures_->sampled().empty()) {
+  if (postures_->areUpright() && postures_->isContinuum()) {
     found = within(goal, starts);
     if (found.size() >= kEnough) return found;
   }
@@ -87,19 +89,18 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
 }
 
 std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidates, int most) const {
-  const auto apart = [this](const VectorXd& a, const VectorXd& b) {
-    double most_apart = 0;
+  const auto areApart = [this](const VectorXd& a, const VectorXd& b, double least) {
     for (Eigen::Index j = 0; j < a.size(); ++j)
-      most_apart = std::max(most_apart, rigid_.scale()[j] == 1 ? std::abs(std::remainder(a[j] - b[j], kFullTurn))
-                                                               : std::abs(a[j] - b[j]) / rigid_.scale()[j]);
-    return most_apart;
+      if ((rigid_.scale()[j] == 1 ? angleApart(a[j], b[j]) : std::abs(a[j] - b[j]) / rigid_.scale()[j]) > least)
+        return true;
+    return false;
   };
   std::vector<VectorXd> chosen;
   // In the lattice's order, the same for every goal: so neighbouring goals have branches that go with each other.
   for (const double least : {kUnlike, kSamePosture})
     for (const Candidate& candidate : candidates) {
       if (static_cast<int>(chosen.size()) >= most) return chosen;
-      if (std::ranges::all_of(chosen, [&](const VectorXd& other) { return apart(candidate.q, other) > least; }))
+      if (std::ranges::all_of(chosen, [&](const VectorXd& other) { return areApart(candidate.q, other, least); }))
         chosen.push_back(candidate.q);
     }
   return chosen;

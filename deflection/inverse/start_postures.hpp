@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deflection/inverse/goal_newton.hpp"
+#include "deflection/inverse/goal_problem.hpp"
 #include "deflection/inverse/rigid_search.hpp"
 
 namespace tubeplan::deflection {

@@ -4,71 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <random>
 
 #include "deflection/inverse/goal_newton.hpp"
+#include "tests/deflection/inverse/drawn_chain.hpp"
 
 namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
+using testing::apart, testing::Chain, testing::chainOf, testing::Draw, testing::drawnChain, testing::drawnReadings;
 constexpr double kQuarter = std::numbers::pi / 2;
-
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
-  double operator()(double most) { return std::uniform_real_distribution<>(-most, most)(random_); }
-  Vector3d vector(double most) { return {(*this)(most), (*this)(most), (*this)(most)}; }
-
- private:
-  std::mt19937_64 random_;
-};
-
-/// Joints of any geometry, in a file's numbers only for their limits.
-struct Chain {
-  Arm arm;
-  AxesAtZero axes;
-};
-
-Chain chainOf(std::vector<DenavitHartenberg<double>> rows, int slide, const Vector3d& tip) {
-  Chain chain;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    auto& row = chain.arm.rows.emplace_back();
-    row.name = row.joint.name = "j" + std::to_string(k);
-    row.placement = rows[k];
-    row.joint.type = static_cast<int>(k) == slide ? JointType::kPrismatic : JointType::kRevolute;
-    if (static_cast<int>(k) == slide) row.joint.lower = -1, row.joint.upper = 1;
-  }
-  chain.arm.p_LT = tip;
-  chain.axes = axesAtZero(chain.arm);
-  return chain;
-}
-
-Chain drawnChain(int joints, int slide, Draw& draw) {
-  std::vector<DenavitHartenberg<double>> rows;
-  for (int k = 0; k < joints; ++k) rows.push_back({draw(3), std::abs(draw(0.5)), draw(0.3), 0});
-  return chainOf(rows, slide, draw.vector(0.3));
-}
-
-VectorXd drawnReadings(const Chain& chain, Draw& draw) {
-  VectorXd q(chain.arm.jointCount());
-  for (Eigen::Index k = 0; k < q.size(); ++k)
-    q[k] = draw(chain.arm.joint(k).type == JointType::kPrismatic ? 1 : std::numbers::pi);
-  return q;
-}
-
-double apart(const Chain& chain, const VectorXd& a, const VectorXd& b) {
-  double most = 0;
-  for (Eigen::Index k = 0; k < a.size(); ++k) {
-    const double off = a[k] - b[k];
-    most = std::max(
-        most,
-        std::abs(chain.axes.slides[static_cast<std::size_t>(k)] ? off : std::remainder(off, 2 * std::numbers::pi)));
-  }
-  return most;
-}
 
 /// Whether a posture drawn at random is among those that the roots lead to.
 template <int Size>
@@ -81,11 +26,9 @@ bool isAmongRoots(const Chain& chain, const VectorXd& q) {
   EXPECT_LE(roots.size(), Size == kLineSize ? 32U : 8U);
   InverseKinematicsOptions options;
   options.singular_floor = 1e-6;
-  GoalProblem problem(
-      chain.arm, false, [&](const VectorXd& at, TipMotion& out) { placeRigidTip(chain.axes, at, out); }, options);
-  return std::ranges::any_of(roots, [&](const VectorXd& root) {
-    return apart(chain, leadToGoal(problem, {tip.p, tip.axis}, root).q, q) < 1e-4;
-  });
+  GoalProblem problem(chain.arm, false, rigidTips(chain.axes), options);
+  const auto led = leadToGoals(problem, std::vector(roots.size(), ToolGoal{tip.p, tip.axis}), roots);
+  return std::ranges::any_of(led, [&](const Branch& branch) { return apart(chain, branch.q, q) < 1e-4; });
 }
 
 TEST(LoopClosure, AJointChangesItLinearly) {

@@ -74,20 +74,22 @@ inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm
   const AxesAtZero axes = axesAtZero(arm);
   InverseKinematicsOptions options;
   options.singular_floor = 1e-6;
-  GoalProblem problem(
-      slice, false,
-      [&](const Eigen::VectorXd& some, TipMotion& tip) {
-        Eigen::VectorXd all = q;
-        all(moved) = some;
-        placeRigidTip(axes, all, tip);
-        tip.columns = Eigen::MatrixXd(tip.columns(Eigen::all, moved));
-      },
-      options);
+  const auto place = [&](const Eigen::MatrixXd& some, std::span<TipMotion> tips) {
+    for (std::size_t k = 0; k < tips.size(); ++k) {
+      Eigen::VectorXd all = q;
+      all(moved) = some.col(static_cast<Eigen::Index>(k));
+      placeRigidTip(axes, all, tips[k]);
+      tips[k].columns = Eigen::MatrixXd(tips[k].columns(Eigen::all, moved));
+    }
+  };
+  GoalProblem problem(slice, false, place, options);
   std::vector<Eigen::VectorXd> roots;
-  search.addPosturesAt(goal, q(held), roots);
-  for (const auto& root : roots) {
+  search.addPosturesLike(goal, q, roots);
+  std::vector<Eigen::VectorXd> starts;
+  for (const auto& root : roots) starts.emplace_back(root(moved));
+  for (const Branch& branch : leadToGoals(problem, std::vector(starts.size(), goal), starts)) {
     Eigen::VectorXd led = q;
-    led(moved) = leadToGoal(problem, goal, root(moved)).q;
+    led(moved) = branch.q;
     if (apartOf(arm, led, q) < 1e-3) return true;
   }
   return false;

@@ -12,7 +12,10 @@ class FreeMotion {
 
   /// The shortest step that brings `slope` * step as near to `wanted` as what is free allows, and takes that from what
   /// is free. Directions that the free motion changes by less than `floor` per unit of it are left as they are.
-  Eigen::VectorXd take(const Eigen::MatrixXd& slope, const Eigen::VectorXd& wanted, double floor);
+  /// `Rows`: the most rows of the slopes, or Eigen::Dynamic.
+  template <int Rows>
+  Eigen::VectorXd take(const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Rows, Eigen::Dynamic>& slope,
+                       const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Rows, 1>& wanted, double floor);
 
  private:
   Eigen::MatrixXd projector_;  ///< onto the motions that are free, joints x joints
