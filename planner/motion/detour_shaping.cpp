@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <random>
 
 #include "planner/timing/flowing_timing.hpp"
 
@@ -14,9 +15,10 @@ using Eigen::VectorXd;
 
 // m of travel by one joint: how far beside the straight move a way round is looked for, and how finely it is shaped.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
-constexpr std::array kFinerAndFiner{0.16, 0.08, 0.04, 0.02, 0.01, 0.005};
-constexpr long kMostChecks = 20'000;      // of postures, for one way round
-constexpr int kMostRounds = 12;           // at one fineness
+constexpr std::array kFinerAndFiner{0.8, 0.4, 0.2, 0.1, 0.05, 0.025, 0.012};
+constexpr int kAttempts = 1500;           // at one fineness
+constexpr int kAttemptsForOneMore = 8;    // of which one puts in another waypoint
+constexpr long kMostChecks = 200'000;     // of postures, for one way round
 constexpr double kLeastTimeSaved = 1e-3;  // s
 
 bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
@@ -58,6 +60,7 @@ std::vector<VectorXd> posturesBeside(const VectorXd& middle, const MotionProblem
 struct Shaping {
   const MotionProblem& problem;
   const MotionCheckOptions& options;
+  std::mt19937_64 generator;
   long& checks;
   Waypoints& best;
   double time;
@@ -84,16 +87,22 @@ struct Shaping {
     return false;
   }
 
-  bool moveEach(const VectorXd& steps) {
-    bool gained = false;
-    for (std::size_t k = 1; k + 1 < best.size(); ++k)
-      for (Eigen::Index j = 0; j < steps.size(); ++j)
-        for (const double sign : {1., -1.}) {
-          Waypoints moved = best;
-          moved[k][j] += sign * steps[j];
-          if (isWithinLimits(moved[k], problem)) gained |= take(std::move(moved));
-        }
-    return gained;
+  void dropAll() {
+    while (dropOne()) {
+    }
+  }
+
+  /// Between -1 and 1, the same on every machine.
+  double drawn() { return static_cast<double>(generator() >> 10) * 0x1.0p-53 - 1; }
+
+  /// Moves a waypoint, of all its joints at once, or puts in another beside it.
+  void moveOne(const VectorXd& steps) {
+    Waypoints moved = best;
+    const std::size_t k = 1 + generator() % (best.size() - 2);
+    if (generator() % kAttemptsForOneMore == 0)
+      moved.insert(moved.begin() + static_cast<std::ptrdiff_t>(k), (best[k - 1] + best[k]) / 2);
+    for (Eigen::Index j = 0; j < steps.size(); ++j) moved[k][j] += steps[j] * drawn();
+    if (isWithinLimits(moved[k], problem)) take(std::move(moved));
   }
 };
 
@@ -138,14 +147,15 @@ Waypoints detourByOnePosture(const VectorXd& q0, const VectorXd& q1, const Motio
   return {};
 }
 
-void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionCheckOptions& options, long& checks) {
-  Shaping shaping{problem, options, checks, waypoints, flowTime(waypoints, problem)};
+void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionPlannerOptions& options, long& checks) {
+  Shaping shaping{problem, options.check, std::mt19937_64(options.seed),
+                  checks,  waypoints,     flowTime(waypoints, problem)};
   const VectorXd steps = stepsPerMetre(problem);
-  for (const double metres : kFinerAndFiner)
-    for (int round = 0; round < kMostRounds; ++round) {
-      const bool dropped = shaping.dropOne();
-      if (!shaping.moveEach(metres * steps) && !dropped) break;
-    }
+  for (const double metres : kFinerAndFiner) {
+    shaping.dropAll();
+    for (int k = 0; k < kAttempts && waypoints.size() > 2 && !shaping.isSpent(); ++k) shaping.moveOne(metres * steps);
+  }
+  shaping.dropAll();
 }
 
 }  // namespace tubeplan::planner

@@ -126,7 +126,7 @@ bool proveStretches(const MotionProblem& problem, const MotionPlannerOptions& op
 }
 
 void takeQuickest(Waypoints flow, const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
-  quicken(flow, problem, options.check, plan.checks);
+  quicken(flow, problem, options, plan.checks);
   takeFlow(std::move(flow), problem, options.check, plan);
 }
 
