@@ -12,7 +12,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kLaterKicksShare = 3;  // rounds after the first begin from a good order
+constexpr int kLaterKicksShare = 10;  // rounds after the first begin from a good order
 
 /// Both kinds of end of the route are branch 0.
 int branchOf(const VisitChoice& choice, int visit, int branch) {
