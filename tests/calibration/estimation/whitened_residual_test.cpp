@@ -126,6 +126,35 @@ TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(with->noise[k], without->noise[k]);
 }
 
+// Of a base only some numbers may be free: the others stay, and nothing else takes their slopes.
+TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
+  ReadingMaker maker = everyKindTwice();
+  PlacedArm start = cobraTwice();
+  const auto all = chooseUnknowns(start, everyScale()).list;
+  std::vector<Unknown> some;
+  std::vector<Index> columns;
+  VectorXd x = anyStep(all, maker), of_some = x;
+  for (Index k = 0; k < x.size(); ++k) {
+    const Unknown& unknown = all[static_cast<std::size_t>(k)];
+    if (unknown.owner == Unknown::Owner::kBase && unknown.component % 4 != unknown.base_pose) {
+      x[k] = 0;
+      continue;
+    }
+    of_some[static_cast<Index>(some.size())] = x[k];
+    some.push_back(unknown);
+    columns.push_back(k);
+  }
+  ASSERT_LT(some.size(), all.size() - 6);
+  of_some.conservativeResize(static_cast<Index>(some.size()));
+  const auto weights = weighReadings(start, maker.readings);
+  ASSERT_TRUE(weights);
+  const auto whole = whitenedResidual(start, all, maker.readings, *weights, x, true);
+  const auto part = whitenedResidual(start, some, maker.readings, *weights, of_some, true);
+  ASSERT_TRUE(whole.ok && part.ok);
+  EXPECT_TRUE(part.r.isApprox(whole.r, 1e-9));
+  EXPECT_TRUE(part.jacobian.isApprox(whole.jacobian(Eigen::all, columns), 1e-9));
+}
+
 /// Readings side by side and one by one: an effect of size nothing keeps the kernels off.
 TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
