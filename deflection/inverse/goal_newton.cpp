@@ -180,7 +180,7 @@ std::vector<Branch> leadToGoals(GoalProblem& problem, std::span<const ToolGoal> 
     for (; active < leads.size() && next < starts.size(); ++next) leads[active++].begin(next, starts[next]);
     if (active == 0) return found;
     for (std::size_t k = 0; k < active; ++k) q.col(static_cast<Index>(k)) = leads[k].asked();
-    problem.place(q, std::span(tips).first(active));
+    problem.place(q.leftCols(static_cast<Index>(active)), std::span(tips).first(active));
     for (std::size_t k = active; k-- > 0;) {
       Lead& lead = leads[k];
       if (lead.arrive(problem, goals[lead.which()], tips[k])) continue;

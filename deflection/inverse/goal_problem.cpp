@@ -42,7 +42,7 @@ void addLean(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
 PlaceTips turretTips(const Arm& arm, double load, const Vector3d& gravity_B, const FlexibleKinematicsOptions& options) {
   auto tip = std::make_shared<TipDifferentiation>(arm);
   const int last = activeRows(arm).back();
-  return [=, tool_axis_L = arm.tool_axis_L, variables = jointVariables(arm)](const MatrixXd& q,
+  return [=, tool_axis_L = arm.tool_axis_L, variables = jointVariables(arm)](const Eigen::Ref<const MatrixXd>& q,
                                                                              std::span<TipMotion> tips) {
     for (std::size_t k = 0; k < tips.size(); ++k) {
       TipMotion& out = tips[k];
@@ -68,10 +68,10 @@ PlaceTips deflectedTips(const Arm& arm, bool turret, double load, const Vector3d
     TipBatch tips;
   };
   auto work = std::make_shared<Work>(arm);
-  return [=, tool_axis_L = arm.tool_axis_L](const MatrixXd& q, std::span<TipMotion> tips) {
-    const auto count = static_cast<Index>(tips.size());
+  return [=, tool_axis_L = arm.tool_axis_L](const Eigen::Ref<const MatrixXd>& q, std::span<TipMotion> tips) {
+    const Index count = q.cols();
     work->postures.resize(q.rows(), count, load, gravity_B);
-    work->postures.q = q.leftCols(count);
+    work->postures.q = q;
     work->kinematics.solveWithJacobian(work->postures, work->tips, options);
     for (Index k = 0; k < count; ++k) {
       TipMotion& out = tips[static_cast<std::size_t>(k)];
@@ -86,7 +86,7 @@ PlaceTips deflectedTips(const Arm& arm, bool turret, double load, const Vector3d
 }
 
 PlaceTips rigidTips(const AxesAtZero& axes) {
-  return [&axes](const MatrixXd& q, std::span<TipMotion> tips) {
+  return [&axes](const Eigen::Ref<const MatrixXd>& q, std::span<TipMotion> tips) {
     for (std::size_t k = 0; k < tips.size(); ++k) placeRigidTip(axes, q.col(static_cast<Index>(k)), tips[k]);
   };
 }

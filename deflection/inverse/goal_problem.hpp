@@ -11,7 +11,7 @@
 namespace tubeplan::deflection {
 
 /// The tip and its motion at each column of q [rad, m], of the arm as it is or rigid.
-using PlaceTips = std::function<void(const Eigen::MatrixXd& q, std::span<TipMotion> tips)>;
+using PlaceTips = std::function<void(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips)>;
 
 /// The deflected tip under a load. `arm` must outlive it.
 [[nodiscard]] PlaceTips deflectedTips(const Arm& arm, bool turret, double load, const Eigen::Vector3d& gravity_B,
@@ -40,8 +40,7 @@ class GoalProblem {
   /// `options` must outlive this.
   GoalProblem(const Arm& arm, bool turret, PlaceTips place, const InverseKinematicsOptions& options);
 
-  /// Tips at the first columns of q, as many as `tips`.
-  void place(const Eigen::MatrixXd& q, std::span<TipMotion> tips) { place_(q, tips); }
+  void place(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips) { place_(q, tips); }
   /// Of a tip as placed; its columns are scaled in passing.
   void evaluate(const ToolGoal& goal, TipMotion& tip, GoalResidual& residual) const;
 

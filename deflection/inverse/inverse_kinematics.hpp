@@ -18,7 +18,7 @@ struct InverseKinematicsOptions {
   /// arms, tilt that the joints change by less per rad is taken as it comes.
   double singular_floor = 0.01;
   double max_tilt = std::numbers::pi / 2;  ///< rad between tool and goal axis; a branch with more is refused
-  int lattice_starts = 256;                ///< of the rigid search, for arms without closed form
+  int lattice_starts = 256;                ///< of the rigid search, where no closure is solved
   int most_branches = 48;                  ///< ... of which so many go on, as unlike each other as may be
   FlexibleKinematicsOptions kinematics{1e-13, 100};
 };
@@ -45,9 +45,9 @@ struct InverseKinematics {
   std::vector<Branch> branches;  ///< converged ones first, in a fixed order
 };
 
-/// All branches: rigid solutions (closed form for turret arms, a search from a lattice otherwise), each refined on the
-/// flexible model. The deflected tip is at its place; the tilt is the least that the joints can then make of it; what
-/// freedom is left brings joints back within their limits.
+/// All branches: rigid ones (closed forms of turrets and wrists, else roots of the chain's closure), each led to the
+/// goal on the flexible arm. The deflected tip is at its place; the tilt is the least that the joints can then make of
+/// it; what freedom is left brings joints back within their limits.
 [[nodiscard]] InverseKinematics solveInverseKinematics(const Arm& arm, const ToolGoal& goal, double load,
                                                        const Eigen::Vector3d& gravity_B,
                                                        const InverseKinematicsOptions& options = {});

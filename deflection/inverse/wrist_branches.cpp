@@ -168,8 +168,8 @@ VectorXd WristBranches::withWrist(const Root& root, double q4, double q5) const 
 void WristBranches::addWrists(const Root& root, double q4_in_line, std::vector<VectorXd>& postures) const {
   const Vector3d &w4 = axes_.direction[3], &w5 = axes_.direction[4], &w6 = axes_.direction[5];
   const Vector3d to = root.turn * w6;
-  for (const double q5 : solveCosineSine(w4.dot(w6) - w4.dot(w5) * w5.dot(w6), w4.dot(w5.cross(w6)),
-                                         w4.dot(to) - w4.dot(w5) * w5.dot(w6), kStretched)) {
+  const double along = w4.dot(w5) * w5.dot(w6);
+  for (const double q5 : solveCosineSine(w4.dot(w6) - along, w4.dot(w5.cross(w6)), w4.dot(to) - along, kStretched)) {
     const Vector3d bent = Eigen::AngleAxisd(q5, w5) * w6;
     postures.push_back(withWrist(root, bent.cross(w4).norm() < kInLine ? q4_in_line : turnBetween(w4, bent, to), q5));
   }
@@ -178,7 +178,7 @@ void WristBranches::addWrists(const Root& root, double q4_in_line, std::vector<V
 void WristBranches::addInLineBetween(const ToolGoal& goal, std::span<const Root> from, double from_roll,
                                      std::span<const Root> to, double to_roll, std::vector<VectorXd>& postures) const {
   const Vector3d &w4 = axes_.direction[3], &w5 = axes_.direction[4], &w6 = axes_.direction[5];
-  const double ahead = std::atan2(w4.dot(w5.cross(w6)), w4.dot(w6) - w4.dot(w5) * w5.dot(w6));
+  const double ahead = turnBetween(w5, w6, w4);  // the reading that points the last axis along the third last
   for (const Root& a : from)
     for (const Root& b : to) {
       VectorXd way = b.arm - a.arm;
@@ -205,15 +205,14 @@ void WristBranches::addPostures(const ToolGoal& goal, std::span<const double> ro
       for (const VectorXd& q : turned) postures.push_back(q), postures.back()[5] = roll;
     return;
   }
-  std::vector<Root> before;
-  if (rolls.size() > 1) before = rootsAt(goal, rolls.back(), most_imaginary);
-  double roll_before = rolls.back() - kFullTurn;
-  for (const double roll : rolls) {
-    std::vector<Root> roots = rootsAt(goal, roll, most_imaginary);
-    for (const Root& root : roots) addWrists(root, 0, postures);
-    addInLineBetween(goal, before, roll_before, roots, roll, postures);
-    before = std::move(roots);
-    roll_before = roll;
+  std::vector<std::vector<Root>> roots;
+  for (const double roll : rolls) roots.push_back(rootsAt(goal, roll, most_imaginary));
+  for (std::size_t k = 0; k < rolls.size(); ++k) {
+    for (const Root& root : roots[k]) addWrists(root, 0, postures);
+    if (rolls.size() == 1) return;
+    const std::size_t before = k == 0 ? rolls.size() - 1 : k - 1;
+    const double roll_before = rolls[before] - (k == 0 ? kFullTurn : 0);
+    addInLineBetween(goal, roots[before], roll_before, roots[k], rolls[k], postures);
   }
 }
 

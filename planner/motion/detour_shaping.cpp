@@ -5,6 +5,7 @@
 #include <cassert>
 #include <random>
 
+#include "planner/motion/unit_random.hpp"
 #include "planner/timing/flowing_timing.hpp"
 
 namespace tubeplan::planner {
@@ -92,16 +93,13 @@ struct Shaping {
     }
   }
 
-  /// Between -1 and 1, the same on every machine.
-  double drawn() { return static_cast<double>(generator() >> 10) * 0x1.0p-53 - 1; }
-
   /// Moves a waypoint, of all its joints at once, or puts in another beside it.
   void moveOne(const VectorXd& steps) {
     Waypoints moved = best;
     const std::size_t k = 1 + generator() % (best.size() - 2);
     if (generator() % kAttemptsForOneMore == 0)
       moved.insert(moved.begin() + static_cast<std::ptrdiff_t>(k), (best[k - 1] + best[k]) / 2);
-    for (Eigen::Index j = 0; j < steps.size(); ++j) moved[k][j] += steps[j] * drawn();
+    for (Eigen::Index j = 0; j < steps.size(); ++j) moved[k][j] += steps[j] * (2 * unitRandom(generator) - 1);
     if (isWithinLimits(moved[k], problem)) take(std::move(moved));
   }
 };

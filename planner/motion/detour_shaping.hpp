@@ -23,8 +23,8 @@ using Waypoints = std::vector<Eigen::VectorXd>;
                                            const MotionProblem& problem, const MotionCheckOptions& options,
                                            long& checks);
 
-/// Moves, drops and adds inner waypoints of a proved flow by chance, ever less, where that saves time and the flow stays
-/// proved. Same seed, same flow.
+/// Moves, drops and adds inner waypoints of a proved flow by chance, ever less, where that saves time and the flow
+/// stays proved. Same seed, same flow.
 void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionPlannerOptions& options, long& checks);
 
 }  // namespace tubeplan::planner

@@ -9,6 +9,7 @@
 #include "planner/motion/detour_shaping.hpp"
 #include "planner/motion/motion_search.hpp"
 #include "planner/motion/roadmap.hpp"
+#include "planner/motion/unit_random.hpp"
 
 namespace tubeplan::planner {
 namespace {
@@ -92,7 +93,7 @@ class Shortcutter {
 
   Place randomPlace(const Waypoints& waypoints) {
     const std::size_t stretch = generator_() % (waypoints.size() - 1);
-    return {stretch, static_cast<double>(generator_() >> 11) * 0x1.0p-53};
+    return {stretch, unitRandom(generator_)};
   }
 
   bool isFree(const VectorXd& from, const VectorXd& to) {

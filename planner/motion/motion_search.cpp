@@ -15,6 +15,8 @@
 #include <numbers>
 #include <random>
 
+#include "planner/motion/unit_random.hpp"
+
 namespace tubeplan::planner {
 namespace {
 
@@ -22,9 +24,6 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using Eigen::VectorXd;
 using Space = ob::RealVectorStateSpace;
-
-/// The next number in [0, 1) with 53 random bits, the same on every machine.
-double unitRandom(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1.0p-53; }
 
 /// Coordinates of the search: metres of travel, so that one range suits turning and sliding joints, near ones and far
 /// ones.

@@ -12,6 +12,8 @@
 #include <queue>
 #include <random>
 
+#include "planner/motion/unit_random.hpp"
+
 namespace tubeplan::planner {
 
 namespace {
@@ -27,7 +29,7 @@ VectorXd randomPosture(const MotionProblem& problem, std::mt19937_64& generator)
     // A joint without limits goes once around.
     const double low = std::isfinite(problem.lower[j]) ? problem.lower[j] : -std::numbers::pi;
     const double high = std::isfinite(problem.upper[j]) ? problem.upper[j] : std::numbers::pi;
-    q[j] = low + (high - low) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
+    q[j] = low + (high - low) * unitRandom(generator);
   }
   return q;
 }

@@ -2,7 +2,8 @@
 // cell.
 //
 // Where an arm has more joints than its goals ask for, postures are a continuum. There a posture counts as found where
-// the search has it at the readings of the joints that are over: the same slice through the continuum.
+// the search has it at the readings of the joints that are over, at its roll where a wrist turns the tool, and at its
+// turn where two axes of the wrist are in line: the same place in the continuum.
 #pragma once
 
 #include <chrono>
@@ -74,7 +75,7 @@ inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm
   const AxesAtZero axes = axesAtZero(arm);
   InverseKinematicsOptions options;
   options.singular_floor = 1e-6;
-  const auto place = [&](const Eigen::MatrixXd& some, std::span<TipMotion> tips) {
+  const auto place = [&](const Eigen::Ref<const Eigen::MatrixXd>& some, std::span<TipMotion> tips) {
     for (std::size_t k = 0; k < tips.size(); ++k) {
       Eigen::VectorXd all = q;
       all(moved) = some.col(static_cast<Eigen::Index>(k));
