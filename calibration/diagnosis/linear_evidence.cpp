@@ -45,7 +45,6 @@ MatrixXd pivotedCholesky(const MatrixXd& matrix) {
   for (; rank < L.cols() && left.sum() > kLeastAxis * whole; ++rank) {
     Index pivot = 0;
     const double most = left.maxCoeff(&pivot);
-    if (!(most > 0)) break;
     auto column = L.col(rank);
     column = matrix.col(pivot);
     if (rank > 0) column.noalias() -= L.leftCols(rank) * L.row(pivot).head(rank).transpose();

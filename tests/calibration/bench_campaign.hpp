@@ -6,10 +6,9 @@
 
 #include "app/files/cell_reader.hpp"
 #include "calibration/simulation/simulated_campaign.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::calibration {
-
-inline constexpr double kInch = 0.0254, kPound = 4.4482216152605;
 
 inline const app::Cell& benchCell() {
   static const app::Cell kCell = app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/bench.yaml");

@@ -13,12 +13,9 @@
 #include "calibration/placed_arm.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/deflection/cobra.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::calibration {
-
-using deflection::kDegree, deflection::kInch;
-
-inline constexpr double kPoundForce = deflection::kPound;
 
 inline app::Cell shippedBench() {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());
@@ -40,7 +37,7 @@ inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::
   for (int k = 0; k < count; ++k) {
     Measurement reading;
     reading.id = std::to_string(k + 1);
-    reading.load = (k % 3) * 20 * kPoundForce;
+    reading.load = (k % 3) * 20 * kPound;
     reading.sigma = 0.003 * kInch;
     reading.q.resize(4);
     const double middle[] = {0, 75, -80, 0}, half[] = {60, 30, 40, 40};

@@ -14,8 +14,6 @@
 
 namespace tubeplan::calibration {
 
-using deflection::kDegree, deflection::kInch, deflection::kPound;
-
 inline const deflection::FlexibleKinematicsOptions kFine{1e-14, 200};
 
 inline Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Vector3d& fixed_angles) {

@@ -7,10 +7,9 @@
 #include "app/files/arm_reader.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "deflection/flexible_kinematics.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::deflection {
-
-inline constexpr double kInch = 0.0254, kPound = 4.4482216152605, kDegree = std::numbers::pi / 180;
 
 inline Arm cobraArm(int segments = 1) {
   static const Arm kArm = app::readArm(app::readYamlFile(TUBEPLAN_SOURCE_DIR "/app/cells/cobra-arm.yaml").root).arm;

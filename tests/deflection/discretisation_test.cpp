@@ -10,7 +10,7 @@ namespace tubeplan::deflection {
 namespace {
 
 /// A weightless cantilever of 1 m along x, of one segment, and the load that bends it to P L^2 / (E I) = alpha.
-Arm cantilever() {
+Arm weightlessBeam() {
   Arm arm;
   Row<double> row;
   row.name = "beam";
@@ -35,13 +35,13 @@ constexpr Elastica kElastica[] = {{0.25, 0.0828}, {1, 0.3017}, {3, 0.6033}};
 
 TEST(Discretisation, EstimatesWhatOneSegmentLeavesOfAnElastica) {
   for (const auto& [alpha, deflection] : kElastica) {
-    const double left = std::abs(deflectionOf(cantilever(), alpha) - deflection);
-    const auto found = discretisationOf(cantilever(), {Eigen::VectorXd(0), alpha}, 1e-3);
+    const double left = std::abs(deflectionOf(weightlessBeam(), alpha) - deflection);
+    const auto found = discretisationOf(weightlessBeam(), {Eigen::VectorXd(0), alpha}, 1e-3);
     if (left > 5e-4) {
       EXPECT_GT(found.tip_error, 0.5 * left) << alpha;
     }
     ASSERT_GE(found.factor, 1) << alpha;
-    Arm cut = cantilever();
+    Arm cut = weightlessBeam();
     cut.rows[0].beam->segments = found.factor;
     EXPECT_NEAR(deflectionOf(cut, alpha), deflection, 1.5e-3) << alpha << ", " << found.factor << " segments";
   }
@@ -51,7 +51,7 @@ TEST(Discretisation, FallsWithTheSquareOfTheSegments) {
   const Posture posture{Eigen::VectorXd(0), 1.0};
   double before = 0;
   for (const int segments : {16, 32, 64}) {
-    Arm cut = cantilever();
+    Arm cut = weightlessBeam();
     cut.rows[0].beam->segments = segments;
     const double error = discretisationOf(cut, posture, 1).tip_error;
     if (before > 0) {
@@ -62,7 +62,7 @@ TEST(Discretisation, FallsWithTheSquareOfTheSegments) {
 }
 
 TEST(Discretisation, HasNothingToEstimateWhereNoBeamBends) {
-  Arm rigid = cantilever();
+  Arm rigid = weightlessBeam();
   rigid.rows[0].beam.reset();
   EXPECT_EQ(mostSegments(rigid), 0);
   const auto found = discretisationOf(rigid, {Eigen::VectorXd(0), 1.0}, 1e-6);

@@ -8,7 +8,6 @@ namespace tubeplan::planner {
 namespace {
 
 using testing::holeOf;
-using testing::kDegree;
 using testing::mockup;
 
 Workcell leaning(Workcell cell, double degrees) {

@@ -111,15 +111,14 @@ TEST(PlanCache, AnOrderOfAnotherArmPlaceIsOnlyAStart) {
   PlanCache cache;
   (void)planVisits(cell, tubes, {}, {}, cache);
   Workcell moved = cell;
-  moved.X_WB.translation().x() += 0.05 * testing::kInch;
+  moved.X_WB.translation().x() += 0.05 * kInch;
   PlanCache order_only;
   order_only.visiting_order = cache.visiting_order;
   const VisitPlan plan = planVisits(moved, tubes, {}, {}, order_only);
   ASSERT_EQ(plan.status, VisitPlanStatus::kPlanned);
   EXPECT_EQ(plan.kept.reach + plan.kept.travels + plan.kept.proofs, 0);
   for (const auto& visit : plan.visits)
-    EXPECT_LT((testing::deflectedTip(moved, visit.branch.q) - testing::holeOf(moved, visit.tube)).norm(),
-              1e-6 * testing::kInch);
+    EXPECT_LT((testing::deflectedTip(moved, visit.branch.q) - testing::holeOf(moved, visit.tube)).norm(), 1e-6 * kInch);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(Scenes, UpsideDownTheArmSagsTowardsTheSheetAndStillCentres) {
   const auto& q = scene.plan.visits.front().branch.q;
   Workcell turned = scene.cell;
   turned.arm.gravity_W = upright.arm.gravity_W;
-  EXPECT_LT(testing::deflectedTip(turned, q).z(), testing::deflectedTip(scene.cell, q).z() - 0.5 * testing::kInch);
+  EXPECT_LT(testing::deflectedTip(turned, q).z(), testing::deflectedTip(scene.cell, q).z() - 0.5 * kInch);
 }
 
 }  // namespace

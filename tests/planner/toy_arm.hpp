@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/motion/motion_planner.hpp"
+#include "tests/planner/random_draws.hpp"
 
 namespace tubeplan::planner::testing {
 
@@ -12,9 +13,7 @@ inline ShapePointer shape(const char* key, std::vector<double> numbers) {
   return makeShape(*findSceneShape(key), numbers).shape;
 }
 
-inline double uniform(std::mt19937_64& generator, double low, double high) {
-  return low + (high - low) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
-}
+inline const Solid& solid(const ShapePointer& pointer) { return dynamic_cast<const Solid&>(*pointer); }
 
 inline Eigen::Vector3d uniformVector(std::mt19937_64& generator, double low, double high) {
   const double x = uniform(generator, low, high), y = uniform(generator, low, high);
@@ -80,6 +79,8 @@ struct ToyArm {
             {}};
   }
 };
+
+inline const ToyArm kTwoJoints{{0.6, 0.5}, 0.02, 0.01};
 
 /// Least clearance at evenly spaced places of a straight motion, ends included: what a careful stepper would see.
 inline double leastSampled(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const PostureClearance& clearance_of,

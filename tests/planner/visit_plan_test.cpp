@@ -18,7 +18,6 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::bytesOf;
 using testing::holeOf;
-using testing::kInch;
 using testing::mockup;
 using testing::obstacleInInches;
 using testing::withObstacle;

@@ -8,11 +8,10 @@
 #include "app/files/workcell.hpp"
 #include "planner/visit_plan.hpp"
 #include "tests/planner/toy_arm.hpp"
+#include "tests/units.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::planner::testing {
-
-inline constexpr double kInch = 0.0254, kDegree = 0.017453292519943295;
 
 inline Workcell mockup(const std::string& file = "mockup.yaml") {
   return app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/" + file), "test the planner");

@@ -1,6 +1,7 @@
 // Published and fitted sheets, in inches as they are quoted, for the tests of this folder.
 #pragma once
 
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 namespace tubeplan::tubesheets {
 
 inline constexpr double kMetresPerInch = 0.0254;
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A layout by its figures in inches.
 inline Layout layoutInInches(const std::string& type, double pitch, double first_row, double radius,

@@ -144,7 +144,6 @@ TEST_P(RefusedLayout, NamesTheKey) {
   EXPECT_EQ(problems.front().what, GetParam().what) << problems.front().sentence();
 }
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 INSTANTIATE_TEST_SUITE_P(

@@ -10,8 +10,6 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 std::string firstProblem(const Manway& manway, Leg leg) {
   const auto problems = findManwayProblems(manway, leg);
   return problems.empty() ? "" : problems.front().what + ": " + problems.front().expected;

@@ -15,8 +15,6 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 bool mentions(const std::vector<Problem>& problems, const std::string& text) {
   return std::any_of(problems.begin(), problems.end(),
                      [&](const Problem& problem) { return problem.sentence().find(text) != std::string::npos; });

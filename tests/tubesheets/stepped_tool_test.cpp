@@ -12,12 +12,13 @@
 #include <random>
 #include <string>
 
+#include "tests/tubesheets/example_sheets.hpp"
+
 namespace tubeplan::tubesheets {
 namespace {
 
 constexpr double kInch = 0.0254;
 constexpr double kHole = 0.760 * kInch;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// The tool of table 5.7.
 SteppedTool thesisTool() {

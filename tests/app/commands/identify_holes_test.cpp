@@ -23,14 +23,14 @@ class IdentifyHoles : public ProgramTest {
     std::vector<std::pair<double, double>> places;
     for (const auto& [row, column] : kHoles) {
       const auto* tube = cell.sheet->find(row, column);
-      places.emplace_back(tube->x / calibration::kInch, tube->y / calibration::kInch);
+      places.emplace_back(tube->x / kInch, tube->y / kInch);
     }
     const auto touched = calibration::touchedCell(places);
     std::string text = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,sigma_in\n";
     int k = 0;
     for (const auto& touch : calibration::touchesOf(touched, 0.005, 5)) {
       const auto [row, column] = kHoles[k];
-      const Eigen::VectorXd q = touch.q / calibration::kDegree;
+      const Eigen::VectorXd q = touch.q / kDegree;
       text += fmt::format("{},touch,R{}C{},{:.6f},{:.6f},{:.6f},{:.6f},0.005\n", touch.id, row,
                           column + (k == wrong ? 1 : 0), q[0], q[1], q[2], q[3]);
       ++k;

@@ -119,7 +119,7 @@ TEST_F(IdentifyStages, everyStageIsPrintedAndTheWholeIsWritten) {
 
 // The reading that is off is the third of the second stage, the ninth of the file.
 TEST_F(IdentifyStages, anOutlierOfALaterStageHasItsOwnName) {
-  all[8].p_W->x() += 0.1 * calibration::kInch;
+  all[8].p_W->x() += 0.1 * kInch;
   write("all.csv", readingsCsv(all));
   const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
   ASSERT_EQ(staged["outliers"].size(), 1u) << staged["outliers"];

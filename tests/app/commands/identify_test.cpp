@@ -63,8 +63,7 @@ class Identify : public ProgramTest {
 };
 
 void expectTruth(const json& result, const PlacedArm& truth) {
-  const double scale[] = {calibration::kInch * calibration::kPound / calibration::kDegree,
-                          std::pow(calibration::kInch, 4)};
+  const double scale[] = {kInch * kPound / kDegree, std::pow(kInch, 4)};
   const double values[] = {truth.arm.rows[5].joint_stiffness.z() / scale[0], truth.arm.rows[3].beam->I.z() / scale[1]};
   const char* units[] = {"lbf*in/deg", "in^4"};
   ASSERT_EQ(result["parameters"].size(), 2u);
@@ -98,9 +97,9 @@ TEST_F(Identify, FindsTheTruthFromSmallFilesOfEachKind) {
   check("deflection.csv");
   maker.add(MeasurementKind::kDistance, 24);
   check("distance.csv");
-  maker.addTouches(6, {0, 25 * calibration::kPound}, true);
+  maker.addTouches(6, {0, 25 * kPound}, true);
   check("touch.csv");
-  maker.addTouches(6, {0, 20 * calibration::kPound, 40 * calibration::kPound}, false);
+  maker.addTouches(6, {0, 20 * kPound, 40 * kPound}, false);
   check("unknown-points.csv");
   calibration::addEveryKind(maker, 3);
   check("mixed.csv");
@@ -118,7 +117,7 @@ TEST_F(Identify, WritesACellAndArmThatPredictTheSame) {
   EXPECT_TRUE(cell.base_covariance.has_value());
   const auto readings = readMeasurements((folder / "readings.csv").string(), cell.arm);
   const PlacedArm placed{cell.arm, {{"", cell.X_WB, true}}};
-  EXPECT_NEAR(calibration::judge(placed, readings).rms / calibration::kInch, found["rms"]["after"], 1e-6);
+  EXPECT_NEAR(calibration::judge(placed, readings).rms / kInch, found["rms"]["after"], 1e-6);
   const json again = identified("made/found.yaml readings.csv" + kFree);
   EXPECT_NEAR(again["rms"]["before"], found["rms"]["after"], 1e-6);
   const json &one = found["parameters"][0], &two = again["parameters"][0];
@@ -215,8 +214,8 @@ TEST_F(Identify, RefusesFilesThatAreBroken) {
 }
 
 TEST_F(Identify, TouchesThatContradictEachOtherAreNamed) {
-  maker.addTouches(6, {0, 20 * calibration::kPound, 40 * calibration::kPound}, false);
-  maker.readings[4].q[1] += 1 * calibration::kDegree;  // about an inch
+  maker.addTouches(6, {0, 20 * kPound, 40 * kPound}, false);
+  maker.readings[4].q[1] += 1 * kDegree;  // about an inch
   writeReadings("readings.csv");
   const json result = identified(shipped("bench.yaml") + " readings.csv" + kFree);
   ASSERT_FALSE(result["outliers"].empty());
@@ -227,8 +226,8 @@ TEST_F(Identify, TouchesThatContradictEachOtherAreNamed) {
 }
 
 TEST_F(Identify, OfTwoTouchesThatContradictBothAreNamed) {
-  maker.addTouches(8, {0, 30 * calibration::kPound}, false);
-  maker.readings[4].q[1] += 1 * calibration::kDegree;
+  maker.addTouches(8, {0, 30 * kPound}, false);
+  maker.readings[4].q[1] += 1 * kDegree;
   writeReadings("readings.csv");
   const json result = identified(shipped("bench.yaml") + " readings.csv" + kFree);
   ASSERT_EQ(result["outliers"].size(), 2u) << result["outliers"];
@@ -255,7 +254,7 @@ TEST_F(Identify, WarnsOfLoadsInTheWrongUnit) {
 
 TEST_F(Identify, WarnsOfRadiansUnderAColumnInDegrees) {
   maker.add(MeasurementKind::kPosition, 10);
-  for (auto& m : maker.readings) m.q *= calibration::kDegree;
+  for (auto& m : maker.readings) m.q *= kDegree;
   writeReadings("radians.csv");
   for (const char* cell : {"bench.yaml", "bowl.yaml"}) {
     const Outcome outcome = run("identify " + shipped(cell) + " radians.csv" + kFree + " --json -");
@@ -293,9 +292,9 @@ TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
 }
 
 TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
-  maker.addTouches(10, {0, 30 * calibration::kPound}, false);
+  maker.addTouches(10, {0, 30 * kPound}, false);
   auto readings = maker.readings;
-  for (auto& reading : readings) reading.q *= calibration::kDegree;  // radians, written as degrees
+  for (auto& reading : readings) reading.q *= kDegree;  // radians, written as degrees
   write("radians.csv", readingsCsv(readings));
   const Outcome outcome = run("identify " + shipped("bench.yaml") + " radians.csv --json -" + kFree);
   expectWarns(json::parse(outcome.out), "are they radians?");
@@ -305,7 +304,7 @@ TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
 }
 
 TEST_F(Identify, TouchesOfUnknownPointsThatFitBetterThanTheirNoiseAreFlagged) {
-  const std::vector<double> loads{0, 20 * calibration::kPound, 40 * calibration::kPound};
+  const std::vector<double> loads{0, 20 * kPound, 40 * kPound};
   ReadingMaker exact(trueArm(), 5, ReadingMaker::Noise::kNone);
   exact.addTouches(30, loads, false);
   write("exact.csv", readingsCsv(exact.readings));

@@ -7,13 +7,12 @@
 #include "app/files/workcell.hpp"
 #include "planner/reach/compensation.hpp"
 #include "tests/app/program.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kInch = 0.0254;
 
 class InsertionCommand : public ProgramTest {
  protected:

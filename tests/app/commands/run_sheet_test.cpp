@@ -13,11 +13,10 @@
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/app/program.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180, kInch = 0.0254, kPoundForce = 4.4482216152605;
 
 class RunSheet : public ProgramTest {
  protected:
@@ -37,7 +36,7 @@ class RunSheet : public ProgramTest {
     for (std::size_t k = 1; k < lines.size() && !lines[k].empty(); ++k) {
       boost::split(fields, lines[k], boost::is_any_of(","));
       calibration::Measurement reading;
-      reading.load = std::stod(fields[3]) * kPoundForce;
+      reading.load = std::stod(fields[3]) * kPound;
       reading.q.resize(4);
       for (int j = 0; j < 4; ++j) {
         reading.q[j] = std::stod(fields[static_cast<std::size_t>(4 + j)]) * kDegree;

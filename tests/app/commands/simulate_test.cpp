@@ -12,14 +12,13 @@
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/verification/lipschitz_distance.hpp"
 #include "tests/app/program.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
 
 using calibration::Measurement, calibration::MeasurementKind;
 using Eigen::Vector3d;
-
-constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180;
 
 class Simulate : public ProgramTest {
  protected:

@@ -27,12 +27,6 @@ json dataOf(const std::string& page) {
   return json::parse(page.substr(start, page.find("</script", start) - start));
 }
 
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
-  return count;
-}
-
 void expectOneFile(const std::string& page) {
   EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
@@ -93,14 +87,13 @@ class DiagnosisReportOfProgram : public ProgramTest {
 
   /// A CSV of readings, each of whose ids would end a script block.
   [[nodiscard]] static std::string measurements(const std::string& effect, const std::vector<double>& values) {
-    using calibration::kDegree, calibration::kInch, calibration::kPoundForce;
     const auto readings =
         calibration::benchReadings(calibration::shippedBench(), effect, "theta4", values, kReadings, 7);
     std::string csv =
         "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,theta1_dir,theta2_dir,"
         "theta3_dir,theta4_dir\n";
     for (const auto& reading : readings) {
-      csv += fmt::format("{}{},position,{:.9g}", kHostile.front(), reading.id, reading.load / kPoundForce);
+      csv += fmt::format("{}{},position,{:.9g}", kHostile.front(), reading.id, reading.load / kPound);
       for (const double q : reading.q) csv += fmt::format(",{:.9f}", q / kDegree);
       for (const double x : *reading.p_W) csv += fmt::format(",{:.9f}", x / kInch);
       csv += ",0.003";
@@ -112,7 +105,7 @@ class DiagnosisReportOfProgram : public ProgramTest {
 };
 
 TEST_F(DiagnosisReportOfProgram, isWrittenWithWhatJsonSaysAndItsReadings) {
-  write("readings.csv", measurements("hysteresis", {0.1 * calibration::kDegree}));
+  write("readings.csv", measurements("hysteresis", {0.1 * kDegree}));
   const auto outcome =
       run("diagnose " + shipped("bench.yaml") + " readings.csv --effects 1 --report page.html --json -");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/app/test_files.hpp"
+
 namespace tubeplan::app {
 namespace {
 
@@ -18,12 +20,6 @@ std::string dataBlock(const std::string& page) {
   const std::string opening = R"(<script type="application/json" id="report">)";
   const std::size_t start = page.find(opening) + opening.size();
   return page.substr(start, page.find("</script", start) - start);
-}
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
-  return count;
 }
 
 json smallReport() {

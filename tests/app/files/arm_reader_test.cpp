@@ -5,11 +5,10 @@
 #include "app/files/yaml/strict_yaml.hpp"
 #include "deflection/parameters.hpp"
 #include "tests/app/test_files.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
-
-constexpr double kInch = 0.0254, kDegree = std::numbers::pi / 180, kPound = 4.4482216152605;
 
 std::string cobraText() { return contentOf(shippedCells() / "cobra-arm.yaml"); }
 

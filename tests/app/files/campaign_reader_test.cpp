@@ -5,13 +5,12 @@
 
 #include "app/files/cell_reader.hpp"
 #include "tests/app/test_files.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
 
 using calibration::CampaignPlace, calibration::MeasurementKind;
-
-constexpr double kInch = 0.0254, kPound = 4.4482216152605;
 
 class CampaignReader : public FolderTest {
  protected:

@@ -5,11 +5,10 @@
 
 #include "app/files/cell_writer.hpp"
 #include "tests/app/test_files.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
-
-constexpr double kInch = 0.0254;
 
 class CellReader : public FolderTest {
  protected:

@@ -8,13 +8,13 @@
 #include "app/files/reading_input.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/test_files.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::app {
 namespace {
 
 using calibration::MeasurementKind;
 
-constexpr double kInch = 0.0254, kPound = 4.4482216152605, kDegree = std::numbers::pi / 180;
 const char* const kHeader =
     "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
 

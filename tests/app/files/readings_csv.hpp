@@ -11,7 +11,6 @@
 namespace tubeplan::app {
 
 inline std::string readingsCsv(const std::vector<calibration::Measurement>& readings, bool with_sigma = true) {
-  using calibration::kDegree, calibration::kInch, calibration::kPound;
   static constexpr const char* kKinds[] = {"position", "touch", "deflection", "distance"};
   std::string text =
       "id,kind,point,setup,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in";

@@ -13,7 +13,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-using deflection::cobraArm, deflection::randomJoints, deflection::kInch, deflection::kPound;
+using deflection::cobraArm, deflection::randomJoints;
 using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double kSigma = 0.003 * kInch;

@@ -13,11 +13,11 @@ namespace {
 
 using deflection::Arm;
 
-const std::vector<std::pair<double, double>> kHoles{{-40, 10}, {38, 12},  {10, 45}, {-2, 12},
-                                                    {3, 20},   {-25, 30}, {28, 32}, {0, 38}};
+const std::vector<std::pair<double, double>> kHolesAtWork{{-40, 10}, {38, 12},  {10, 45}, {-2, 12},
+                                                          {3, 20},   {-25, 30}, {28, 32}, {0, 38}};
 
 struct Case {
-  TouchedCell cell = touchedCell(kHoles);
+  TouchedCell cell = touchedCell(kHolesAtWork);
   SensitivityTask task;
   Case() {
     for (const auto& plan : cell.plans) task.work.push_back(plan.q_start);

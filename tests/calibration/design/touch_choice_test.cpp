@@ -10,8 +10,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-const std::vector<std::pair<double, double>> kHoles{{-40, 10}, {38, 12}, {10, 45},  {-2, 12},
-                                                    {3, 14},   {0, 10},  {-25, 30}, {28, 32}};
+const std::vector<std::pair<double, double>> kHolesToTouch{{-40, 10}, {38, 12}, {10, 45},  {-2, 12},
+                                                           {3, 14},   {0, 10},  {-25, 30}, {28, 32}};
 
 std::vector<Eigen::VectorXd> workOf(const TouchedCell& cell) {
   std::vector<Eigen::VectorXd> work;
@@ -20,7 +20,7 @@ std::vector<Eigen::VectorXd> workOf(const TouchedCell& cell) {
 }
 
 TEST(TouchChoice, TheBestTripleBeatsEveryOther) {
-  const auto cell = touchedCell(kHoles);
+  const auto cell = touchedCell(kHolesToTouch);
   const auto best = chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, workOf(cell));
   ASSERT_EQ(best.status, TouchChoiceStatus::kDone);
   const int n = static_cast<int>(cell.plans.size());
@@ -36,7 +36,7 @@ TEST(TouchChoice, TheBestTripleBeatsEveryOther) {
 }
 
 TEST(TouchChoice, PredictsTheSpreadOfManyCalibrations) {
-  auto cell = touchedCell(kHoles);
+  auto cell = touchedCell(kHolesToTouch);
   const auto work = workOf(cell);
   const auto best = chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, work);
   std::vector<TouchPlan> chosen;
@@ -58,7 +58,7 @@ TEST(TouchChoice, PredictsTheSpreadOfManyCalibrations) {
 }
 
 TEST(TouchChoice, MoreTouchesAreBetterAndTooFewCandidatesAreTold) {
-  const auto cell = touchedCell(kHoles);
+  const auto cell = touchedCell(kHolesToTouch);
   const auto three = chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, workOf(cell));
   const auto five = chooseTouches(cell.arm, cell.X_WB_nominal, cell.plans, workOf(cell), {5, 1.27e-4});
   EXPECT_EQ(five.chosen.size(), 5u);

@@ -10,8 +10,8 @@ namespace tubeplan::calibration {
 namespace {
 
 /// Two at the ends of the mock-up's first row, all but out of reach.
-const std::vector<std::pair<double, double>> kHoles{{-60.03, 2.28}, {60.03, 2.28}, {-40, 10}, {38, 12},
-                                                    {10, 45},       {-2, 12},      {-25, 30}, {28, 32}};
+const std::vector<std::pair<double, double>> kHolesAtTheEdge{{-60.03, 2.28}, {60.03, 2.28}, {-40, 10}, {38, 12},
+                                                             {10, 45},       {-2, 12},      {-25, 30}, {28, 32}};
 
 std::vector<std::string> namesOf(const std::vector<TouchPlan>& plans) {
   std::vector<std::string> names;
@@ -20,17 +20,17 @@ std::vector<std::string> namesOf(const std::vector<TouchPlan>& plans) {
 }
 
 TEST(TouchReserve, WithoutDoubtEveryHoleInReachIsKept) {
-  const auto cell = touchedCell(kHoles);
+  const auto cell = touchedCell(kHolesAtTheEdge);
   EXPECT_EQ(namesOf(keepTouchable(cell.arm, cell.X_WB_nominal, cell.plans, {0, 0})), namesOf(cell.plans));
 }
 
 TEST(TouchReserve, NoHoleIsInReachFromEverywhere) {
-  const auto cell = touchedCell(kHoles);
+  const auto cell = touchedCell(kHolesAtTheEdge);
   EXPECT_TRUE(keepTouchable(cell.arm, cell.X_WB_nominal, cell.plans, {3, 0}).empty());
 }
 
 TEST(TouchReserve, KeptHolesAreTouchedFromBasesOfAThirdOfTheDoubt) {
-  const auto cell = touchedCell(kHoles);
+  const auto cell = touchedCell(kHolesAtTheEdge);
   const BaseDoubt doubt;
   const auto kept = keepTouchable(cell.arm, cell.X_WB_nominal, cell.plans, doubt);
   ASSERT_GE(kept.size(), 3U);

@@ -234,7 +234,7 @@ TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
 TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   const PlacedArm start = cobra();
   ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
-  maker.addTouches(31, {0, 30 * kPoundForce}, false);
+  maker.addTouches(31, {0, 30 * kPound}, false);
   auto& readings = maker.readings;
   for (std::size_t k = 0; k < readings.size(); ++k) readings[k].time = 60. * static_cast<double>(k);
   readings[41].q[2] += 0.1 * kDegree;

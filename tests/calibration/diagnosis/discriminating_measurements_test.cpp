@@ -27,7 +27,7 @@ struct Bench {
     truth.effects.push_back(made);
     for (int k = 0; k < count; ++k) {
       Measurement reading;
-      reading.load = (k % 2) * 20 * kPoundForce;
+      reading.load = (k % 2) * 20 * kPound;
       reading.sigma = 0.003 * kInch;
       reading.q.resize(4);
       const double middle[] = {0, 75, -80, 0}, half[] = {60, 20, 20, 8};

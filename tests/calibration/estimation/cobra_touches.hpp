@@ -5,10 +5,9 @@
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/simulation/simulated_touch.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::calibration {
-
-inline constexpr double kInch = 0.0254, kDegree = 0.017453292519943295;
 
 struct TouchedCell {
   deflection::Arm arm;

@@ -16,7 +16,7 @@ TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
     ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
     maker.addTouches(24, {0, 40 * kPound}, false);
     auto readings = maker.readings;
-    readings[10].q[0] += 0.2 * deflection::kDegree;
+    readings[10].q[0] += 0.2 * kDegree;
     DiagnosisOptions options;
     options.baseline.free.names = {"tool.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
     const auto diagnosis = diagnose(cobra(), readings, options);

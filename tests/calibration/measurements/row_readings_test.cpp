@@ -30,7 +30,7 @@ Measurement tiltOf(const deflection::Arm& arm, std::optional<int> row) {
   m.kind = MeasurementKind::kTilt;
   m.row = row;
   m.q = Eigen::Vector4d(25, 70, -60, -20) * kDegree;
-  m.load = 30 * deflection::kPound;
+  m.load = 30 * kPound;
   m.direction_W = -arm.gravity_W;
   m.own.setZero();
   m.sigma = kTurnLever * 0.01 * kDegree;

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "tests/calibration/campaign.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
 using Eigen::Isometry3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-
-const double kDegree = deflection::kDegree;
 
 ComparisonOptions refitOf(const std::vector<std::string>& names) {
   ComparisonOptions options;

@@ -12,12 +12,12 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-using testing::apart, testing::Chain, testing::chainOf, testing::Draw, testing::drawnChain, testing::drawnReadings;
+using testing::apart, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnChain, testing::drawnReadings;
 constexpr double kQuarter = std::numbers::pi / 2;
 
 /// Whether a posture drawn at random is among those that the roots lead to.
 template <int Size>
-bool isAmongRoots(const Chain& chain, const VectorXd& q) {
+bool isAmongRoots(const DrawnChain& chain, const VectorXd& q) {
   TipMotion tip;
   placeRigidTip(chain.axes, q, tip);
   std::vector<VectorXd> roots;
@@ -34,7 +34,7 @@ bool isAmongRoots(const Chain& chain, const VectorXd& q) {
 TEST(LoopClosure, AJointChangesItLinearly) {
   Draw draw(41);
   for (int n = 0; n < 50; ++n) {
-    const Chain chain = drawnChain(1, n % 2 ? 0 : -1, draw);
+    const DrawnChain chain = drawnChain(1, n % 2 ? 0 : -1, draw);
     const VectorXd q = drawnReadings(chain, draw);
     const bool slides = chain.axes.slides[0];
     const Vector3d terms{1, slides ? q[0] : std::cos(q[0]), slides ? q[0] * q[0] : std::sin(q[0])};
@@ -55,20 +55,20 @@ TEST(LoopClosure, AJointChangesItLinearly) {
 TEST(ClosedLoop, HasEveryPostureOfChainsOfAnyGeometry) {
   Draw draw(42);
   for (int n = 0; n < 60; ++n) {
-    const Chain three = drawnChain(3, n % 4 - 1, draw), five = drawnChain(5, n % 6 - 1, draw);
+    const DrawnChain three = drawnChain(3, n % 4 - 1, draw), five = drawnChain(5, n % 6 - 1, draw);
     EXPECT_TRUE(isAmongRoots<kPlaceSize>(three, drawnReadings(three, draw))) << n;
     EXPECT_TRUE(isAmongRoots<kLineSize>(five, drawnReadings(five, draw))) << n;
   }
 }
 
 TEST(ClosedLoop, HasThemWhereAxesMeetOrAreParallel) {
-  const Chain puma = chainOf({{0, 0, 0, 0},
-                              {-kQuarter, 0, 0.2435, 0},
-                              {0, 0.4318, -0.0934, 0},
-                              {kQuarter, -0.0203, 0.4331, 0},
-                              {-kQuarter, 0, 0, 0}},
-                             -1, {0.04, 0.01, 0.22});
-  const Chain ur5 = chainOf(
+  const DrawnChain puma = chainOf({{0, 0, 0, 0},
+                                   {-kQuarter, 0, 0.2435, 0},
+                                   {0, 0.4318, -0.0934, 0},
+                                   {kQuarter, -0.0203, 0.4331, 0},
+                                   {-kQuarter, 0, 0, 0}},
+                                  -1, {0.04, 0.01, 0.22});
+  const DrawnChain ur5 = chainOf(
       {{0, 0, 0.089, 0}, {kQuarter, 0, 0, 0}, {0, -0.425, 0, 0}, {0, -0.39225, 0.109, 0}, {kQuarter, 0, 0.0947, 0}}, -1,
       {0.04, 0.01, 0.22});
   Draw draw(43);
@@ -81,7 +81,7 @@ TEST(ClosedLoop, HasThemWhereAxesMeetOrAreParallel) {
 TEST(ClosedLoop, AHeldJointIsAPartOfTheChain) {
   Draw draw(44);
   for (int n = 0; n < 24; ++n) {
-    const Chain six = drawnChain(6, n % 7 - 1, draw);
+    const DrawnChain six = drawnChain(6, n % 7 - 1, draw);
     const VectorXd q = drawnReadings(six, draw);
     const double reach = reachOf(six.arm);
     const auto whole = closureChain<kLineSize>(six.axes, reach);

@@ -22,13 +22,13 @@ class Draw {
 };
 
 /// Joints of any geometry, in a file's numbers only for their limits.
-struct Chain {
+struct DrawnChain {
   Arm arm;
   AxesAtZero axes;
 };
 
-inline Chain chainOf(std::vector<DenavitHartenberg<double>> rows, int slide, const Eigen::Vector3d& tip) {
-  Chain chain;
+inline DrawnChain chainOf(std::vector<DenavitHartenberg<double>> rows, int slide, const Eigen::Vector3d& tip) {
+  DrawnChain chain;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     auto& row = chain.arm.rows.emplace_back();
     row.name = row.joint.name = "j" + std::to_string(k);
@@ -41,20 +41,20 @@ inline Chain chainOf(std::vector<DenavitHartenberg<double>> rows, int slide, con
   return chain;
 }
 
-inline Chain drawnChain(int joints, int slide, Draw& draw) {
+inline DrawnChain drawnChain(int joints, int slide, Draw& draw) {
   std::vector<DenavitHartenberg<double>> rows;
   for (int k = 0; k < joints; ++k) rows.push_back({draw(3), std::abs(draw(0.5)), draw(0.3), 0});
   return chainOf(rows, slide, draw.vector(0.3));
 }
 
-inline Eigen::VectorXd drawnReadings(const Chain& chain, Draw& draw) {
+inline Eigen::VectorXd drawnReadings(const DrawnChain& chain, Draw& draw) {
   Eigen::VectorXd q(chain.arm.jointCount());
   for (Eigen::Index k = 0; k < q.size(); ++k)
     q[k] = draw(chain.arm.joint(k).type == JointType::kPrismatic ? 1 : std::numbers::pi);
   return q;
 }
 
-inline double apart(const Chain& chain, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+inline double apart(const DrawnChain& chain, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double most = 0;
   for (Eigen::Index k = 0; k < a.size(); ++k) {
     const double off = a[k] - b[k];

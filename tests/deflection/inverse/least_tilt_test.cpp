@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 const Vector3d kDown = -Vector3d::UnitZ();
-constexpr double kLoad = 60;  // N
+constexpr double kToolLoad = 60;  // N
 
 Arm shipped(const std::string& name) {
   return app::readArm(app::readYamlFile(TUBEPLAN_SOURCE_DIR "/app/cells/" + name).root).arm;
@@ -40,7 +40,7 @@ VectorXd drawnWithin(const Arm& arm, std::mt19937_64& random) {
 Asked askedOf(const Arm& arm, double lean, std::mt19937_64& random) {
   for (;;) {
     Asked asked{drawnWithin(arm, random), {}};
-    const auto tip = differentiateTip(arm, {asked.q, kLoad, kDown}, jointVariables(arm), {1e-14, 200});
+    const auto tip = differentiateTip(arm, {asked.q, kToolLoad, kDown}, jointVariables(arm), {1e-14, 200});
     if (Eigen::JacobiSVD<Eigen::MatrixXd>(tip.position_B).singularValues().minCoeff() < 0.05 * reachOf(arm)) continue;
     const Vector3d axis = tip.kinematics.X_BD.R * arm.tool_axis_L;
     asked.goal = {tip.kinematics.X_BD.p, Eigen::AngleAxisd(lean, axis.unitOrthogonal()) * axis};
@@ -57,17 +57,17 @@ double tiltOf(const Arm& arm, const TipDerivatives& tip, const ToolGoal& goal) {
 double leastTiltNear(const Arm& arm, const ToolGoal& goal, const VectorXd& q, double step, std::mt19937_64& random) {
   double least = std::numeric_limits<double>::infinity();
   for (int n = 0; n < 40; ++n) {
-    auto tip = differentiateTip(arm, {q, kLoad, kDown}, jointVariables(arm), {1e-14, 200});
+    auto tip = differentiateTip(arm, {q, kToolLoad, kDown}, jointVariables(arm), {1e-14, 200});
     VectorXd along(q.size());
     for (double& x : along) x = std::normal_distribution<>()(random);
     along -= tip.position_B.completeOrthogonalDecomposition().solve(tip.position_B * along);
     if (along.norm() < 1e-9) return tiltOf(arm, tip, goal);
     VectorXd near = q + step * along.normalized();
     for (int k = 0; k < 4; ++k) {
-      tip = differentiateTip(arm, {near, kLoad, kDown}, jointVariables(arm), {1e-14, 200});
+      tip = differentiateTip(arm, {near, kToolLoad, kDown}, jointVariables(arm), {1e-14, 200});
       near += tip.position_B.completeOrthogonalDecomposition().solve(goal.p_BT - tip.kinematics.X_BD.p);
     }
-    least = std::min(least, tiltOf(arm, differentiateTip(arm, {near, kLoad, kDown}, jointVariables(arm)), goal));
+    least = std::min(least, tiltOf(arm, differentiateTip(arm, {near, kToolLoad, kDown}, jointVariables(arm)), goal));
   }
   return least;
 }
@@ -87,11 +87,11 @@ TEST_P(EachArm, HoldsThePlaceWhateverTheAxisAsked) {
   for (const double lean : {0., 0.001, 0.5, 3.}) {
     for (int n = 0; n < 6; ++n) {
       const Asked asked = askedOf(arm, lean * kDegree, random);
-      const auto found = solveInverseKinematics(arm, asked.goal, kLoad, kDown);
+      const auto found = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
       ASSERT_EQ(found.status, BranchStatus::kConverged) << lean << " deg, " << n << ": " << found.reason;
       for (const Branch& branch : found.branches) {
         if (branch.status != BranchStatus::kConverged) continue;
-        const auto shape = solveFlexibleKinematics(arm, {branch.q, kLoad, kDown}, {1e-14, 200});
+        const auto shape = solveFlexibleKinematics(arm, {branch.q, kToolLoad, kDown}, {1e-14, 200});
         EXPECT_LE((shape.X_BD.p - asked.goal.p_BT).norm(), 1e-9 * reachOf(arm));
       }
     }
@@ -105,7 +105,7 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
   constexpr double kStep = 1e-3;  // rad
   for (int n = 0; n < 4; ++n) {
     const Asked asked = askedOf(arm, 3 * kDegree, random);
-    const auto found = solveInverseKinematics(arm, asked.goal, kLoad, kDown);
+    const auto found = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
     ASSERT_EQ(found.status, BranchStatus::kConverged) << found.reason;
     EXPECT_LE(found.branches.front().tilt, std::numbers::pi / 2);
     for (std::size_t k = 0; k < found.branches.size() && k < 4; ++k) {
@@ -122,7 +122,7 @@ TEST_P(EachArm, FindsThePostureThatItWasAskedFromOrOneAsGood) {
   const Arm arm = shipped(GetParam());
   std::mt19937_64 random(33);
   for (int n = 0; n < 20; ++n) {
-    const auto found = solveInverseKinematics(arm, askedOf(arm, 0, random).goal, kLoad, kDown);
+    const auto found = solveInverseKinematics(arm, askedOf(arm, 0, random).goal, kToolLoad, kDown);
     ASSERT_EQ(found.status, BranchStatus::kConverged) << n << ": " << found.reason;
     double least = std::numeric_limits<double>::infinity();
     for (const Branch& branch : found.branches)
@@ -139,7 +139,7 @@ TEST(LeastTilt, WhatIsFreeBringsJointsBackWithinTheirLimits) {
     if (row.joint.name == "A3") row.joint.lower = asked.q[2] - 0.02, row.joint.upper = asked.q[2] + 0.02;
   VectorXd start = asked.q;
   start[2] += 0.3;
-  const Branch branch = refineBranch(arm, asked.goal, kLoad, kDown, start);
+  const Branch branch = refineBranch(arm, asked.goal, kToolLoad, kDown, start);
   EXPECT_EQ(branch.status, BranchStatus::kConverged) << branch.reason;
 }
 
@@ -148,7 +148,7 @@ TEST(LeastTilt, ATiltThatIsTooLargeIsSaidToBe) {
   std::mt19937_64 random(35);
   InverseKinematicsOptions options;
   options.max_tilt = 2 * kDegree;
-  const auto found = solveInverseKinematics(arm, askedOf(arm, 3 * kDegree, random).goal, kLoad, kDown, options);
+  const auto found = solveInverseKinematics(arm, askedOf(arm, 3 * kDegree, random).goal, kToolLoad, kDown, options);
   EXPECT_EQ(found.status, BranchStatus::kTiltTooLarge);
   EXPECT_NE(found.reason.find("leans by 3.0 deg"), std::string::npos) << found.reason;
 }
@@ -159,11 +159,11 @@ TEST(LeastTilt, AnArmOfAnyBuildTellsWhatIsOutOfReachAndWhichLimitIsPassed) {
   Asked asked = askedOf(arm, 0, random);
   for (auto& row : arm.rows)
     if (row.joint.name == "q1") row.joint.lower = asked.q[0] + 0.6, row.joint.upper = asked.q[0] + 0.7;
-  const auto limited = solveInverseKinematics(arm, asked.goal, kLoad, kDown);
+  const auto limited = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
   EXPECT_EQ(limited.status, BranchStatus::kPastJointLimit);
   EXPECT_NE(limited.reason.find("q1"), std::string::npos) << limited.reason;
   asked.goal.p_BT *= 5;
-  EXPECT_EQ(solveInverseKinematics(arm, asked.goal, kLoad, kDown).status, BranchStatus::kOutOfReach);
+  EXPECT_EQ(solveInverseKinematics(arm, asked.goal, kToolLoad, kDown).status, BranchStatus::kOutOfReach);
 }
 
 }  // namespace

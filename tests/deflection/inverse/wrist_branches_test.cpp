@@ -13,12 +13,12 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-using testing::apart, testing::Chain, testing::chainOf, testing::Draw, testing::drawnReadings;
+using testing::apart, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnReadings;
 constexpr double kQuarter = std::numbers::pi / 2;
 
 /// `before` joints of any geometry (with a third axis parallel to the second where `is_plane`), then a wrist whose axes
 /// miss each other by `off` [m].
-Chain drawnWrist(int before, int slide, bool is_plane, double off, Draw& draw) {
+DrawnChain drawnWrist(int before, int slide, bool is_plane, double off, Draw& draw) {
   std::vector<DenavitHartenberg<double>> rows;
   for (int k = 0; k <= before; ++k) rows.push_back({0.8 + draw(0.7), 0.3 + draw(0.2), draw(0.3), 0});
   if (is_plane) rows[2].alpha = 0;
@@ -28,7 +28,7 @@ Chain drawnWrist(int before, int slide, bool is_plane, double off, Draw& draw) {
 }
 
 /// A PUMA 560 on a level base, with its tool's tip beside the last axis.
-Chain levelPuma(const Vector3d& tip) {
+DrawnChain levelPuma(const Vector3d& tip) {
   return chainOf({{0, 0, 0, 0},
                   {-kQuarter, 0, 0.2435, 0},
                   {0, 0.4318, -0.0934, 0},
@@ -38,18 +38,18 @@ Chain levelPuma(const Vector3d& tip) {
                  -1, tip);
 }
 
-ToolGoal goalAt(const Chain& chain, const VectorXd& q) {
+ToolGoal goalAt(const DrawnChain& chain, const VectorXd& q) {
   TipMotion tip;
   placeRigidTip(chain.axes, q, tip);
   return {tip.p, tip.axis};
 }
 
-double offFrom(const Chain& chain, const ToolGoal& goal, const VectorXd& q) {
+double offFrom(const DrawnChain& chain, const ToolGoal& goal, const VectorXd& q) {
   const ToolGoal at = goalAt(chain, q);
   return std::max((at.p_BT - goal.p_BT).norm(), (at.axis_B - goal.axis_B).norm());
 }
 
-bool hasNear(const Chain& chain, const std::vector<VectorXd>& postures, const VectorXd& q, double most) {
+bool hasNear(const DrawnChain& chain, const std::vector<VectorXd>& postures, const VectorXd& q, double most) {
   return std::ranges::any_of(postures, [&](const VectorXd& other) { return apart(chain, other, q) < most; });
 }
 
@@ -58,7 +58,7 @@ TEST(WristBranches, EveryPostureIsFoundAtItsTurnAndNoneIsFalse) {
   int count = 0;
   for (int n = 0; n < 300; ++n) {
     const int before = n % 3 == 2 ? 4 : 3;
-    const Chain chain = drawnWrist(before, n % 5 == 4 ? n % 3 : -1, n % 3 == 1, 0, draw);
+    const DrawnChain chain = drawnWrist(before, n % 5 == 4 ? n % 3 : -1, n % 3 == 1, 0, draw);
     ASSERT_TRUE(carriesWrist(chain.axes, reachOf(chain.arm)));
     const VectorXd q = drawnReadings(chain, draw);
     const ToolGoal goal = goalAt(chain, q);
@@ -77,7 +77,7 @@ TEST(WristBranches, AxesThatMissEachOtherALittleGiveStartsThatLeadToThePosture) 
   Draw draw(8);
   int missed = 0;
   for (int n = 0; n < 100; ++n) {
-    const Chain chain = drawnWrist(3, -1, n % 2 == 1, 3e-4, draw);
+    const DrawnChain chain = drawnWrist(3, -1, n % 2 == 1, 3e-4, draw);
     ASSERT_TRUE(carriesWrist(chain.axes, reachOf(chain.arm)));
     const VectorXd q = drawnReadings(chain, draw);
     const ToolGoal goal = goalAt(chain, q);
@@ -97,7 +97,7 @@ TEST(WristBranches, AxesThatDoNotMeetAreNoWrist) {
 // Where the last axis is in line with the third last, those two turn against each other with the tool as it is: a
 // posture of any such turn meets the goal at one roll of the tool only, which no lattice of rolls has.
 TEST(WristBranches, PosturesInLineAreFoundBetweenTheRolls) {
-  const Chain chain = levelPuma({0.04, 0, 0.22});
+  const DrawnChain chain = levelPuma({0.04, 0, 0.22});
   const RigidSearch search(chain.arm, chain.axes);
   for (const double q2 : {-0.9, -0.5, 0.1})
     for (const double q4 : {-2.5, -1., 0.3, 1.7}) {
@@ -114,7 +114,7 @@ TEST(WristBranches, PosturesInLineAreFoundBetweenTheRolls) {
 }
 
 TEST(WristBranches, AJointThatOnlyTurnsTheToolInPlaceTakesTheRollsAsReadings) {
-  const Chain chain = levelPuma({0, 0, 0.22});
+  const DrawnChain chain = levelPuma({0, 0, 0.22});
   const VectorXd q{{0.4, -0.7, 0.2, 0.5, 0.9, 1.1}};
   std::vector<VectorXd> all;
   RigidSearch(chain.arm, chain.axes).addPostures(goalAt(chain, q), all);
@@ -130,7 +130,7 @@ TEST(WristBranches, AJointThatOnlyTurnsTheToolInPlaceTakesTheRollsAsReadings) {
 
 TEST(LeadToGoals, SideBySideIsAsOneByOne) {
   Draw draw(10);
-  const Chain chain = drawnWrist(3, -1, false, 0, draw);
+  const DrawnChain chain = drawnWrist(3, -1, false, 0, draw);
   const InverseKinematicsOptions options;
   GoalProblem problem(chain.arm, false, rigidTips(chain.axes), options);
   std::vector<ToolGoal> goals;

@@ -10,7 +10,6 @@ namespace tubeplan::planner {
 namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
-using testing::kInch;
 using testing::mockup;
 using testing::randomPosture;
 using testing::uniform;

@@ -23,7 +23,7 @@ double optimum(const Route& route) {
   return best;
 }
 
-class BoundSeeds : public testing::TestWithParam<std::uint64_t> {};
+class BoundSeeds : public ::testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(BoundSeeds, NeverAboveTheOptimum) {
   std::mt19937_64 random(GetParam());
@@ -43,7 +43,7 @@ TEST_P(BoundSeeds, NeverAboveTheOptimum) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, BoundSeeds, testing::Range<std::uint64_t>(1, 9));
+INSTANTIATE_TEST_SUITE_P(Seeds, BoundSeeds, ::testing::Range<std::uint64_t>(1, 9));
 
 /// Postures at random, with all of one node and none of another.
 std::vector<char> randomCut(std::mt19937_64& random, const PostureTable& table) {

@@ -8,22 +8,19 @@
 #include <vector>
 
 #include "planner/order/route.hpp"
+#include "tests/planner/random_draws.hpp"
+#include "tests/units.hpp"
 
 namespace tubeplan::planner {
 
-inline double uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
+using testing::uniform;
 
 inline Eigen::VectorXd randomPosture(std::mt19937_64& random, int joints) {
-  Eigen::VectorXd q(joints);
-  for (double& value : q) value = uniform(random, -1, 1);
-  return q;
+  return testing::randomPosture(random, joints, -1, 1);
 }
 
 /// Joints alike: 6 deg/s and 12 deg/s^2.
 inline JointSpeeds evenSpeeds(int joints) {
-  constexpr double kDegree = std::numbers::pi / 180;
   return {Eigen::VectorXd::Constant(joints, 6 * kDegree), Eigen::VectorXd::Constant(joints, 12 * kDegree)};
 }
 

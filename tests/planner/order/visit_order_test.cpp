@@ -155,7 +155,7 @@ TEST(OrderVisits, TriesEveryOrderOfAFewVisits) {
   }
 }
 
-class OrderSeeds : public testing::TestWithParam<std::uint64_t> {};
+class OrderSeeds : public ::testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(OrderSeeds, EveryVisitOnceAndTheSameAgain) {
   std::mt19937_64 random(GetParam());
@@ -169,7 +169,7 @@ TEST_P(OrderSeeds, EveryVisitOnceAndTheSameAgain) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, OrderSeeds, testing::Range<std::uint64_t>(1, 9));
+INSTANTIATE_TEST_SUITE_P(Seeds, OrderSeeds, ::testing::Range<std::uint64_t>(1, 9));
 
 TEST(OrderVisits, GapOfALatticeIsSmall) {
   const Route route = latticeRoute(20, 0.05, 1);

@@ -11,7 +11,6 @@ using deflection::BranchStatus;
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::deflectedTip;
 using testing::holeOf;
-using testing::kInch;
 using testing::mockup;
 using testing::sideways;
 
@@ -138,7 +137,7 @@ TEST_F(EachTube, TiltIsTheAngleOfTheDeflectedToolAgainstTheHole) {
           deflection::solveFlexibleKinematics(cell.arm, {branch.q, 0, deflection::gravityInBase(cell.arm, cell.X_WB)});
       const Vector3d axis = cell.X_WB.linear() * shape.X_BD.R * cell.arm.tool_axis_L;
       EXPECT_NEAR(std::cos(branch.tilt), axis.z(), 1e-9);
-      EXPECT_LT(branch.tilt, 2 * testing::kDegree);
+      EXPECT_LT(branch.tilt, 2 * kDegree);
     }
 }
 

@@ -11,7 +11,6 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::deflectedTip;
 using testing::holeOf;
-using testing::kInch;
 using testing::mockup;
 
 constexpr double kTolerance = 0.002 * kInch;

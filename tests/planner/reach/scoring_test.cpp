@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 using testing::holeOf;
-using testing::kInch;
 using testing::mockup;
 using testing::sideways;
 

@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::holeOf;
-using testing::kInch;
 using testing::mockup;
 using testing::obstacleInInches;
 using testing::withObstacle;

@@ -18,11 +18,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using testing::meshShape;
+using testing::solid;
 using testing::uniform;
 using testing::uniformPose;
 using testing::uniformVector;
-
-const Solid& solid(const ShapePointer& pointer) { return dynamic_cast<const Solid&>(*pointer); }
 
 Capsule anyCapsule(std::mt19937_64& generator, double extent, double radius) {
   const Vector3d from = uniformVector(generator, -extent, extent);

@@ -11,6 +11,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using testing::shape;
+using testing::solid;
 using testing::uniform;
 using testing::uniformPose;
 using testing::uniformVector;
@@ -77,8 +78,6 @@ TEST(NearestToCylinder, AsThirdsFindIt) {
 }
 
 constexpr int kTrials = 10000;
-
-const Solid& solid(const ShapePointer& pointer) { return dynamic_cast<const Solid&>(*pointer); }
 
 ShapePointer randomSolid(const std::string& kind, std::mt19937_64& generator) {
   const auto size = [&](double low) { return uniform(generator, 0, 1) < 0.2 ? 1e-5 : uniform(generator, low, 0.8); };

@@ -10,11 +10,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using testing::shape;
+using testing::solid;
 using testing::uniform;
 using testing::uniformPose;
 using testing::uniformVector;
-
-const Solid& solid(const ShapePointer& pointer) { return dynamic_cast<const Solid&>(*pointer); }
 
 Isometry3d at(double x, double y, double z) {
   Isometry3d X = Isometry3d::Identity();

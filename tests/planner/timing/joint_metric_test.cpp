@@ -5,25 +5,17 @@
 #include <limits>
 #include <random>
 
+#include "tests/planner/random_draws.hpp"
+
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using testing::randomPosture, testing::uniform;
 
 Eigen::VectorXd vectorOf(std::initializer_list<double> values) {
   Eigen::VectorXd vector(static_cast<Eigen::Index>(values.size()));
   std::copy(values.begin(), values.end(), vector.begin());
   return vector;
-}
-
-double between(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-Eigen::VectorXd randomPosture(std::mt19937_64& random, int joints, double low, double high) {
-  Eigen::VectorXd q(joints);
-  for (double& value : q) value = between(random, low, high);
-  return q;
 }
 
 TEST(MoveDuration, TriangleOfOneJoint) {
@@ -38,13 +30,13 @@ TEST(MoveDuration, TrapezoidOfOneJoint) {
 }
 
 TEST(MoveDuration, InfiniteAccelerationIsDistanceOverSpeed) {
-  const JointSpeeds speeds{vectorOf({2, 1}), vectorOf({kInfinity, kInfinity})};
+  const JointSpeeds speeds{vectorOf({2, 1}), vectorOf({testing::kInfinity, testing::kInfinity})};
   EXPECT_DOUBLE_EQ(moveDuration(vectorOf({0, 0}), vectorOf({3, 1}), speeds), 1.5);
   EXPECT_DOUBLE_EQ(straightMoveDuration(vectorOf({0, 0}), vectorOf({3, 1}), speeds), 1.5);
 }
 
 TEST(MoveDuration, NoMoveTakesNoTime) {
-  const JointSpeeds speeds{vectorOf({2, 1}), vectorOf({3, kInfinity})};
+  const JointSpeeds speeds{vectorOf({2, 1}), vectorOf({3, testing::kInfinity})};
   EXPECT_EQ(moveDuration(vectorOf({1, 2}), vectorOf({1, 2}), speeds), 0);
   EXPECT_EQ(straightMoveDuration(vectorOf({1, 2}), vectorOf({1, 2}), speeds), 0);
 }
@@ -89,11 +81,11 @@ TEST(MoveDuration, IsSymmetricAndADetourNeverGains) {
 }
 
 TEST(FindSpeedProblems, NamesWhatIsWrong) {
-  EXPECT_TRUE(findSpeedProblems({vectorOf({1, 2}), vectorOf({3, kInfinity})}, 2).empty());
+  EXPECT_TRUE(findSpeedProblems({vectorOf({1, 2}), vectorOf({3, testing::kInfinity})}, 2).empty());
   EXPECT_EQ(findSpeedProblems({vectorOf({1, 2}), vectorOf({3, 4})}, 3).size(), 1U);
   EXPECT_EQ(findSpeedProblems({vectorOf({0, -1}), vectorOf({3, 4})}, 2).size(), 2U);
   EXPECT_EQ(findSpeedProblems({vectorOf({1}), vectorOf({std::nan("")})}, 1).size(), 1U);
-  EXPECT_EQ(findSpeedProblems({vectorOf({kInfinity}), vectorOf({kInfinity})}, 1).size(), 1U);
+  EXPECT_EQ(findSpeedProblems({vectorOf({testing::kInfinity}), vectorOf({testing::kInfinity})}, 1).size(), 1U);
 }
 
 }  // namespace

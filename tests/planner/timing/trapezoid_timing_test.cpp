@@ -5,20 +5,12 @@
 #include <limits>
 #include <random>
 
+#include "tests/planner/random_draws.hpp"
+
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double between(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-Eigen::VectorXd randomPosture(std::mt19937_64& random, int joints, double low, double high) {
-  Eigen::VectorXd q(joints);
-  for (double& value : q) value = between(random, low, high);
-  return q;
-}
+using testing::randomPosture, testing::uniform;
 
 // Speeds of the chords and accelerations between the middles of neighbouring chords: both are averages of the true
 // ones.
@@ -58,7 +50,7 @@ TEST(TimeMove, TrapezoidRampsAndCruises) {
 }
 
 TEST(TimeMove, InfiniteAccelerationGoesEvenly) {
-  const JointSpeeds speeds{Eigen::VectorXd::Constant(1, 2), Eigen::VectorXd::Constant(1, kInfinity)};
+  const JointSpeeds speeds{Eigen::VectorXd::Constant(1, 2), Eigen::VectorXd::Constant(1, testing::kInfinity)};
   const TimedMove move = timeMove(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 3), speeds);
   EXPECT_DOUBLE_EQ(move.duration, 1.5);
   for (const double time : {0.0, 0.1, 0.75, 1.4, 1.5}) EXPECT_NEAR(sampleMove(move, time)[0], 2 * time, 1e-15);
@@ -97,7 +89,7 @@ TEST(TimeMove, SomeLimitIsAlwaysReached) {
   }
 }
 
-class RandomMoves : public testing::TestWithParam<std::uint64_t> {};
+class RandomMoves : public ::testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomMoves, StayWithinTheLimitsOnTheStraightLine) {
   std::mt19937_64 random(GetParam());
@@ -119,7 +111,7 @@ TEST_P(RandomMoves, StayWithinTheLimitsOnTheStraightLine) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomMoves, testing::Values(1, 2, 3, 4, 5));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMoves, ::testing::Values(1, 2, 3, 4, 5));
 
 TEST(TimePolyline, RestsAtEveryWaypointAndKeepsTheLimits) {
   std::mt19937_64 random(11);

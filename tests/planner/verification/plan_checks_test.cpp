@@ -15,8 +15,6 @@ using Eigen::Vector3d, Eigen::VectorXd;
 using testing::deflectedTip;
 using testing::Generator;
 using testing::kAlterations;
-using testing::kDegree;
-using testing::kInch;
 using testing::mockup;
 using testing::pick;
 using testing::sideways;

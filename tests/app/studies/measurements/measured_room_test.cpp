@@ -8,8 +8,6 @@
 namespace tubeplan::app {
 namespace {
 
-using calibration::kDegree;
-
 class MeasuredRoomOfTheBench : public testing::Test {
  protected:
   Cell cell = calibration::shippedBench();
