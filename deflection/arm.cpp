@@ -30,6 +30,14 @@ std::vector<int> activeRows(const Arm& arm) {
   return active;
 }
 
+std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row) {
+  std::vector<FollowedJoint> turned{{active_row, 1}};
+  for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i)
+    for (const FollowedJoint& followed : arm.rows[static_cast<std::size_t>(i)].joint.follows)
+      if (followed.row == active_row) turned.push_back({i, followed.ratio});
+  return turned;
+}
+
 std::vector<std::string> jointNames(const Arm& arm) {
   std::vector<std::string> names;
   for (const auto& joint : arm.joints()) names.push_back(joint.name);

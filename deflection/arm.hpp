@@ -185,6 +185,9 @@ using Arm = ArmOf<double>;
 /// Indices of the rows of `joints()`.
 std::vector<int> activeRows(const Arm& arm);
 
+/// The rows that turn when an active row's joint does, and how far: itself, and those that follow it.
+std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row);
+
 /// The names of its joints and of its rows, in order, and the row of a name.
 std::vector<std::string> jointNames(const Arm& arm);
 std::vector<std::string> rowNames(const Arm& arm);

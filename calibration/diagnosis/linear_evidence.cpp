@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -271,7 +272,7 @@ MatrixXd LinearEvidence::principalTerms(Index most) const {
 
 VectorXd LinearEvidence::discrepancyWeights(const std::vector<PriorSize>& causes, double size) const {
   const auto level = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.size == size; });
-  if (level == levels_.end() || size == 0) return VectorXd::Zero(axes_.rows());
+  assert(level != levels_.end());
   const Solution solution = solve(causes, *level);
   VectorXd left = along_.rightCols<1>();
   for (std::size_t i = 0; i < causes.size(); ++i)

@@ -78,7 +78,7 @@ class LinearEvidence {
   /// none.
   [[nodiscard]] double fall(const std::vector<int>& columns) const;
 
-  /// The discrepancy's most probable weight of each of its terms, its size given.
+  /// The discrepancy's most probable weight of each of its terms, its size given, one of those tried or 0.
   [[nodiscard]] Eigen::VectorXd discrepancyWeights(const std::vector<PriorSize>& causes, double size) const;
 
   [[nodiscard]] RichestFit richest() const;

@@ -21,8 +21,6 @@ constexpr double kBowShare = 0.3;  // of what a member's end moves: how far its 
 /// All numbers are greatest values over every posture. A row's origin stands for the place of its joint's element, the
 /// far end of its member for that of its beam.
 struct FlexiblePlace {
-  int row;
-  bool is_member;
   double compliance;  ///< rad/(N m)
   double length;      ///< m, of the member; 0 for a joint
   double moment;      ///< N m per unit of gravity: first moment about the near end of all that hangs beyond
@@ -66,13 +64,12 @@ class Bound {
       moment += weight * length + momentOf(numbers, length);
       weight += weightOf(numbers, length);
       reach = std::max(reach + length, body_reach[static_cast<std::size_t>(row)]);
-      add({row, true, complianceOf(numbers, deflection::ElementPlace::kMember, member), length, moment, weight, reach,
-           0});
-      add({row, false, complianceOf(numbers, deflection::ElementPlace::kOrigin, member), 0, moment, weight, reach, 0});
-      at_origin_.push_back({row, false, 0, 0, moment, weight, reach, 0});
+      add({complianceOf(numbers, deflection::ElementPlace::kMember, member), length, moment, weight, reach, 0});
+      add({complianceOf(numbers, deflection::ElementPlace::kOrigin, member), 0, moment, weight, reach, 0});
+      moment_at_origin_.push_back(moment);
     }
     std::ranges::reverse(places_);
-    std::ranges::reverse(at_origin_);
+    std::ranges::reverse(moment_at_origin_);
     spread();
   }
 
@@ -84,8 +81,8 @@ class Bound {
   [[nodiscard]] double travelBy(int row) const {
     Eigen::VectorXd first(static_cast<Eigen::Index>(places_.size()));
     for (std::size_t e = 0; e < places_.size(); ++e) {
-      const bool is_beyond = isBeyond(places_[e], row);
-      const double moment = is_beyond ? places_[e].moment : at_origin_[static_cast<std::size_t>(row)].moment;
+      // The joint turns what hangs beyond it; of that, an element further out carries its own part alone.
+      const double moment = std::min(places_[e].moment, moment_at_origin_[static_cast<std::size_t>(row)]);
       first[static_cast<Eigen::Index>(e)] = places_[e].compliance * moment;
     }
     Eigen::VectorXd sum = first, term = first;
@@ -100,9 +97,6 @@ class Bound {
   static constexpr double kLengthening = 1 + kMostBending * kMostBending;
 
  private:
-  /// Whether an element is on the far side of the joint at a row's origin: that joint's own element turns with it.
-  static bool isBeyond(const FlexiblePlace& place, int row) { return place.row >= row; }
-
   /// The displacement of a member's end for the rotation that it gains.
   static double displacement(const FlexiblePlace& place) { return place.length * (1 + 2 * place.bending); }
 
@@ -139,7 +133,8 @@ class Bound {
   }
 
   const Arm& arm_;
-  std::vector<FlexiblePlace> places_, at_origin_;
+  std::vector<FlexiblePlace> places_;
+  std::vector<double> moment_at_origin_;  ///< by rows
   Eigen::MatrixXd spread_;
 };
 
@@ -174,8 +169,10 @@ DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<doub
   if (!bound.bendsLittle()) return refuse("an element may rotate by more than 0.1 rad");
   const auto active = deflection::activeRows(cell.arm);
   travel.per_joint.resize(static_cast<Eigen::Index>(active.size()));
+  travel.per_joint.setZero();
   for (std::size_t j = 0; j < active.size(); ++j)
-    travel.per_joint[static_cast<Eigen::Index>(j)] = bound.travelBy(active[j]);
+    for (const auto& turned : deflection::turnedWith(cell.arm, active[j]))
+      travel.per_joint[static_cast<Eigen::Index>(j)] += std::abs(turned.ratio) * bound.travelBy(turned.row);
   if (!travel.per_joint.allFinite()) return refuse("the arm is too compliant for its loads");
   travel.stretch = Bound::kLengthening;
   travel.is_proved = true;

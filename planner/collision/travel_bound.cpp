@@ -1,21 +1,35 @@
 #include "planner/collision/travel_bound.hpp"
 
-#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace tubeplan::planner {
+namespace {
+
+/// m; of each link, the greatest distance of any point from its frame on from the frame's origin.
+std::vector<double> reachesBeyond(std::span<const LinkReach> links) {
+  std::vector<double> beyond(links.size());
+  for (std::size_t i = links.size(); i-- > 0;) {
+    const bool last = i + 1 == links.size();
+    beyond[i] = std::max(links[i].body, last ? 0.0 : links[i].step + beyond[i + 1]);
+  }
+  return beyond;
+}
+
+}  // namespace
 
 TravelBound travelBoundOf(std::span<const LinkReach> links, double factor) {
   assert(factor >= 1);
-  std::vector<double> reach;
-  double beyond = 0;  // of any point past the frame in hand, from its origin
-  for (std::size_t i = links.size(); i-- > 0;) {
-    const bool last = i + 1 == links.size();
-    beyond = std::max(links[i].body, last ? 0.0 : links[i].step + beyond);
-    if (links[i].joint == LinkReach::Joint::kRevolute) reach.push_back(factor * beyond);
-    if (links[i].joint == LinkReach::Joint::kPrismatic) reach.push_back(factor);
+  const std::vector<double> beyond = reachesBeyond(links);
+  std::vector<double> by_link(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    by_link[i] += links[i].joint == LinkReach::Joint::kPrismatic ? 1 : beyond[i];
+    for (const auto& [link, ratio] : links[i].follows)
+      by_link[static_cast<std::size_t>(link)] += std::abs(ratio) * beyond[i];
   }
-  std::ranges::reverse(reach);
+  std::vector<double> reach;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (links[i].joint != LinkReach::Joint::kNone) reach.push_back(factor * by_link[i]);
   return {Eigen::Map<const Eigen::VectorXd>(reach.data(), static_cast<Eigen::Index>(reach.size()))};
 }
 

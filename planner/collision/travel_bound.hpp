@@ -3,13 +3,15 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tubeplan::planner {
 
 /// Travel in a motion straight in joint space is at most the sum of |dq_j| times `reach_per_joint[j]`: for a revolute
-/// joint the greatest distance of any body point beyond it from its axis [m/rad], for a sliding one 1 [m/m]. The same
-/// sum bounds how fast two of the arm's own bodies near one another, as only the joints between them count.
+/// joint the greatest distance of any body point beyond it from its axis [m/rad], and as much for each frame that
+/// follows it by the turn there; for a sliding one 1 [m/m]. The same sum bounds how fast two of the arm's own bodies
+/// near one another, as only the joints between them count.
 struct TravelBound {
   Eigen::VectorXd reach_per_joint;
 
@@ -29,6 +31,8 @@ struct LinkReach {
     kRevolute,
     kPrismatic
   } joint = Joint::kNone;  ///< which ends at this frame, about or along its z
+  /// Of a frame without a joint of its own that others turn: their links, and the turn per turn of theirs.
+  std::vector<std::pair<int, double>> follows = {};
 };
 
 /// A bound that holds in every posture. `factor` (1 or more) covers what the lengths leave out: links that lengthen,

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "planner/collision/arm_clearance.hpp"
 #include "deflection/row_placing.hpp"
+#include "planner/collision/arm_clearance.hpp"
 #include "planner/collision/deflection_travel.hpp"
 #include "planner/verification/lipschitz_distance.hpp"
 
@@ -42,18 +42,25 @@ double thickestBody(const Scene& scene) {
   return thick;
 }
 
-/// Per joint, the lengths of all rows beyond it and the thickest body: no point is further from its axis. A slide moves
-/// all by 1.
+/// The lengths of all rows beyond a row's axis and the thickest body: no point is further from it.
+double reachBeyond(const deflection::Arm& arm, int row, double thick) {
+  deflection::Arm beyond;
+  beyond.rows.assign(arm.rows.begin() + row + 1, arm.rows.end());
+  beyond.p_LT.setZero();
+  return deflection::reachOf(beyond) + thick;
+}
+
+/// Per joint, what it can move a point by, with the rows that turn with it. A slide moves all by 1.
 VectorXd leversOf(const Workcell& cell, double thick) {
   const auto active = deflection::activeRows(cell.arm);
-  VectorXd lever(static_cast<Eigen::Index>(active.size()));
+  VectorXd lever = VectorXd::Zero(static_cast<Eigen::Index>(active.size()));
   for (int j = 0; j < lever.size(); ++j) {
     const int row = active[static_cast<std::size_t>(j)];
-    deflection::Arm beyond;
-    beyond.rows.assign(cell.arm.rows.begin() + row + 1, cell.arm.rows.end());
-    beyond.p_LT.setZero();
-    const bool slides = cell.arm.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
-    lever[j] = slides ? 1 : deflection::reachOf(beyond) + thick;
+    if (cell.arm.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic)
+      lever[j] = 1;
+    else
+      for (const auto& turned : deflection::turnedWith(cell.arm, row))
+        lever[j] += std::abs(turned.ratio) * reachBeyond(cell.arm, turned.row, thick);
   }
   return lever;
 }

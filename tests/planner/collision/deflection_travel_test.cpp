@@ -58,6 +58,17 @@ TEST(DeflectionTravel, BoundsArmsTenTimesAsSoft) {
   expectBounded(cell, 2);
 }
 
+/// Its forearm turned with the two joints before it, faster than they turn.
+TEST(DeflectionTravel, BoundsAnArmWhoseForearmALinkageTurns) {
+  for (const bool is_rigid : {true, false}) {
+    Workcell cell = is_rigid ? testing::rigid(testing::mockup()) : testing::mockup();
+    auto& joint = cell.arm.rows[4].joint;
+    joint.type = deflection::JointType::kPassive;
+    joint.follows = {{2, 2.5}, {3, -3}};
+    expectBounded(cell, 3);
+  }
+}
+
 /// One element at a time is the only one that gives: its travel is held against differences of the deflected shape.
 TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
   const Workcell nominal = testing::mockup();
@@ -89,6 +100,61 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
         }
       }
     }
+}
+
+/// Two joints and a beam, each of them compliant: what one gains turns the others, and that again, to the end of the
+/// geometric series, whose sum is the inverse of the identity less one round.
+TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
+  Workcell cell = testing::mockup();
+  deflection::Row<double> upper, fore;
+  upper.placement = deflection::Origin<double>{};
+  upper.joint_stiffness = Vector3d::Constant(1500);
+  upper.weight.end = 20;
+  fore.placement = deflection::DenavitHartenberg<double>{0, 0.5, 0, 0};
+  fore.joint_stiffness = Vector3d::Constant(700);
+  fore.beam = deflection::Beam<double>{};
+  fore.beam->E = 720;
+  fore.beam->I.tail<2>().setOnes();
+  fore.weight.distributed = 10;
+  for (auto* row : {&upper, &fore}) row->joint.type = deflection::JointType::kRevolute;
+  cell.arm = {};
+  cell.arm.rows = {upper, fore};
+  cell.arm.p_LT = Vector3d(0.8, 0, 0);
+  cell.load = 30;
+  const auto travel = deflectionTravelOf(cell, {0.2, 1});
+  ASSERT_TRUE(travel.is_proved) << travel.reason;
+
+  const double stretch = 1.01, a = 0.5 * stretch, b = 0.8 * stretch;
+  const double W1 = 30 + 10 * b, M1 = 30 * b + 10 * b * b / 2, M0 = M1 + (W1 + 20) * a;
+  const Vector3d compliance(1. / 1500, 1. / 700, 0.8 / 720), moment(M0, M1, M1), weight(W1 + 20, W1, W1);
+  const Vector3d bending = compliance.cwiseProduct(moment), reach(1 + a, 1, 1);
+  const Vector3d displacement(0, 0, b * (1 + 2 * bending[2]));
+  Eigen::Matrix3d round;
+  for (int e = 0; e < 3; ++e)
+    for (int other = 0; other < 3; ++other)
+      round(e, other) = compliance[e] * (other < e ? moment[e] : moment[other] + weight[other] * displacement[other]);
+  const Vector3d arms = (Vector3d::Ones() + 2 * bending).cwiseProduct(reach) + 0.3 * displacement;
+  const auto by = [&](const Vector3d& turned) {
+    return arms.dot((Eigen::Matrix3d::Identity() - round).inverse() * compliance.cwiseProduct(turned));
+  };
+  ASSERT_EQ(travel.per_joint.size(), 2);
+  EXPECT_NEAR(travel.per_joint[0], by(moment), 1e-10);
+  EXPECT_NEAR(travel.per_joint[1], by(Vector3d::Constant(M1)), 1e-10);
+  EXPECT_EQ(travel.stretch, stretch);
+
+  // As many joints at one place, each within its own limit, have no end to the series.
+  upper.joint_stiffness.setConstant(1000);
+  upper.weight.end = 0;
+  fore.joint_stiffness.setConstant(1000);
+  fore.placement = deflection::Origin<double>{};
+  fore.beam.reset();
+  fore.weight.distributed = 0;
+  cell.arm.rows = {upper};
+  for (int k = 0; k < 13; ++k) cell.arm.rows.push_back(fore);
+  cell.load = 100;
+  const auto without = deflectionTravelOf(cell, std::vector<double>(14, 1));
+  EXPECT_FALSE(without.is_proved);
+  EXPECT_NE(without.reason.find("compliant"), std::string::npos) << without.reason;
 }
 
 TEST(DeflectionTravel, ARigidArmAddsNothing) {

@@ -136,6 +136,31 @@ TEST(CheckMotion, AgreesWithFineStepsOnRandomMotions) {
   EXPECT_GT(blocked, 15);
 }
 
+/// Always as free, over a motion that moves points by so much.
+MotionCheckResult evenlyFree(double margin, double travel, const MotionCheckOptions& options = {}) {
+  const auto clearance_of = [margin](const VectorXd&) {
+    Clearance clearance;
+    clearance.margin = margin;
+    return clearance;
+  };
+  return checkMotion(posture(0, 0, 0), posture(1, 0, 0), clearance_of, {posture(travel, 0, 0)}, options);
+}
+
+TEST(CheckMotion, HalvesUntilTheEndsHaveMoreToSpareThanTheTravelBetween) {
+  EXPECT_EQ(evenlyFree(1, 1.5).checks, 2);
+  EXPECT_EQ(evenlyFree(1, 1.5).proved_margin, 0.25);
+  EXPECT_EQ(evenlyFree(1, 2).checks, 3);  // just as much is not more: they might touch
+  EXPECT_EQ(evenlyFree(1, 2).proved_margin, 0.5);
+  EXPECT_EQ(evenlyFree(1, 5).checks, 5);
+}
+
+TEST(CheckMotion, HalvesForAccuracyDownToTheLeastTravel) {
+  EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1e-4, .accuracy = 0.5}).checks, 2);
+  EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1e-4, .accuracy = 0.1}).checks, 9);
+  EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1, .accuracy = 0.1}).checks, 3);
+  EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1.1, .accuracy = 0.1}).checks, 2);
+}
+
 /// Asked for all at once, `asked` counting how often.
 PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
   return SideBySideClearance{alone, [alone, &asked](const PostureColumns& q) {
@@ -150,6 +175,22 @@ PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
                                }
                                return found;
                              }};
+}
+
+TEST(CheckMotion, AsksForTheMiddlesOfHalvesTooWhereTheyWillBeNeeded) {
+  int asked = 0, alone_asked = 0;
+  const auto even = [&alone_asked](const VectorXd&) {
+    ++alone_asked;
+    Clearance clearance;
+    clearance.margin = 0.1;
+    return clearance;
+  };
+  const TravelBound half_a_metre{posture(0.5, 0, 0)};
+  const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), half_a_metre);
+  EXPECT_EQ(result.status, MotionCheckStatus::kFree);
+  EXPECT_EQ(result.checks, 5);
+  EXPECT_EQ(asked, 2);        // both ends; then the middle and those of both halves
+  EXPECT_EQ(alone_asked, 5);  // none of them twice, none in vain
 }
 
 TEST(CheckMotion, PosturesAskedTogetherChangeNoAnswer) {

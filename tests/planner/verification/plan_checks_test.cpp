@@ -199,6 +199,32 @@ TEST(CheckPlan, NothingThinIsSteppedOverHoweverFarApartTheRowsAre) {
       }
 }
 
+/// A linkage that turns the second link by so many turns of the first, against its own.
+Workcell linked(double ratio) {
+  Workcell cell = twoLinks();
+  cell.arm.rows[1].joint = {.name = "linkage", .type = deflection::JointType::kPassive, .follows = {{0, ratio}}};
+  return cell;
+}
+
+TEST(CheckPlan, NothingThinIsSteppedOverByALinkTurnedWithAnother) {
+  for (double ratio : {-6., 1., 5.})
+    for (double step : {0.1, 0.3, 0.6})
+      for (double where : {0.3, 0.5, 0.8}) {
+        StatedPlan plan;
+        plan.path = {{0, 0, SegmentKind::kApproach, VectorXd::Constant(1, 0)},
+                     {10, 0, SegmentKind::kApproach, VectorXd::Constant(1, step)}};
+        const double first = where * step, second = (1 + ratio) * first;
+        const Vector3d p(std::cos(first) + 1.005 * std::cos(second), std::sin(first) + 1.005 * std::sin(second), 0);
+        const auto cell =
+            testing::withObstacle(linked(ratio), {"needle", testing::shape("sphere", {p.x(), p.y(), p.z(), 1e-3}), {}});
+        const PlanCheck check = checkPlan(cell, plan);
+        const bool found = std::ranges::any_of(check.findings, [](const std::string& f) {
+          return f.find("too near: link2, needle") != std::string::npos;
+        });
+        EXPECT_TRUE(found) << ratio << " " << step << " " << where;
+      }
+}
+
 TEST_F(Checked, ALeaveThatTheToolsBodyStatesEndsOnTravelAsInThePlan) {
   Work work = *work_;
   for (auto& obstacle : work.cell.scene.obstacles) std::erase(obstacle.allow, "tool-tip");
