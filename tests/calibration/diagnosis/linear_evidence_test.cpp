@@ -19,14 +19,14 @@ MatrixXd drawn(std::mt19937_64& random, Index rows, Index columns) {
   return matrix;
 }
 
-/// Readings, columns and priors, and all that the evidence says of them, by the definition.
-struct Readings {
+/// KnownReadings, columns and priors, and all that the evidence says of them, by the definition.
+struct KnownReadings {
   MatrixXd J, S, Z;
   VectorXd y;
   std::vector<Unknown> fitted;
   EvidenceOptions options;
 
-  explicit Readings(std::uint64_t seed, Index rows = 20) {
+  explicit KnownReadings(std::uint64_t seed, Index rows = 20) {
     std::mt19937_64 random(seed);
     J = drawn(random, rows, 3), S = drawn(random, rows, 3), Z = drawn(random, rows, 4);
     y = 3 * drawn(random, rows, 1) + 2 * S.col(0);
@@ -108,7 +108,7 @@ const std::vector<std::vector<PriorSize>> kHypotheses{
 TEST(LinearEvidence, IsTheDensityOfTheReadingsOverAllThatIsNotKnown) {
   for (std::uint64_t seed : {1, 2, 3})
     for (const auto& causes : kHypotheses) {
-      const Readings readings(seed);
+      const KnownReadings readings(seed);
       const Evidence found = readings.evidence().of(causes);
       double all = 0, none = 0, most = -1e300, most_of_none = most, size_of_most = -1, scale_of_most = 0,
              none_scale = 0;
@@ -137,7 +137,7 @@ TEST(LinearEvidence, IsTheDensityOfTheReadingsOverAllThatIsNotKnown) {
 }
 
 TEST(LinearEvidence, AtOneSizeCountsThatOneAndNoneAlone) {
-  const Readings readings(4);
+  const KnownReadings readings(4);
   for (const auto& causes : kHypotheses) {
     double none = 0, with = 0;
     for (const double scale : readings.options.noise_scales) {
@@ -151,7 +151,7 @@ TEST(LinearEvidence, AtOneSizeCountsThatOneAndNoneAlone) {
 
 /// Where nothing is said of a discrepancy or the noise, neither is there.
 TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
-  Readings readings(5);
+  KnownReadings readings(5);
   readings.options = {};
   const Evidence found = readings.evidence().of(kHypotheses[1]);
   readings.options.noise_scales = {1};
@@ -164,7 +164,7 @@ TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
 /// A sign that the readings speak against by forty sigmas costs what the normal distribution says, underflow or not.
 TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
   for (const double far : {5., 20., 29., 31., 60.}) {
-    Readings readings(6);
+    KnownReadings readings(6);
     readings.options = {};
     const PriorSize plus{0, 1e3, 1}, any{0, 1e3, 0};
     const auto sizes = readings.sizesOf({any}, 0);
@@ -180,7 +180,7 @@ TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
 
 /// Prior widths of fitted numbers that nobody knows leave what two hypotheses differ by as it is.
 TEST(LinearEvidence, NeedsNoPriorOfFittedNumbers) {
-  Readings flat(7), wide(7);
+  KnownReadings flat(7), wide(7);
   for (auto& unknown : flat.fitted)
     unknown.prior_sigma = std::numeric_limits<double>::infinity(), unknown.prior_mean = 0;
   for (auto& unknown : wide.fitted) unknown.prior_sigma = 1e4, unknown.prior_mean = 0;
@@ -190,7 +190,7 @@ TEST(LinearEvidence, NeedsNoPriorOfFittedNumbers) {
 }
 
 TEST(LinearEvidence, AColumnIsSeenByWhatFittedNumbersLeaveOfIt) {
-  Readings readings(8);
+  KnownReadings readings(8);
   const MatrixXd inverse = readings.covariance(0).inverse();
   for (int c = 0; c < 3; ++c) {
     const double left = std::sqrt(readings.S.col(c).dot(inverse * readings.S.col(c)));
@@ -210,7 +210,7 @@ TEST(LinearEvidence, AColumnIsSeenByWhatFittedNumbersLeaveOfIt) {
 }
 
 TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
-  const Readings readings(9);
+  const KnownReadings readings(9);
   const LinearEvidence evidence = readings.evidence();
   for (const auto& causes : kHypotheses)
     for (const double size : {0.4, 1.7}) {
@@ -224,20 +224,20 @@ TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
 }
 
 TEST(LinearEvidence, TheRichestFitTakesTheLargestSize) {
-  const Readings readings(10);
+  const KnownReadings readings(10);
   const MatrixXd with = readings.covariance(1.7).inverse(), without = readings.covariance(0).inverse();
   const RichestFit found = readings.evidence().richest();
   EXPECT_NEAR(readings.evidence().chi2(), readings.missed().dot(without * readings.missed()), 1e-9);
   EXPECT_NEAR(found.chi2, readings.missed().dot(with * readings.missed()), 1e-9);
   EXPECT_NEAR(found.numbers, (1.7 * 1.7 * readings.Z.transpose() * with * readings.Z).trace(), 1e-9);
-  Readings plain(10);
+  KnownReadings plain(10);
   plain.options.discrepancies.clear();
   EXPECT_NEAR(plain.evidence().richest().chi2, plain.evidence().chi2(), 1e-12);
   EXPECT_EQ(plain.evidence().richest().numbers, 0);
 }
 
 TEST(LinearEvidence, PrincipalTermsAreSquareToOneAnotherAndStandForAll) {
-  Readings readings(11);
+  KnownReadings readings(11);
   const MatrixXd K = readings.Z.transpose() * readings.covariance(0).inverse() * readings.Z;
   const MatrixXd terms = readings.evidence().principalTerms(100);
   ASSERT_EQ(terms.cols(), 4);
@@ -250,7 +250,7 @@ TEST(LinearEvidence, PrincipalTermsAreSquareToOneAnotherAndStandForAll) {
 
 /// Terms that say the same, or nothing at all, change nothing; and of many, those that are large are kept.
 TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
-  Readings readings(12), alike(12);
+  KnownReadings readings(12), alike(12);
   alike.Z.resize(20, 40);
   std::mt19937_64 random(12);
   // W W^T = I: forty terms with the covariance of four.
@@ -259,15 +259,15 @@ TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   EXPECT_EQ(alike.evidence().principalTerms(100).cols(), 4);
   for (const auto& causes : kHypotheses)
     EXPECT_NEAR(alike.evidence().of(causes).log, readings.evidence().of(causes).log, 1e-7);
-  Readings none(12);
+  KnownReadings none(12);
   none.Z.setZero();
   EXPECT_EQ(none.evidence().principalTerms(100).cols(), 0);
   EXPECT_EQ(none.evidence().of({}).discrepancy_probability, 0);
-  Readings many(13, 200);
+  KnownReadings many(13, 200);
   many.Z = drawn(random, 200, 150);
   EXPECT_EQ(many.evidence().principalTerms(1000).cols(), 120);
   // What is left out is small: a hundredth part of the variance in the last column is kept, a millionth part is not.
-  Readings small(14);
+  KnownReadings small(14);
   small.Z.col(3) *= 0.1;
   EXPECT_EQ(small.evidence().principalTerms(100).cols(), 4);
   small.Z.col(3) *= 0.01;
