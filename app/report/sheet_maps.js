@@ -32,12 +32,9 @@ export function sheetMapsSection(report, sheet) {
     el("p", {class: "lead"},
        `${plural(sheet.holes.length, "hole")}, ${sheetWords(sheet.model)}. Every mark is a visited tube: how ` +
            "far the stepped calibration tool goes in. Point at a hole for its figures; the boxes below a map hide " +
-           "and show its marks."),
-    el("div", {class: "pair"},
-       before ?
-           sheetMap(report, sheet, "Before", [before]) :
-           el("div", {class: "card"}, el("h3", {}, "Before: no compensation"),
-              notRecorded("Centring without compensation (the plan was made without a true arm to score against)")),
+           "and show its marks." +
+           (before ? "" : " Centring without compensation is not shown: the plan has no true arm to be scored against.")),
+    el("div", {class: "pair"}, before && sheetMap(report, sheet, "Before", [before]),
        sheetMap(report, sheet, before ? "After" : "The plan", after)),
     unreachableList(report),
   ];

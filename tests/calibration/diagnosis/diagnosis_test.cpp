@@ -79,6 +79,51 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, HiddenEffect,
                            return name;
                          });
 
+const RankedEffect* rankOf(const Diagnosis& diagnosis, const std::string& effect, const std::string& at) {
+  const auto found = std::ranges::find_if(
+      diagnosis.ranking, [&](const RankedEffect& entry) { return entry.effect == effect && entry.at == at; });
+  return found == diagnosis.ranking.end() ? nullptr : &*found;
+}
+
+TEST(Diagnosis, RanksCausesWithTheirOwnSizes) {
+  const Diagnosis found = diagnosisOf("hysteresis", "theta3", {0.0008}, 5);
+  const RankedEffect* one = rankOf(found, "hysteresis", "theta3");
+  ASSERT_EQ(one, &found.ranking.front());
+  EXPECT_NEAR(one->size.value, 0.0008, 0.0001);
+  EXPECT_GT(one->size.sigma, 1e-6);
+  EXPECT_LT(one->size.sigma, 1e-4);
+  ASSERT_EQ(one->effects.size(), 1U);
+  EXPECT_NEAR(one->effects.front().values[0], one->size.value, 1e-9);
+  EXPECT_GT(one->fall, 50);
+  EXPECT_LT(one->p_value, 1e-10);
+  EXPECT_GT(one->kept_fraction, 0.3);
+  EXPECT_LE(one->kept_fraction, 1);
+  for (std::size_t k = 1; k < found.ranking.size(); ++k)
+    EXPECT_GE(found.ranking[k - 1].probability, found.ranking[k].probability);
+
+  const Diagnosis two_numbers = diagnosisOf("encoder-eccentricity", "theta2", {0.0006, 0.0009}, 5);
+  const RankedEffect* both = rankOf(two_numbers, "encoder-eccentricity", "theta2");
+  ASSERT_TRUE(both);
+  ASSERT_EQ(both->effects.size(), 1U);
+  EXPECT_NEAR(both->effects.front().values[0], 0.0006, 0.0002);
+  EXPECT_NEAR(both->effects.front().values[1], 0.0009, 0.0002);
+  EXPECT_NEAR(both->size.value, 0.0009, 0.0002) << "the number that is largest beside its doubt";
+}
+
+/// The tube of the forearm would give as its bearing does, wherever the arm goes: one cause with two names.
+TEST(Diagnosis, CausesThatNoReadingTellsApartAreOneWithBothNames) {
+  const Diagnosis found = diagnosisOf("joint-compliance", "forearm.y", {4e-5}, 5);
+  ASSERT_EQ(found.verdict, Verdict::kExplained);
+  ASSERT_EQ(found.alternatives.front().effects.size(), 1U);
+  const FoundEffect& one = found.alternatives.front().effects.front();
+  std::vector<std::pair<std::string, std::string>> names = one.also;
+  names.emplace_back(one.effect, one.at);
+  std::ranges::sort(names);
+  EXPECT_EQ(names, (std::vector<std::pair<std::string, std::string>>{{"joint-compliance", "forearm.y"},
+                                                                     {"link-bending", "forearm.y"}}));
+  EXPECT_GT(found.alternatives.front().probability, 0.9);
+}
+
 TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
   int alarms = 0;
   constexpr int kSets = 12;
