@@ -127,7 +127,8 @@ class Sweeper {
     const double change = changes.colwise().norm().maxCoeff(), weighed = change * weightOf(found);
     if (change <= kOfReach * reachOf(without_) || weighed <= most_change_) return;
     most_change_ = weighed;
-    const Eigen::JacobiSVD<Matrix3Xd> axes(changes, Eigen::ComputeThinU);
+    // Of three rows known beforehand, Eigen's thin U has no room for two columns.
+    const Eigen::JacobiSVD<Eigen::MatrixXd> axes(changes, Eigen::ComputeThinU);
     const Vector3d axis = axes.matrixU().col(0);
     for (Index k = 0; k < shifts.cols(); ++k) found.shift.push_back(axis.dot(shifts.col(k)));
     best_ = std::move(found);

@@ -64,7 +64,7 @@ PARTS = [
          [(CALIBRATION_TEST, "*")]),
     Part("evidence", "calibration",
          own("calibration/diagnosis/linear_evidence.cpp", "calibration/diagnosis/posterior.cpp"),
-         [(CALIBRATION_TEST, "*Evidence*:LogSum.*"), (CALIBRATION_TEST, "*Diagnos*"), (CALIBRATION_TEST, "*")]),
+         [(CALIBRATION_TEST, "*Evidence*:LogSum.*"), (CALIBRATION_TEST, "Decide.*:*Diagnos*"), (CALIBRATION_TEST, "*")]),
     Part("bound", "planner", own("planner/order/one_tree_bound.cpp", "planner/order/priced_tree.cpp"),
          [("planner/planner_test", "*")]),
     Part("proof", "planner", own("planner/motion/motion_check.cpp", "planner/collision/deflection_travel.cpp",

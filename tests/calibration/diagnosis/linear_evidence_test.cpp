@@ -274,6 +274,18 @@ TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   EXPECT_EQ(small.evidence().principalTerms(100).cols(), 3);
 }
 
+TEST(LinearEvidence, TermsOfTheDiscrepancyMayHaveAnyUnit) {
+  const KnownReadings readings(15);
+  for (const double unit : {1e-5, 1e5}) {
+    KnownReadings scaled(15);
+    scaled.Z *= unit;
+    for (double& size : scaled.options.discrepancies) size /= unit;
+    EXPECT_EQ(scaled.evidence().principalTerms(100).cols(), 4);
+    for (const auto& causes : kHypotheses)
+      EXPECT_NEAR(scaled.evidence().of(causes).log, readings.evidence().of(causes).log, 1e-9);
+  }
+}
+
 TEST(LinearEvidence, ColumnsTakeWhatTheyHaveOfTheResidualAndNoneTakesNothing) {
   MatrixXd S(4, 2);
   S << 1, 0, 1, 0, 0, 2, 0, 0;

@@ -178,19 +178,21 @@ PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
 }
 
 TEST(CheckMotion, AsksForTheMiddlesOfHalvesTooWhereTheyWillBeNeeded) {
-  int asked = 0, alone_asked = 0;
-  const auto even = [&alone_asked](const VectorXd&) {
-    ++alone_asked;
-    Clearance clearance;
-    clearance.margin = 0.1;
-    return clearance;
-  };
-  const TravelBound half_a_metre{posture(0.5, 0, 0)};
-  const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), half_a_metre);
-  EXPECT_EQ(result.status, MotionCheckStatus::kFree);
-  EXPECT_EQ(result.checks, 5);
-  EXPECT_EQ(asked, 2);        // both ends; then the middle and those of both halves
-  EXPECT_EQ(alone_asked, 5);  // none of them twice, none in vain
+  for (const bool is_far : {false, true}) {
+    int asked = 0, alone_asked = 0;
+    const auto even = [&alone_asked](const VectorXd&) {
+      ++alone_asked;
+      Clearance clearance;
+      clearance.margin = 0.1;
+      return clearance;
+    };
+    const TravelBound travel{posture(is_far ? 1 : 0.5, 0, 0)};
+    const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), travel);
+    EXPECT_EQ(result.status, MotionCheckStatus::kFree);
+    EXPECT_EQ(result.checks, is_far ? 9 : 5);
+    EXPECT_EQ(asked, is_far ? 3 : 2);       // both ends; the middle and those of both halves; those of the quarters
+    EXPECT_EQ(alone_asked, result.checks);  // none of them twice, none in vain
+  }
 }
 
 TEST(CheckMotion, PosturesAskedTogetherChangeNoAnswer) {
