@@ -293,7 +293,8 @@ TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
 // Touches of unknown points agree the better the shorter the arm: no size may grow until it is a point.
 TEST(Diagnosis, NamesNoSizeThatNoMachineHas) {
   const auto& kinds = deflection::effectKinds();
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [](const auto& k) { return k.name == "link-length"; });
+  const auto kind =
+      std::find_if(kinds.begin(), kinds.end(), [](const auto& k) { return std::string(k.name) == "link-length"; });
   const double usual = kind->parameters.front().plausible;
   const Diagnosis large = diagnosisOf("link-length", "forearm", {6 * usual}, 5);
   ASSERT_TRUE(holds(large, "link-length", "forearm"));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "deflection/effects/effect.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/scene/separation.hpp"
 #include "tests/planner/workcell.hpp"
@@ -155,6 +156,27 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   const auto without = deflectionTravelOf(cell, std::vector<double>(14, 1));
   EXPECT_FALSE(without.is_proved);
   EXPECT_NE(without.reason.find("compliant"), std::string::npos) << without.reason;
+}
+
+/// Where a joint's clearance snaps over, all beyond it jumps.
+TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
+  Workcell cell = testing::mockup();
+  const std::vector<double> thin(cell.arm.rows.size(), 0);
+  EXPECT_EQ(gapJumpOf(cell, thin), 0);
+  for (const auto& [at, gap] : {std::pair{"tool.z", 0.002}, {"forearm.z", 0.003}}) {
+    auto effect = deflection::makeEffect(cell.arm, "backlash", at).effect;
+    effect.values = {gap};
+    cell.arm.effects.push_back(effect);
+  }
+  const double tool = std::hypot(16.2493, 7.8471) * kInch, forearm = 19.4 * kInch;
+  EXPECT_NEAR(gapJumpOf(cell, thin), 0.002 * tool + 0.003 * (forearm + tool), 1e-9);
+  // A body that reaches further than the rows do counts as far as it reaches.
+  std::vector<double> thick = thin;
+  thick[4] = 2;
+  EXPECT_NEAR(gapJumpOf(cell, thick), 0.002 * tool + 0.003 * 2, 1e-9);
+  const auto travel = deflectionTravelOf(cell, thin);
+  EXPECT_FALSE(travel.is_proved);
+  EXPECT_EQ(travel.jump, gapJumpOf(cell, thin));
 }
 
 TEST(DeflectionTravel, ARigidArmAddsNothing) {
