@@ -1,5 +1,6 @@
 #include "planner/collision/travel_bound.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
