@@ -18,7 +18,7 @@ import {lengthUnit, list, object, textOf} from "./values.js";
 import {workListSection} from "./work_list.js";
 
 const SECTIONS = [
-  {id: "sheet", title: "The sheet, before and after", make: sheetMapsSection},
+  {id: "sheet", title: "The sheet", make: sheetMapsSection},
   {id: "errors", title: "Centring errors", make: errorArrowsSection},
   {id: "tour", title: "The tour", make: tourSection},
   {id: "arm", title: "The arm from the side", make: sideViewSection},

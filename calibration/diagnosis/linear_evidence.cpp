@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -158,17 +157,23 @@ void LinearEvidence::listLevels() {
   if (squares_.size() > 0) sizes.insert(sizes.end(), options_.discrepancies.begin(), options_.discrepancies.end());
   const auto tried = static_cast<double>(sizes.size() - 1);
   for (const double size : sizes) {
-    Level level;
-    level.size = size;
+    Level level = levelOf(size);
     level.log_prior = tried == 0  ? 0
                       : size == 0 ? std::log1p(-options_.discrepancy_prior - options_.source_prior)
                                   : std::log(options_.discrepancy_prior / tried);
-    const VectorXd variance = size * size * squares_;
-    level.taken = variance.array() / (1 + variance.array());
-    level.along = level.taken.cwiseSqrt().asDiagonal() * along_;
-    level.log_det = log_det_fitted_ + variance.array().log1p().sum();
     levels_.push_back(std::move(level));
   }
+}
+
+/// Without a prior.
+LinearEvidence::Level LinearEvidence::levelOf(double size) const {
+  Level level;
+  level.size = size;
+  const VectorXd variance = size * size * squares_;
+  level.taken = variance.array() / (1 + variance.array());
+  level.along = level.taken.cwiseSqrt().asDiagonal() * along_;
+  level.log_det = log_det_fitted_ + variance.array().log1p().sum();
+  return level;
 }
 
 LinearEvidence::Solution LinearEvidence::solve(const std::vector<PriorSize>& causes, const Level& level) const {
@@ -271,13 +276,12 @@ MatrixXd LinearEvidence::principalTerms(Index most) const {
 }
 
 VectorXd LinearEvidence::discrepancyWeights(const std::vector<PriorSize>& causes, double size) const {
-  const auto level = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.size == size; });
-  assert(level != levels_.end());
-  const Solution solution = solve(causes, *level);
+  const Level level = levelOf(size);
+  const Solution solution = solve(causes, level);
   VectorXd left = along_.rightCols<1>();
   for (std::size_t i = 0; i < causes.size(); ++i)
     left -= along_.col(causes[i].column) * solution.sizes[static_cast<Index>(i)];
-  return axes_ * level->taken.cwiseProduct(left);
+  return axes_ * level.taken.cwiseProduct(left);
 }
 
 }  // namespace tubeplan::calibration

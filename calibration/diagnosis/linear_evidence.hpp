@@ -78,7 +78,7 @@ class LinearEvidence {
   /// none.
   [[nodiscard]] double fall(const std::vector<int>& columns) const;
 
-  /// The discrepancy's most probable weight of each of its terms, its size given, one of those tried or 0.
+  /// The discrepancy's most probable weight of each of its terms, its size given.
   [[nodiscard]] Eigen::VectorXd discrepancyWeights(const std::vector<PriorSize>& causes, double size) const;
 
   [[nodiscard]] RichestFit richest() const;
@@ -106,6 +106,7 @@ class LinearEvidence {
   void integrateFitted(const EvidenceGram& gram, const std::vector<Unknown>& fitted);
   void findAxes(const Eigen::MatrixXd& Z_Z, const Eigen::MatrixXd& Z_S_y);
   void listLevels();
+  [[nodiscard]] Level levelOf(double size) const;
   [[nodiscard]] Solution solve(const std::vector<PriorSize>& causes, const Level& level) const;
   [[nodiscard]] double logOf(const Solution& solution, const Level& level, double noise_scale) const;
 

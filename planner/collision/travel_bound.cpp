@@ -25,8 +25,8 @@ TravelBound travelBoundOf(std::span<const LinkReach> links, double factor) {
   std::vector<double> by_link(links.size());
   for (std::size_t i = 0; i < links.size(); ++i) {
     by_link[i] += links[i].joint == LinkReach::Joint::kPrismatic ? 1 : beyond[i];
-    for (const auto& [link, ratio] : links[i].follows)
-      by_link[static_cast<std::size_t>(link)] += std::abs(ratio) * beyond[i];
+    for (const auto& followed : links[i].follows)
+      by_link[static_cast<std::size_t>(followed.row)] += std::abs(followed.ratio) * beyond[i];
   }
   std::vector<double> reach;
   for (std::size_t i = 0; i < links.size(); ++i)

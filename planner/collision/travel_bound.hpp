@@ -3,8 +3,9 @@
 
 #include <Eigen/Core>
 #include <span>
-#include <utility>
 #include <vector>
+
+#include "deflection/arm.hpp"
 
 namespace tubeplan::planner {
 
@@ -30,9 +31,8 @@ struct LinkReach {
     kNone,
     kRevolute,
     kPrismatic
-  } joint = Joint::kNone;  ///< which ends at this frame, about or along its z
-  /// Of a frame without a joint of its own that others turn: their links, and the turn per turn of theirs.
-  std::vector<std::pair<int, double>> follows = {};
+  } joint = Joint::kNone;                               ///< which ends at this frame, about or along its z
+  std::vector<deflection::FollowedJoint> follows = {};  ///< of a frame without a joint of its own: what turns it
 };
 
 /// A bound that holds in every posture. `factor` (1 or more) covers what the lengths leave out: links that lengthen,

@@ -77,18 +77,18 @@ Eigen::Vector3d tipDisplacement(const Arm& arm, const Posture& posture) {
   return shape.X_BD.p - shape.X_BT.p;
 }
 
-struct Case {
+struct CalculixCase {
   const char* name;
   Eigen::Vector4d joints;  ///< deg
   double load;             ///< lbf
 };
 
-void PrintTo(const Case& example, std::ostream* out) { *out << example.name; }
+void PrintTo(const CalculixCase& example, std::ostream* out) { *out << example.name; }
 
 /// The two example postures of Calkins 1994, tables 5.8 and 5.9: stretched out, and folded.
 const Eigen::Vector4d kStretched(-36.688, 46.138, -35.856, -11.127), kFolded(73.312, 126.138, -95.856, -31.127);
 
-class CalculixComparison : public testing::TestWithParam<Case> {};
+class CalculixComparison : public ::testing::TestWithParam<CalculixCase> {};
 
 TEST_P(CalculixComparison, TipDeflectsAlike) {
   if (!hasCalculix()) GTEST_SKIP() << "CalculiX (program ccx, Debian package calculix-ccx) is not installed";
@@ -99,7 +99,7 @@ TEST_P(CalculixComparison, TipDeflectsAlike) {
     const Eigen::Vector3d u = tipDisplacement(cobraArm(segments), posture);
     std::ostringstream text;
     text << u.transpose() / kInch << " in, CalculiX " << expected->transpose() / kInch << " in";
-    testing::Test::RecordProperty("tip_deflection_" + std::to_string(segments) + "_segments", text.str());
+    ::testing::Test::RecordProperty("tip_deflection_" + std::to_string(segments) + "_segments", text.str());
     return (u - *expected).norm() / expected->norm();
   };
   EXPECT_LE(difference(1), 0.005);
@@ -108,9 +108,10 @@ TEST_P(CalculixComparison, TipDeflectsAlike) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cobra, CalculixComparison,
-                         testing::Values(Case{"StretchedOwnWeight", kStretched, 0},
-                                         Case{"StretchedThirtyPounds", kStretched, 30},
-                                         Case{"FoldedOwnWeight", kFolded, 0}, Case{"FoldedThirtyPounds", kFolded, 30}),
+                         ::testing::Values(CalculixCase{"StretchedOwnWeight", kStretched, 0},
+                                           CalculixCase{"StretchedThirtyPounds", kStretched, 30},
+                                           CalculixCase{"FoldedOwnWeight", kFolded, 0},
+                                           CalculixCase{"FoldedThirtyPounds", kFolded, 30}),
                          [](const auto& parameters) { return std::string(parameters.param.name); });
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-constexpr double kLength = 0.8, kEI = 5e4, kGJ = 2e4;
+constexpr double kBeam = 0.8, kEI = 5e4, kGJ = 2e4;
 
 /// A turntable that carries a beam along x; gravity may point anywhere.
 Arm cantilever(double distributed = 0, double lump = 0,
@@ -27,7 +27,7 @@ Arm cantilever(double distributed = 0, double lump = 0,
   arm.rows = {row};
   Row<double> hand;
   hand.name = "hand";
-  hand.placement = DenavitHartenberg<double>{0, kLength, 0, 0};
+  hand.placement = DenavitHartenberg<double>{0, kBeam, 0, 0};
   if (lump > 0) hand.weight.lumps = {{lump, lump_beyond_tip}};
   arm.rows.push_back(hand);
   return arm;
@@ -66,39 +66,38 @@ TEST(ClosedForms, AJointsTurnIsExactToRounding) {
 TEST(ClosedForms, EndForce) {
   const double F = 0.5;
   const auto shape = solve(cantilever(), F);
-  EXPECT_NEAR(shape.X_BD.p.y(), -F * std::pow(kLength, 3) / (3 * kEI), 1e-6 * F * std::pow(kLength, 3) / kEI);
-  EXPECT_NEAR(slopeAboutZ(shape), -F * kLength * kLength / (2 * kEI), 1e-6 * F / kEI);
+  EXPECT_NEAR(shape.X_BD.p.y(), -F * std::pow(kBeam, 3) / (3 * kEI), 1e-6 * F * std::pow(kBeam, 3) / kEI);
+  EXPECT_NEAR(slopeAboutZ(shape), -F * kBeam * kBeam / (2 * kEI), 1e-6 * F / kEI);
 }
 
 TEST(ClosedForms, DistributedWeight) {
   const double w = 0.7;
   const auto shape = solve(cantilever(w), 0);
-  EXPECT_NEAR(shape.X_BD.p.y(), -w * std::pow(kLength, 4) / (8 * kEI), 1e-6 * w / kEI);
-  EXPECT_NEAR(slopeAboutZ(shape), -w * std::pow(kLength, 3) / (6 * kEI), 1e-6 * w / kEI);
+  EXPECT_NEAR(shape.X_BD.p.y(), -w * std::pow(kBeam, 4) / (8 * kEI), 1e-6 * w / kEI);
+  EXPECT_NEAR(slopeAboutZ(shape), -w * std::pow(kBeam, 3) / (6 * kEI), 1e-6 * w / kEI);
 }
 
 TEST(ClosedForms, EndMomentFromALumpBeyondTheTip) {
   const double W = 0.4, beyond = 0.3, M = W * beyond;
   const auto shape = solve(cantilever(0, W, {beyond, 0, 0}), 0);
-  EXPECT_NEAR(shape.X_BD.p.y(), -W * std::pow(kLength, 3) / (3 * kEI) - M * kLength * kLength / (2 * kEI),
-              1e-6 * W / kEI);
-  EXPECT_NEAR(slopeAboutZ(shape), -W * kLength * kLength / (2 * kEI) - M * kLength / kEI, 1e-6 * W / kEI);
+  EXPECT_NEAR(shape.X_BD.p.y(), -W * std::pow(kBeam, 3) / (3 * kEI) - M * kBeam * kBeam / (2 * kEI), 1e-6 * W / kEI);
+  EXPECT_NEAR(slopeAboutZ(shape), -W * kBeam * kBeam / (2 * kEI) - M * kBeam / kEI, 1e-6 * W / kEI);
 }
 
 TEST(ClosedForms, ALumpAlongTheMemberBendsIt) {
   for (double share : {0.25, 0.5, 1.0}) {
     Arm arm = cantilever();
-    const double W = 0.4, a = share * kLength;
+    const double W = 0.4, a = share * kBeam;
     arm.rows[0].weight.lumps = {{W, {a, 0, 0}}};
     const auto shape = solve(arm, 0);
-    EXPECT_NEAR(shape.X_BD.p.y(), -W * a * a / (6 * kEI) * (3 * kLength - a), 1e-6 * W / kEI) << share;
+    EXPECT_NEAR(shape.X_BD.p.y(), -W * a * a / (6 * kEI) * (3 * kBeam - a), 1e-6 * W / kEI) << share;
   }
 }
 
 TEST(ClosedForms, ALumpAtTheEndIsAnEndWeight) {
   Arm with_end = cantilever(), with_lump = cantilever();
   with_end.rows[0].weight.end = 150;
-  with_lump.rows[0].weight.lumps = {{150, {kLength, 0, 0}}};
+  with_lump.rows[0].weight.lumps = {{150, {kBeam, 0, 0}}};
   EXPECT_LE((solve(with_end, 20).X_BD.p - solve(with_lump, 20).X_BD.p).norm(), 1e-13);
 }
 
@@ -106,7 +105,7 @@ TEST(ClosedForms, TorsionFromALumpAside) {
   const double W = 0.4, aside = 0.25;
   const auto shape = solve(cantilever(0, W, {0, 0, aside}), 0);
   const double twist = std::atan2(shape.X_BD.R(2, 1), shape.X_BD.R(2, 2));
-  EXPECT_NEAR(twist, W * aside * kLength / kGJ, 1e-6 * W / kGJ);
+  EXPECT_NEAR(twist, W * aside * kBeam / kGJ, 1e-6 * W / kGJ);
 }
 
 TEST(ClosedForms, BendingIsTheSameAboutYAndZ) {
@@ -118,9 +117,9 @@ TEST(ClosedForms, BendingIsTheSameAboutYAndZ) {
 
 TEST(ClosedForms, ForeshorteningOfAnEndForce) {
   // 3/5 delta^2 / L is the classical shortening of a cantilever under an end force.
-  const double F = 200, delta = F * std::pow(kLength, 3) / (3 * kEI);
+  const double F = 200, delta = F * std::pow(kBeam, 3) / (3 * kEI);
   const auto shape = solve(cantilever(), F);
-  EXPECT_NEAR(kLength - shape.X_BD.p.x(), 0.6 * delta * delta / kLength, 2e-3 * delta * delta);
+  EXPECT_NEAR(kBeam - shape.X_BD.p.x(), 0.6 * delta * delta / kBeam, 2e-3 * delta * delta);
 }
 
 TEST(ClosedForms, JointStiffness) {
@@ -131,7 +130,7 @@ TEST(ClosedForms, JointStiffness) {
   const auto shape = solve(arm, F);
   // theta = F L cos(theta) / K, the moment taken on the turned arm.
   double theta = 0;
-  for (int k = 0; k < 50; ++k) theta = F * kLength * std::cos(theta) / 3e4;
+  for (int k = 0; k < 50; ++k) theta = F * kBeam * std::cos(theta) / 3e4;
   EXPECT_NEAR(slopeAboutZ(shape), -theta, 1e-12);
 }
 

@@ -9,14 +9,14 @@
 namespace tubeplan::deflection {
 namespace {
 
-struct Case {
+struct VariableCase {
   std::string name;
   Variable variable;
   double h;
 };
 
-std::vector<Case> casesOf(const Arm& arm) {
-  std::vector<Case> cases{{"load", Variable::load(), 10}};
+std::vector<VariableCase> casesOf(const Arm& arm) {
+  std::vector<VariableCase> cases{{"load", Variable::load(), 10}};
   for (int k = 0; k < 4; ++k) cases.push_back({"joint " + std::to_string(k), Variable::joint(k), 1e-3});
   for (int k = 0; k < 3; ++k) cases.push_back({"gravity " + std::to_string(k), Variable::gravityTurn(k), 1e-3});
   for (const auto& p : parametersOf(arm)) {

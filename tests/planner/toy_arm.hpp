@@ -81,6 +81,7 @@ struct ToyArm {
 };
 
 inline const ToyArm kTwoJoints{{0.6, 0.5}, 0.02, 0.01};
+inline const ToyArm kFourJoints{{0.4, 0.35, 0.3, 0.25}, 0.02, 0.01};
 
 /// Least clearance at evenly spaced places of a straight motion, ends included: what a careful stepper would see.
 inline double leastSampled(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const PostureClearance& clearance_of,

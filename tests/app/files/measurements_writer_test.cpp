@@ -18,7 +18,7 @@ namespace {
 
 using calibration::CampaignRandom, calibration::Measurement, calibration::MeasurementKind;
 
-Units unitsOf(const std::string& text) { return Units(parseYaml(text, "units.yaml")); }
+Units unitsOfBlock(const std::string& text) { return Units(parseYaml(text, "units.yaml")); }
 
 class MeasurementsWriter : public ::testing::Test {
  protected:
@@ -139,8 +139,8 @@ TEST_F(MeasurementsWriter, WhatItWritesReadsAsItWasInAnyUnits) {
     const auto has = [&](auto question) { return std::any_of(plain.begin(), plain.end(), question); };
     EXPECT_TRUE(has([](const auto& m) { return m.row.has_value(); }));
     EXPECT_TRUE(has([](const auto& m) { return m.correlation_W.has_value(); }));
-    expectRoundTrip(plain, unitsOf(units));
-    expectRoundTrip(full, unitsOf(units));
+    expectRoundTrip(plain, unitsOfBlock(units));
+    expectRoundTrip(full, unitsOfBlock(units));
   }
 }
 

@@ -1,4 +1,6 @@
 // What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
+#include <fmt/format.h>
+
 #include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <set>

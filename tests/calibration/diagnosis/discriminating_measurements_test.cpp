@@ -75,7 +75,7 @@ std::vector<ReadingCandidate> candidatesOf(const Bench& bench, const Diagnosis& 
   return app::discriminationCandidates(bench.cell, diagnosis.baseline.fitted, bench.readings);
 }
 
-struct Twin {
+struct HiddenOne {
   const char* effect;
   const char* at;
   std::vector<double> values;
@@ -85,7 +85,7 @@ struct Tally {
   int open = 0, by_choice = 0, at_random = 0;
 };
 
-Tally tallyOf(const Twin& twin, int seeds) {
+Tally tallyOf(const HiddenOne& twin, int seeds) {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(seeds); ++seed) {
     Bench bench(twin.effect, twin.at, twin.values, seed);
@@ -112,8 +112,8 @@ Tally tallyOf(const Twin& twin, int seeds) {
 
 TEST(DiscriminatingMeasurements, GetTheHiddenEffectNamedMoreOftenThanRandomOnes) {
   Tally all;
-  for (const Twin& twin :
-       {Twin{"encoder-eccentricity", "theta4", {0.0012, 0.0012}}, Twin{"joint-scale", "theta2", {0.0006}}}) {
+  for (const HiddenOne& twin :
+       {HiddenOne{"encoder-eccentricity", "theta4", {0.0012, 0.0012}}, HiddenOne{"joint-scale", "theta2", {0.0006}}}) {
     const Tally tally = tallyOf(twin, 3);
     all.open += tally.open;
     all.by_choice += tally.by_choice;

@@ -213,7 +213,7 @@ TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
   const KnownReadings readings(9);
   const LinearEvidence evidence = readings.evidence();
   for (const auto& causes : kHypotheses)
-    for (const double size : {0.4, 1.7}) {
+    for (const double size : {0.4, 0.9, 1.7}) {  // 0.9 is not among those tried
       const VectorXd left = readings.missed() - readings.columnsOf(causes) * readings.sizesOf(causes, size).best;
       const VectorXd expected =
           size * size * readings.Z * readings.Z.transpose() * readings.covariance(size).inverse() * left;
@@ -221,6 +221,9 @@ TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
       EXPECT_TRUE(found.isApprox(expected, 1e-9)) << found.transpose() << "\n" << expected.transpose();
     }
   EXPECT_TRUE(evidence.discrepancyWeights({}, 0).isZero(0));
+  KnownReadings without(9);
+  without.Z.setZero();
+  EXPECT_TRUE(without.evidence().discrepancyWeights({}, 0.4).isZero(0));
 }
 
 TEST(LinearEvidence, TheRichestFitTakesTheLargestSize) {

@@ -42,7 +42,7 @@ Diagnosis decided(const Posterior& posterior) {
   return result;
 }
 
-std::string nameOf(const Explanation& explanation) {
+std::string effectsOf(const Explanation& explanation) {
   std::string name;
   for (const auto& found : explanation.effects) name += (name.empty() ? "" : "+") + found.effect;
   return name;
@@ -50,7 +50,7 @@ std::string nameOf(const Explanation& explanation) {
 
 std::vector<std::string> alternativesOf(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
-  for (const auto& one : diagnosis.alternatives) names.push_back(nameOf(one));
+  for (const auto& one : diagnosis.alternatives) names.push_back(effectsOf(one));
   return names;
 }
 
@@ -151,7 +151,7 @@ TEST(Decide, SaysWhatAlternativesAgreeOnWhereItIsLessThanTheFirstSays) {
   EXPECT_FALSE(decided(posterior).agreed);
   posterior.sure = classOf({1}, 1);
   ASSERT_TRUE(decided(posterior).agreed);
-  EXPECT_EQ(nameOf(*decided(posterior).agreed), "1");
+  EXPECT_EQ(effectsOf(*decided(posterior).agreed), "1");
   posterior.sure = classOf({1, 2}, 1);
   EXPECT_FALSE(decided(posterior).agreed);
   posterior = posteriorWith(0, {classOf({1, 2}, 1)});

@@ -8,7 +8,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr int kPostures = 20, kLoads = 3;
-constexpr double kSigma = 1e-4;  // m
+constexpr double kReadingSigma = 1e-4;  // m
 
 struct Readings {
   std::vector<Measurement> readings;
@@ -25,11 +25,11 @@ Readings readingsUnderLoads(std::mt19937_64& random) {
       Measurement reading;
       reading.q = q;
       reading.load = 50. * load;
-      reading.sigma = kSigma;
+      reading.sigma = kReadingSigma;
       reading.p_W = Eigen::Vector3d::Zero();
       made.readings.push_back(reading);
       made.weights.first_row.push_back(made.weights.rows);
-      made.weights.whitener.push_back(Eigen::MatrixXd::Identity(3, 3) / kSigma);
+      made.weights.whitener.push_back(Eigen::MatrixXd::Identity(3, 3) / kReadingSigma);
       made.weights.rows += 3;
     }
   }

@@ -71,13 +71,13 @@ TEST(CorrelatedCoordinates, GoWithWhatWasMeasuredWhereRowsAreShifted) {
 }
 
 /// How often 95 % intervals hold the truth, and how wide they are on average beside those with the whole covariance.
-struct Coverage {
+struct IntervalCoverage {
   int holds = 0, count = 0;
   double width = 0;
 };
 
 void fit(const PlacedArm& truth, const std::vector<Measurement>& readings, const std::vector<std::string>& names,
-         Coverage& coverage) {
+         IntervalCoverage& coverage) {
   IdentificationOptions options;
   options.free = {names, false};
   options.folds = 0;
@@ -99,7 +99,7 @@ TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
                                        "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
   PlacedArm truth = cobra();
   for (auto& row : truth.arm.rows) row.joint.encoder_sigma /= 20;
-  Coverage whole, apart;
+  IntervalCoverage whole, apart;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated);
     maker.sigma_W = Vector3d(0.001, 0.005, 0.005) * kInch;

@@ -32,7 +32,7 @@ deflection::Arm withSideChain() {
 PlacedArm placed(const deflection::Arm& arm) { return {arm, {{"", benchCell().X_WB, true}}}; }
 
 /// Shares of the 95 % intervals that miss the truth, over seeds: a fifth of all is many sigmas off.
-struct Coverage {
+struct LoadedCoverage {
   int outside = 0, all = 0;
   void add(const Identification& found, const deflection::Arm& truth) {
     ASSERT_EQ(found.status, IdentificationStatus::kDone) << found.reason;
@@ -71,7 +71,7 @@ TEST(LoadsOnTheArm, DerivativesByTheBaseTurnTheWrenchToo) {
 }
 
 TEST(LoadsOnTheArm, PushesShowWhatGravityCannot) {
-  Coverage coverage;
+  LoadedCoverage coverage;
   const std::vector<std::string> names{"tool.joint_stiffness.z", "forearm.joint_stiffness.z",
                                        "mezzanine-platform.joint_stiffness.x"};
   double blind_p = 0, hung_width = 0, pushed_width = 0;
@@ -104,7 +104,7 @@ TEST(LoadsOnTheArm, PushesShowWhatGravityCannot) {
 }
 
 TEST(LoadsOnTheArm, WeightOfASideChainIsFound) {
-  Coverage coverage;
+  LoadedCoverage coverage;
   double ignored_p = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const CampaignTruth truth{withEncoders(withSideChain(), 3.5e-5), {{"", benchCell().X_WB}}};

@@ -19,12 +19,6 @@ std::vector<MeasurementKind> kindsOfRows() {
   return kinds;
 }
 
-int rowNamed(const deflection::Arm& arm, const std::string& name) {
-  for (std::size_t k = 0; k < arm.rows.size(); ++k)
-    if (arm.rows[k].name == name) return static_cast<int>(k);
-  throw std::invalid_argument(name);
-}
-
 Measurement tiltOf(const deflection::Arm& arm, std::optional<int> row) {
   Measurement m;
   m.kind = MeasurementKind::kTilt;
@@ -151,7 +145,7 @@ TEST(RowReadings, IntervalsHoldTheTruthAsOftenAsTheySay) {
       for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         const PlacedArm truth = cobra();
         ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated);
-        maker.add(kind, 30, "", rowNamed(truth.arm, row));
+        maker.add(kind, 30, "", deflection::findRow(truth.arm, row).value());
         IdentificationOptions options;
         options.free = {{name}, false};
         options.folds = 0;

@@ -22,9 +22,10 @@ ComparisonOptions refitOf(const std::vector<std::string>& names) {
   return options;
 }
 
-const std::vector<std::string> kStiffnesses = {"tool.joint_stiffness.z", "forearm.joint_stiffness.z"};
+const std::vector<std::string> kTwoStiffnesses = {"tool.joint_stiffness.z", "forearm.joint_stiffness.z"};
 
-Comparison compareCobra(const std::vector<Measurement>& readings, const std::vector<std::string>& free = kStiffnesses) {
+Comparison compareCobra(const std::vector<Measurement>& readings,
+                        const std::vector<std::string>& free = kTwoStiffnesses) {
   return compare(placeForReadings(deflection::cobraArm(), Isometry3d::Identity(), true, readings), readings,
                  refitOf(free));
 }
@@ -38,7 +39,7 @@ struct LinearWorld {
 
   explicit LinearWorld(const std::vector<Measurement>& readings) {
     PlacedArm placed = placeForReadings(deflection::cobraArm(), Isometry3d::Identity(), false, readings);
-    const auto unknowns = chooseUnknowns(placed, {kStiffnesses, true}).list;
+    const auto unknowns = chooseUnknowns(placed, {kTwoStiffnesses, true}).list;
     scene = observe(placed, readings);
     weights = *weighReadings(placed, readings);
     residual = whitenedResidual(placed, unknowns, readings, weights,

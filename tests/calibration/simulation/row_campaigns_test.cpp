@@ -12,16 +12,10 @@
 namespace tubeplan::calibration {
 namespace {
 
-int rowNamed(const deflection::Arm& arm, const std::string& name) {
-  for (std::size_t k = 0; k < arm.rows.size(); ++k)
-    if (arm.rows[k].name == name) return static_cast<int>(k);
-  throw std::invalid_argument(name);
-}
-
 CampaignDesign tiltsOfRows(const deflection::Arm& arm, const std::vector<const char*>& rows) {
   CampaignDesign design = designOf(MeasurementKind::kTilt, 0);
   design.turn_sigma = kAngleSigma;
-  for (const char* row : rows) design.rows.push_back(rowNamed(arm, row));
+  for (const char* row : rows) design.rows.push_back(deflection::findRow(arm, row).value());
   return design;
 }
 

@@ -392,7 +392,7 @@ const std::map<std::string, void (*)()>& closedForms() {
   return kCases;
 }
 
-class EffectClosedForm : public testing::TestWithParam<std::string> {};
+class EffectClosedForm : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EffectClosedForm, Holds) {
   const auto found = closedForms().find(GetParam());
@@ -408,7 +408,7 @@ std::vector<std::string> kindNames() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EffectClosedForm, testing::ValuesIn(kindNames()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Catalogue, EffectClosedForm, ::testing::ValuesIn(kindNames()), [](const auto& test) {
   std::string name = test.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

@@ -12,13 +12,13 @@ namespace {
 
 using Kind = EffectVariable;
 
-constexpr double kLoad = 30 * 4.4482216152605;
+constexpr double kThirtyPounds = 30 * 4.4482216152605;
 
 Signature signatureAt(const std::string& name, const std::string& at) {
   const Arm arm = cobraArm();
   const auto made = makeEffect(arm, name, at);
   EXPECT_EQ(made.status, EffectStatus::kMade) << name << "@" << at;
-  return signatureOf(arm, made.effect, -Eigen::Vector3d::UnitZ(), {.most_load = kLoad});
+  return signatureOf(arm, made.effect, -Eigen::Vector3d::UnitZ(), {.most_load = kThirtyPounds});
 }
 
 double span(const std::vector<double>& values) {

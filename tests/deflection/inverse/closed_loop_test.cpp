@@ -12,9 +12,8 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-using testing::apart, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnChain, testing::drawnReadings;
-constexpr double kQuarter = std::numbers::pi / 2;
-
+using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnChain,
+    testing::drawnReadings;
 /// Whether a posture drawn at random is among those that the roots lead to.
 template <int Size>
 bool isAmongRoots(const DrawnChain& chain, const VectorXd& q) {

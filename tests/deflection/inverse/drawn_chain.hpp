@@ -11,6 +11,8 @@
 
 namespace tubeplan::deflection::testing {
 
+inline constexpr double kQuarter = std::numbers::pi / 2;
+
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : random_(seed) {}

@@ -13,9 +13,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-using testing::apart, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnReadings;
-constexpr double kQuarter = std::numbers::pi / 2;
-
+using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnReadings;
 /// `before` joints of any geometry (with a third axis parallel to the second where `is_plane`), then a wrist whose axes
 /// miss each other by `off` [m].
 DrawnChain drawnWrist(int before, int slide, bool is_plane, double off, Draw& draw) {

@@ -9,11 +9,9 @@ namespace tubeplan::planner {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector4d, Eigen::VectorXd;
+using testing::kFourJoints, testing::kTwoJoints;
 using testing::leastSampled;
 using testing::shape;
-using testing::ToyArm;
-
-const ToyArm kFourJoints{{0.4, 0.35, 0.3, 0.25}, 0.02, 0.01};
 
 JointSpeeds speedsOf(int joints) { return {VectorXd::Constant(joints, 0.5), VectorXd::Constant(joints, 1)}; }
 
@@ -28,9 +26,8 @@ void expectFreeFlow(const MotionPlan& plan, const MotionProblem& problem) {
 }
 
 TEST(DetourShaping, FlowsRoundAPostQuickerThanWithRest) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  auto problem = testing::kTwoJoints.problem(world);
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  auto problem = kTwoJoints.problem(world);
   const Vector2d q0(-0.6, 0), q1(0.6, 0);
   const auto resting = planMotion(q0, q1, problem);
   problem.speeds = speedsOf(2);
@@ -84,9 +81,8 @@ TEST(DetourShaping, QuickeningNeverCostsTimeNorMovesTheEnds) {
 }
 
 TEST(DetourShaping, ABoxedInGoalHasNoWayByOnePosture) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"wall", shape("box", {0.9, 0, 0, 0.6, 0.02, 2, 0, 0, 0}), {}}}));
-  auto problem = testing::kTwoJoints.problem(world);
+  const CollisionWorld world(kTwoJoints.scene({{"wall", shape("box", {0.9, 0, 0, 0.6, 0.02, 2, 0, 0, 0}), {}}}));
+  auto problem = kTwoJoints.problem(world);
   problem.lower = Vector2d(-0.7, -0.05);
   problem.upper = Vector2d(0.7, 0.05);
   problem.speeds = speedsOf(2);

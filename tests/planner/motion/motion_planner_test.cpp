@@ -13,11 +13,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
+using testing::kFourJoints, testing::kTwoJoints;
 using testing::leastSampled;
 using testing::shape;
 using testing::ToyArm;
-
-const ToyArm kFourJoints{{0.4, 0.35, 0.3, 0.25}, 0.02, 0.01};
 
 void expectSound(const MotionPlan& plan, const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem) {
   ASSERT_EQ(plan.status, MotionPlanStatus::kFree) << plan.reason;
@@ -32,8 +31,8 @@ void expectSound(const MotionPlan& plan, const VectorXd& q0, const VectorXd& q1,
 }
 
 TEST(PlanMotion, StraightWhereNothingIsInTheWay) {
-  const CollisionWorld world(testing::kTwoJoints.scene({{"wall", shape("keep_side", {2, 0, 0, -1, 0, 0}), {}}}));
-  const auto problem = testing::kTwoJoints.problem(world);
+  const CollisionWorld world(kTwoJoints.scene({{"wall", shape("keep_side", {2, 0, 0, -1, 0, 0}), {}}}));
+  const auto problem = kTwoJoints.problem(world);
   const MotionPlan plan = planMotion(Vector2d(-1, 0), Vector2d(1, 0.5), problem);
   expectSound(plan, Vector2d(-1, 0), Vector2d(1, 0.5), problem);
   EXPECT_TRUE(plan.straight);
@@ -41,9 +40,8 @@ TEST(PlanMotion, StraightWhereNothingIsInTheWay) {
 }
 
 TEST(PlanMotion, GoesRoundAPostWithTwoJoints) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  const auto problem = testing::kTwoJoints.problem(world);
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  const auto problem = kTwoJoints.problem(world);
   const Vector2d q0(-0.6, 0), q1(0.6, 0);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const MotionPlan plan = planMotion(q0, q1, problem, {.seed = seed});
@@ -98,9 +96,8 @@ TEST(PlanMotion, SaysHonestlyThatAWallCutsTheWay) {
 }
 
 TEST(PlanMotion, SaysWhatBlocksStartOrGoal) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  const auto problem = testing::kTwoJoints.problem(world);
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  const auto problem = kTwoJoints.problem(world);
   const MotionPlan start = planMotion(Vector2d(0, 0), Vector2d(1, 0), problem);
   EXPECT_EQ(start.status, MotionPlanStatus::kStartBlocked);
   EXPECT_NE(start.reason.find("link2 collides with post"), std::string::npos) << start.reason;
@@ -112,9 +109,8 @@ TEST(PlanMotion, SaysWhatBlocksStartOrGoal) {
 }
 
 TEST(PlanMotion, JointsWithoutLimitsAreSearchedToo) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  auto problem = testing::kTwoJoints.problem(world);
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  auto problem = kTwoJoints.problem(world);
   problem.lower.setConstant(-std::numeric_limits<double>::infinity());
   problem.upper.setConstant(std::numeric_limits<double>::infinity());
   expectSound(planMotion(Vector2d(-0.6, 0), Vector2d(0.6, 0), problem), Vector2d(-0.6, 0), Vector2d(0.6, 0), problem);

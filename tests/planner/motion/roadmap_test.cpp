@@ -8,9 +8,9 @@ namespace tubeplan::planner {
 namespace {
 
 using Eigen::Vector2d, Eigen::VectorXd;
+using testing::kTwoJoints;
 using testing::leastSampled;
 using testing::shape;
-using testing::ToyArm;
 
 MotionProblem timed(MotionProblem problem) {
   problem.speeds = JointSpeeds{VectorXd::Constant(2, 0.5), VectorXd::Constant(2, 1)};
@@ -27,9 +27,8 @@ RoadmapOptions small() {
 }
 
 TEST(Roadmap, EveryStretchOfAWayIsFree) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  const auto problem = timed(testing::kTwoJoints.problem(world));
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  const auto problem = timed(kTwoJoints.problem(world));
   const Roadmap roadmap(problem, {Vector2d(-0.6, 0)}, small());
   EXPECT_EQ(roadmap.postures(), 301);
   EXPECT_GT(roadmap.edges(), 600);
@@ -44,9 +43,8 @@ TEST(Roadmap, EveryStretchOfAWayIsFree) {
 }
 
 TEST(Roadmap, TheSameAnswerWhateverWasAskedBefore) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  const auto problem = timed(testing::kTwoJoints.problem(world));
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  const auto problem = timed(kTwoJoints.problem(world));
   const Roadmap one(problem, {}, small()), other(problem, {}, small());
   long checks = 0;
   (void)one.between(Vector2d(1, 1), Vector2d(-2, 1), checks);
@@ -56,9 +54,8 @@ TEST(Roadmap, TheSameAnswerWhateverWasAskedBefore) {
 
 TEST(Roadmap, PartsThatNothingJoinsAreToldApart) {
   // A wall from the base outwards, as tall as the arm is long: the first joint cannot pass it.
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"wall", shape("box", {0.8, 0, 0, 1.2, 0.02, 2, 0, 0, 0}), {}}}));
-  auto problem = timed(testing::kTwoJoints.problem(world, 1.4));
+  const CollisionWorld world(kTwoJoints.scene({{"wall", shape("box", {0.8, 0, 0, 1.2, 0.02, 2, 0, 0, 0}), {}}}));
+  auto problem = timed(kTwoJoints.problem(world, 1.4));
   const Roadmap roadmap(problem, {}, small());
   long checks = 0;
   EXPECT_EQ(roadmap.between(Vector2d(-0.8, 0), Vector2d(0.8, 0), checks).status, RoadmapStatus::kApart);
@@ -70,9 +67,8 @@ TEST(Roadmap, PartsThatNothingJoinsAreToldApart) {
 }
 
 TEST(Roadmap, AnEndThatIsShutInIsNotAttached) {
-  const CollisionWorld world(
-      testing::kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
-  auto problem = timed(testing::kTwoJoints.problem(world));
+  const CollisionWorld world(kTwoJoints.scene({{"post", shape("cylinder", {0.9, 0, -1, 0.9, 0, 1, 0.1}), {}}}));
+  auto problem = timed(kTwoJoints.problem(world));
   RoadmapOptions options = small();
   options.random_postures = 0;
   const Roadmap roadmap(problem, {Vector2d(0, 0)}, options);  // blocked, so left out

@@ -13,7 +13,7 @@
 namespace tubeplan::planner {
 namespace {
 
-double optimum(const Route& route) {
+double bestOfAllOrders(const Route& route) {
   std::vector<int> order(route.visits.size());
   std::iota(order.begin(), order.end(), 0);
   double best = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ TEST_P(BoundSeeds, NeverAboveTheOptimum) {
       OneTreeOptions sparse;
       sparse.complete_up_to = 0;
       sparse.neighbours = 2;
-      const double best = optimum(route);
+      const double best = bestOfAllOrders(route);
       const double complete_bound = oneTreeBound(route).lower_bound,
                    sparse_bound = oneTreeBound(route, sparse).lower_bound;
       EXPECT_LE(complete_bound, best + 1e-9) << visits << " visits";
@@ -60,7 +60,7 @@ TEST(PairGraph, AnyPricesGiveABound) {
   std::mt19937_64 random(21);
   for (int i = 0; i < 20; ++i) {
     const Route route = randomRoute(random, 5, 3, i % 2 == 0, i % 3 == 0);
-    const double best = optimum(route);
+    const double best = bestOfAllOrders(route);
     const PostureTable table(route);
     PairGraph graph(table);
     for (int node = 1; node < table.nodes(); ++node)
@@ -106,7 +106,7 @@ TEST(OneTreeBound, IsWithinTwoPercentForOneBranchEach) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::mt19937_64 random(seed);
     const Route route = randomRoute(random, 7, 1, seed % 2 == 0, false);
-    const double bound = oneTreeBound(route).lower_bound, best = optimum(route);
+    const double bound = oneTreeBound(route).lower_bound, best = bestOfAllOrders(route);
     EXPECT_LE(bound, best + 1e-9);
     near += bound >= 0.98 * best ? 1 : 0;
   }
@@ -122,13 +122,13 @@ TEST(OneTreeBound, CountsTheMoveBetweenTwoFamiliesOfPostures) {
     route.speeds = {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(2, 2, 2)};
     const Eigen::VectorXd beyond = Eigen::Vector3d(30, 0, 0);
     for (int visit = 0; visit < 7; ++visit) {
-      const Eigen::VectorXd q = randomPosture(random, 3);
+      const Eigen::VectorXd q = postureWithinOne(random, 3);
       auto& branches = route.visits.emplace_back().branches;
       if (visit < 5) branches.push_back(q);
       if (visit > 1) branches.push_back(q + beyond);
     }
     OneTreeOptions without;
-    without.known_time = optimum(route);
+    without.known_time = bestOfAllOrders(route);
     without.cut_rounds = 0;
     OneTreeOptions with = without;
     with.cut_rounds = 12;

@@ -15,7 +15,7 @@ namespace tubeplan::planner {
 
 using testing::uniform;
 
-inline Eigen::VectorXd randomPosture(std::mt19937_64& random, int joints) {
+inline Eigen::VectorXd postureWithinOne(std::mt19937_64& random, int joints) {
   return testing::randomPosture(random, joints, -1, 1);
 }
 
@@ -31,11 +31,11 @@ inline Route randomRoute(std::mt19937_64& random, int visits, int most_branches,
   for (int v = 0; v < visits; ++v) {
     Visit visit;
     const int branches = 1 + static_cast<int>(random() % static_cast<std::uint64_t>(most_branches));
-    for (int b = 0; b < branches; ++b) visit.branches.push_back(randomPosture(random, 3));
+    for (int b = 0; b < branches; ++b) visit.branches.push_back(postureWithinOne(random, 3));
     route.visits.push_back(visit);
   }
-  if (start) route.start = randomPosture(random, 3);
-  if (end) route.end = randomPosture(random, 3);
+  if (start) route.start = postureWithinOne(random, 3);
+  if (end) route.end = postureWithinOne(random, 3);
   return route;
 }
 

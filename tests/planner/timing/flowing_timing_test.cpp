@@ -13,7 +13,7 @@ const JointSpeeds kUneven{Eigen::Vector3d(1, 0.5, 2), Eigen::Vector3d(2, 4, 1)};
 
 std::vector<VectorXd> randomWaypoints(std::mt19937_64& random, int count) {
   std::vector<VectorXd> waypoints;
-  for (int k = 0; k < count; ++k) waypoints.push_back(randomPosture(random, 3));
+  for (int k = 0; k < count; ++k) waypoints.push_back(postureWithinOne(random, 3));
   return waypoints;
 }
 
