@@ -15,12 +15,6 @@ double offsetLength(const Row<double>& row) {
   return std::get<Origin<double>>(row.placement).position.norm();
 }
 
-double slideLength(const Joint<double>& joint) {
-  if (joint.type != JointType::kPrismatic) return 0;
-  const double longest = std::max(std::abs(joint.lower), std::abs(joint.upper));
-  return std::abs(joint.offset) + (std::isfinite(longest) ? longest : 0);
-}
-
 }  // namespace
 
 std::vector<int> activeRows(const Arm& arm) {
@@ -72,15 +66,25 @@ Arm rigidCopy(const Arm& arm) {
   return rigid;
 }
 
+Eigen::Vector3d memberOf(const Arm& arm, int row) {
+  return row + 1 < static_cast<int>(arm.rows.size()) ? offsetInPreviousAxes<double>(arm.rows[row + 1]) : arm.p_LT;
+}
+
 Eigen::Vector3d undeflectedMember(const Arm& arm, int row) {
-  if (arm.rows.at(row).joint.type == JointType::kPrismatic) return Eigen::Vector3d::UnitZ();
-  if (row + 1 == static_cast<int>(arm.rows.size())) return arm.p_LT;
-  return offsetInPreviousAxes<double>(arm.rows[row + 1]);
+  return arm.rows.at(row).joint.type == JointType::kPrismatic ? Eigen::Vector3d::UnitZ() : memberOf(arm, row);
+}
+
+double slideLength(const Joint<double>& joint) {
+  if (joint.type != JointType::kPrismatic) return 0;
+  return std::max(std::abs(joint.lower + joint.offset), std::abs(joint.upper + joint.offset));
 }
 
 double reachOf(const Arm& arm) {
   double reach = arm.p_LT.norm();
-  for (const auto& row : arm.rows) reach += offsetLength(row) + slideLength(row.joint);
+  for (const auto& row : arm.rows) {
+    const double slide = slideLength(row.joint);
+    reach += offsetLength(row) + (std::isfinite(slide) ? slide : 0);
+  }
   return reach;
 }
 

@@ -206,11 +206,17 @@ bool dependsOnPosture(const ArmOf<S>& arm) {
 /// The same arm without any flexibility, that of its effects included.
 Arm rigidCopy(const Arm& arm);
 
-/// The member of a row in its axes [m], joints at zero: to the next row's origin or the tip. Of a prismatic row the
-/// direction of its bar, a unit vector.
+/// From a row's origin, or the end of its slide, to the next row's origin or the tip: in its axes [m], undeflected.
+Eigen::Vector3d memberOf(const Arm& arm, int row);
+
+/// What of a row bends: its member; of a prismatic row the direction of its bar, a unit vector.
 Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 
-/// The largest distance the tip can have from the base, joints at their longest [m]; the yardstick of tolerances.
+/// The greatest length of a slide [m], infinite without limits; 0 of any other joint.
+double slideLength(const Joint<double>& joint);
+
+/// The largest distance the tip can have from the base, joints at their longest [m]; the yardstick of tolerances, so
+/// slides without limits count as nothing.
 double reachOf(const Arm& arm);
 
 /// What makes an arm unusable. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).

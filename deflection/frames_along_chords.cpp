@@ -8,10 +8,6 @@ namespace tubeplan::deflection {
 
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-Vector3d memberOf(const Arm& arm, int row) {
-  return row + 1 < static_cast<int>(arm.rows.size()) ? offsetInPreviousAxes<double>(arm.rows[row + 1]) : arm.p_LT;
-}
-
 namespace {
 
 /// Greatest distance of a bent element from its chord, of the cubic with its end displacement d and end rotation w.

@@ -7,9 +7,6 @@
 
 namespace tubeplan::deflection {
 
-/// A row's member without deflection, in its axes [m].
-[[nodiscard]] Eigen::Vector3d memberOf(const Arm& arm, int row);
-
 /// Each row's frame in the world, turned so that its member lies along the bent member's chord. `bow` gets the greatest
 /// distance of a bent member from its chord [m]; it may be null.
 [[nodiscard]] std::vector<Eigen::Isometry3d> framesAlongChords(const Arm& arm, const Eigen::Isometry3d& X_WB,

@@ -61,6 +61,7 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
           {"statics_not_covered", check.statics_not_covered},
           {"worst_speed_share", check.worst_speed_share},
           {"worst_acceleration_share", check.worst_acceleration_share},
+          {"deflection_travel_sampled", check.deflection_travel_sampled},
           {"least_margin_proved", lengthOf(check.least_margin, units)},
           {"tightest", check.tightest},
           {"warnings", warnings},
@@ -83,6 +84,9 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
     fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
   fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n",
              check.worst_speed_share, check.worst_acceleration_share, check.least_margin / length, units.length().name);
+  if (!check.deflection_travel_sampled.empty())
+    fmt::print("between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n",
+               check.deflection_travel_sampled);
   for (const auto& finding : check.findings) fmt::print("  {}\n", finding);
 }
 

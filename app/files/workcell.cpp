@@ -1,25 +1,40 @@
 #include "app/files/workcell.hpp"
 
+#include <cmath>
+
 #include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
 
-planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
+namespace {
+
+void refuseWhatIsNotPlannedFor(const Cell& cell, const std::string& purpose) {
+  const std::string needed = ": needed to " + purpose;
   if (!cell.tool_axis_stated)
     throw InputError(
-        cell.path, "no insertion direction of the tool", "it: needed to " + purpose,
+        cell.path, "no insertion direction of the tool", "it" + needed,
         "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
-  for (const auto& row : cell.arm.rows)
+  for (const auto& row : cell.arm.rows) {
     if (!row.joint.follows.empty())
       throw InputError(cell.path, "the joint " + row.joint.name + ", which follows others",
-                       "joints with encoder readings of their own: needed to " + purpose,
+                       "joints with encoder readings of their own" + needed,
                        "give it a reading of its own: motions of coupled joints are not planned");
+    if (!std::isfinite(deflection::slideLength(row.joint)))
+      throw InputError(cell.path, "the slide " + row.joint.name + " without limits",
+                       "how far it goes either way" + needed, "add limits: [LOWEST, HIGHEST] to its joint");
+  }
   if (!cell.arm.side_chains.empty())
     throw InputError(
         cell.path,
         "the side chain at " + cell.arm.rows[static_cast<std::size_t>(cell.arm.side_chains.front().row)].name,
-        "an arm without side chains: needed to " + purpose,
+        "an arm without side chains" + needed,
         "if it does not move, write its weight as a lump of the link that carries it");
+}
+
+}  // namespace
+
+planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
+  refuseWhatIsNotPlannedFor(cell, purpose);
   planner::Workcell work;
   work.arm = cell.arm;
   work.arm.mountings.clear();  // of set-ups on a bench: the arm is planned for on its own mounting

@@ -6,7 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Throws InputError where the cell has no tube sheet or no calibration tool; `purpose` continues "needed to ...".
+/// Throws InputError where the cell has no tube sheet or no calibration tool, or an arm that is not planned for;
+/// `purpose` continues "needed to ...".
 [[nodiscard]] planner::Workcell workcellOf(const Cell& cell, const std::string& purpose);
 
 }  // namespace tubeplan::app

@@ -51,10 +51,9 @@ std::vector<LinkReach> linksOf(const Workcell& cell, const std::vector<double>& 
     link.joint = joint.type == deflection::JointType::kPassive     ? LinkReach::Joint::kNone
                  : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
                                                                    : LinkReach::Joint::kRevolute;
-    for (const auto& followed : joint.follows) link.follows.emplace_back(followed.row, followed.ratio);
+    link.follows = joint.follows;
     // A slide lengthens the way from the row before it to its own frame.
-    if (joint.type == deflection::JointType::kPrismatic && !links.empty())
-      links.back().step += std::max(std::abs(joint.lower + joint.offset), std::abs(joint.upper + joint.offset));
+    if (!links.empty()) links.back().step += deflection::slideLength(joint);
     links.push_back(link);
   }
   return links;

@@ -18,11 +18,12 @@ constexpr double kMostBending = 0.1;  // rad, of one element; the law of bending
 constexpr int kMostTerms = 200;
 constexpr double kBowShare = 0.3;  // of what a member's end moves: how far its bow from the chord can change
 
-/// All numbers are greatest values over every posture. A row's origin stands for the place of its joint's element, the
-/// far end of its member for that of its beam.
+/// All numbers are greatest values over every posture, slides drawn out. A row's origin stands for the place of its
+/// joint's element, the far end of its member for that of its beam.
 struct FlexiblePlace {
+  int row;
   double compliance;  ///< rad/(N m)
-  double length;      ///< m, of the member; 0 for a joint
+  double length;      ///< m, of the member, or of a slide's bar; 0 for a joint
   double moment;      ///< N m per unit of gravity: first moment about the near end of all that hangs beyond
   double weight;      ///< N beyond the near end
   double reach;       ///< m, of any body point beyond, from the near end
@@ -35,9 +36,10 @@ double weightOf(const deflection::Row<double>& row, double length) {
   return weight;
 }
 
-double momentOf(const deflection::Row<double>& row, double length) {
+/// Lumps are at `lumps` from the row's origin and as far as they say.
+double momentOf(const deflection::Row<double>& row, double length, double lumps) {
   double moment = row.weight.distributed * length * length / 2 + row.weight.end * length;
-  for (const auto& lump : row.weight.lumps) moment += std::abs(lump.weight) * lump.at.norm();
+  for (const auto& lump : row.weight.lumps) moment += std::abs(lump.weight) * (lumps + lump.at.norm());
   return moment;
 }
 
@@ -59,17 +61,17 @@ class Bound {
     double weight = cell.load, moment = 0, reach = 0;
     for (int row = rows - 1; row >= 0; --row) {
       const auto& numbers = arm_.rows[static_cast<std::size_t>(row)];
-      const Eigen::Vector3d member = deflection::undeflectedMember(arm_, row);
-      const double length = member.norm() * kLengthening;
-      moment += weight * length + momentOf(numbers, length);
+      const Eigen::Vector3d member = deflection::memberOf(arm_, row), bar = barOf(numbers, member);
+      const double slide = deflection::slideLength(numbers.joint) * kLengthening, length = bar.norm() * kLengthening;
+      moment += weight * (slide + member.norm() * kLengthening) + momentOf(numbers, length, slide);
       weight += weightOf(numbers, length);
-      reach = std::max(reach + length, body_reach[static_cast<std::size_t>(row)]);
-      add({complianceOf(numbers, deflection::ElementPlace::kMember, member), length, moment, weight, reach, 0});
-      add({complianceOf(numbers, deflection::ElementPlace::kOrigin, member), 0, moment, weight, reach, 0});
-      moment_at_origin_.push_back(moment);
+      reach = slide + std::max(reach + member.norm() * kLengthening, body_reach[static_cast<std::size_t>(row)]);
+      add({row, complianceOf(numbers, deflection::ElementPlace::kMember, bar), length, moment, weight, reach, 0});
+      add({row, complianceOf(numbers, deflection::ElementPlace::kOrigin, bar), 0, moment, weight, reach, 0});
+      at_origin_.push_back({moment, weight});
     }
     std::ranges::reverse(places_);
-    std::ranges::reverse(moment_at_origin_);
+    std::ranges::reverse(at_origin_);
     spread();
   }
 
@@ -77,15 +79,15 @@ class Bound {
     return std::ranges::all_of(places_, [](const FlexiblePlace& place) { return place.bending <= kMostBending; });
   }
 
-  /// Travel per radian of the joint at a row's origin; not finite where the series does not converge.
+  /// Travel per radian that a row is turned, or per metre that it slides; not finite where the series does not
+  /// converge.
   [[nodiscard]] double travelBy(int row) const {
-    Eigen::VectorXd first(static_cast<Eigen::Index>(places_.size()));
-    for (std::size_t e = 0; e < places_.size(); ++e) {
-      // The joint turns what hangs beyond it; of that, an element further out carries its own part alone.
-      const double moment = std::min(places_[e].moment, moment_at_origin_[static_cast<std::size_t>(row)]);
-      first[static_cast<Eigen::Index>(e)] = places_[e].compliance * moment;
-    }
-    Eigen::VectorXd sum = first, term = first;
+    const bool is_slide = arm_.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
+    Eigen::VectorXd sum(static_cast<Eigen::Index>(places_.size()));
+    std::ranges::transform(places_, sum.begin(), [&](const FlexiblePlace& place) {
+      return is_slide ? gainedBySlide(place, row) : gainedByTurn(place, row);
+    });
+    Eigen::VectorXd term = sum;
     for (int k = 0; k < kMostTerms && term.sum() > 1e-12 * sum.sum(); ++k) {
       term = spread_ * term;
       sum += term;
@@ -97,6 +99,31 @@ class Bound {
   static constexpr double kLengthening = 1 + kMostBending * kMostBending;
 
  private:
+  struct Hanging {
+    double moment, weight;  ///< N m about the row's origin, and N
+  };
+
+  /// What of a row bends, slides drawn out [m].
+  static Eigen::Vector3d barOf(const deflection::Row<double>& row, const Eigen::Vector3d& member) {
+    if (row.joint.type != deflection::JointType::kPrismatic) return member;
+    return deflection::slideLength(row.joint) * Eigen::Vector3d::UnitZ();
+  }
+
+  /// What an element's rotation gains at first [rad/rad]: the joint turns what hangs beyond it, and of that an element
+  /// further out carries its own part alone.
+  [[nodiscard]] double gainedByTurn(const FlexiblePlace& place, int row) const {
+    return place.compliance * std::min(place.moment, at_origin_[static_cast<std::size_t>(row)].moment);
+  }
+
+  /// The same [rad/m]: a longer bar bends more, as its compliance grows with its length; what is before it carries the
+  /// bar's load further out, and the weight of the bar that comes out with it.
+  [[nodiscard]] double gainedBySlide(const FlexiblePlace& place, int row) const {
+    if (place.row > row) return 0;
+    if (place.row == row && place.length > 0) return kLengthening * place.compliance / place.length * place.moment;
+    const double bar_weight = arm_.rows[static_cast<std::size_t>(row)].weight.distributed;
+    return place.compliance * (at_origin_[static_cast<std::size_t>(row)].weight + bar_weight * place.reach);
+  }
+
   /// The displacement of a member's end for the rotation that it gains.
   static double displacement(const FlexiblePlace& place) { return place.length * (1 + 2 * place.bending); }
 
@@ -134,7 +161,7 @@ class Bound {
 
   const Arm& arm_;
   std::vector<FlexiblePlace> places_;
-  std::vector<double> moment_at_origin_;  ///< by rows
+  std::vector<Hanging> at_origin_;  ///< by rows
   Eigen::MatrixXd spread_;
 };
 
@@ -147,10 +174,10 @@ double gapJumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
   const auto context = deflection::contextOf(cell.arm, posture);
   double jump = 0, reach = 0;
   for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
-    reach = std::max(reach + deflection::undeflectedMember(context.arm, row).norm(),
-                     body_reach[static_cast<std::size_t>(row)]);
-    const auto& effect_terms = context.arm.rows[static_cast<std::size_t>(row)].effect_terms;
-    if (effect_terms) jump += effect_terms->gap.cwiseAbs().sum() * reach;
+    const auto& numbers = context.arm.rows[static_cast<std::size_t>(row)];
+    reach = deflection::slideLength(numbers.joint) +
+            std::max(reach + deflection::memberOf(context.arm, row).norm(), body_reach[static_cast<std::size_t>(row)]);
+    if (numbers.effect_terms) jump += numbers.effect_terms->gap.cwiseAbs().sum() * reach;
   }
   return jump;
 }
@@ -164,12 +191,11 @@ DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<doub
   travel.jump = gapJumpOf(cell, body_reach);
   if (dependsOnPosture(cell.arm)) return refuse("the arm has effects beyond its elements");
   for (const auto& row : cell.arm.rows)
-    if (row.joint.type == deflection::JointType::kPrismatic) return refuse("the arm has a sliding joint");
+    if (!std::isfinite(deflection::slideLength(row.joint))) return refuse("the arm has a slide without limits");
   const Bound bound(cell, body_reach);
   if (!bound.bendsLittle()) return refuse("an element may rotate by more than 0.1 rad");
   const auto active = deflection::activeRows(cell.arm);
-  travel.per_joint.resize(static_cast<Eigen::Index>(active.size()));
-  travel.per_joint.setZero();
+  travel.per_joint.setZero(static_cast<Eigen::Index>(active.size()));
   for (std::size_t j = 0; j < active.size(); ++j)
     for (const auto& turned : deflection::turnedWith(cell.arm, active[j]))
       travel.per_joint[static_cast<Eigen::Index>(j)] += std::abs(turned.ratio) * bound.travelBy(turned.row);

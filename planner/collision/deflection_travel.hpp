@@ -8,6 +8,10 @@
 //                   + W_e y_e ),
 // where y <= l x (1 + 2 theta) is the displacement at the end of a member of length l that bends by theta at most. All
 // factors are positive and small: the inequalities are solved by summing the series that they stand for.
+//
+// A joint that slides by ds takes all beyond it further out. Elements before it gain C_e (W + w r_e) at first, W the
+// weight on the bar and w that of a metre of it, r_e its end's distance; the bar itself, whose compliance grows with
+// its length l, C_e m_e / l. All else is taken with every slide drawn out to its limit.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,8 +36,8 @@ struct DeflectionTravel {
 /// the margin of every posture. `body_reach`: greatest distance of a body point from each row's frame [m].
 [[nodiscard]] double gapJumpOf(const Workcell& cell, const std::vector<double>& body_reach);
 
-/// With the same `body_reach`. Not proved for an arm with effects, with
-/// slides, or so soft that members bend by more than 0.1 rad.
+/// With the same `body_reach`. Not proved for an arm with effects, with slides without limits, or so soft that members
+/// bend by more than 0.1 rad.
 [[nodiscard]] DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 
 }  // namespace tubeplan::planner

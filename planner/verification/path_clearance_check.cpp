@@ -44,10 +44,11 @@ double thickestBody(const Scene& scene) {
 
 /// The lengths of all rows beyond a row's axis and the thickest body: no point is further from it.
 double reachBeyond(const deflection::Arm& arm, int row, double thick) {
-  deflection::Arm beyond;
-  beyond.rows.assign(arm.rows.begin() + row + 1, arm.rows.end());
-  beyond.p_LT.setZero();
-  return deflection::reachOf(beyond) + thick;
+  double reach = thick;
+  for (std::size_t next = static_cast<std::size_t>(row) + 1; next < arm.rows.size(); ++next)
+    reach +=
+        deflection::memberOf(arm, static_cast<int>(next) - 1).norm() + deflection::slideLength(arm.rows[next].joint);
+  return reach;
 }
 
 /// Per joint, what it can move a point by, with the rows that turn with it. A slide moves all by 1.
@@ -55,12 +56,11 @@ VectorXd leversOf(const Workcell& cell, double thick) {
   const auto active = deflection::activeRows(cell.arm);
   VectorXd lever = VectorXd::Zero(static_cast<Eigen::Index>(active.size()));
   for (int j = 0; j < lever.size(); ++j) {
-    const int row = active[static_cast<std::size_t>(j)];
-    if (cell.arm.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic)
-      lever[j] = 1;
-    else
-      for (const auto& turned : deflection::turnedWith(cell.arm, row))
-        lever[j] += std::abs(turned.ratio) * reachBeyond(cell.arm, turned.row, thick);
+    for (const auto& moved : deflection::turnedWith(cell.arm, active[static_cast<std::size_t>(j)])) {
+      const auto& joint = cell.arm.rows[static_cast<std::size_t>(moved.row)].joint;
+      const bool is_slide = joint.type == deflection::JointType::kPrismatic;
+      lever[j] += std::abs(moved.ratio) * (is_slide ? 1 : reachBeyond(cell.arm, moved.row, thick));
+    }
   }
   return lever;
 }
@@ -87,6 +87,7 @@ class PathClearance {
       lever_ = deflection.stretch * lever_ + deflection.per_joint;
     else
       lever_ *= deflectionFactor(cell);
+    result_.deflection_travel_sampled = deflection.reason;
     lever_ *= 1 + BasePadding(cell, options.padding).slope();
   }
 

@@ -53,7 +53,9 @@ struct PlanCheck {
   double worst_approach = 0;                                        ///< m
   double worst_statics = std::numeric_limits<double>::quiet_NaN();  ///< m, between the tips of both methods at tubes
   std::string statics_not_covered;  ///< why the second method says nothing of this arm; empty where it does
-  double worst_speed_share = 0;     ///< of the limit
+  /// Why the share of the travel between rows that is deflection's is sampled; empty where it is proved.
+  std::string deflection_travel_sampled;
+  double worst_speed_share = 0;  ///< of the limit
   double worst_acceleration_share = 0;
   double least_play = std::numeric_limits<double>::infinity();  ///< m, of what is in a tube; infinite where nothing is
   double least_margin = std::numeric_limits<double>::infinity();  ///< m, proved between rows

@@ -70,6 +70,18 @@ TEST(DeflectionTravel, BoundsAnArmWhoseForearmALinkageTurns) {
   }
 }
 
+/// Up and down a bar that bends, whatever hangs on it, and level: the bar's own weight bends it, too.
+TEST(DeflectionTravel, BoundsAnArmWithASlide) {
+  for (const bool is_level : {false, true})
+    for (const double load : {0., 200.}) {
+      Workcell cell = testing::mockup("column.yaml");
+      cell.load = load;
+      for (auto& row : cell.arm.rows) row.beam->I /= 3;
+      if (is_level) cell.X_WB.linear() = Eigen::AngleAxisd(1.5, Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+      expectBounded(cell, 4);
+    }
+}
+
 /// One element at a time is the only one that gives: its travel is held against differences of the deflected shape.
 TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
   const Workcell nominal = testing::mockup();
@@ -101,6 +113,31 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
         }
       }
     }
+}
+
+/// What a level slide moves beyond its own way along the end of its bent bar, of a bar and a bearing that give.
+TEST(DeflectionTravel, BoundsWhatASlideGains) {
+  for (const bool bar_bends : {true, false}) {
+    Workcell cell = testing::rigid(testing::mockup("column.yaml"));
+    cell.X_WB.linear() = Eigen::AngleAxisd(1.5, Vector3d::UnitX()).toRotationMatrix();
+    auto& row = cell.arm.rows[0];
+    if (bar_bends)
+      row.beam = testing::mockup("column.yaml").arm.rows[0].beam;
+    else
+      row.joint_stiffness.setConstant(3e4);
+    const auto travel = deflectionTravelOf(cell, bodyReachOf(cell));
+    ASSERT_TRUE(travel.is_proved) << travel.reason;
+    std::mt19937_64 random(1);
+    double most = 0;
+    for (int k = 0; k < 300; ++k) {
+      const VectorXd q = testing::randomPosture(cell.arm, random), moved = q + 1e-5 * VectorXd::Unit(q.size(), 0);
+      const auto before = pointsAt(cell, q, nullptr), after = pointsAt(cell, moved, nullptr);
+      const Vector3d way = 1e-5 * bodyFrames(cell, q, nullptr)[0].linear().col(2);
+      for (std::size_t p = 0; p < before.size(); ++p) most = std::max(most, (after[p] - before[p] - way).norm() / 1e-5);
+    }
+    EXPECT_LE(most, travel.per_joint[0]);
+    EXPECT_GE(most, 0.3 * travel.per_joint[0]) << "the bound is far from what happens";
+  }
 }
 
 /// Two joints and a beam, each of them compliant: what one gains turns the others, and that again, to the end of the
@@ -158,6 +195,44 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   EXPECT_NE(without.reason.find("compliant"), std::string::npos) << without.reason;
 }
 
+/// A joint, and a slide in a bearing that gives, on a bar that bends.
+TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
+  Workcell cell = testing::mockup();
+  deflection::Row<double> turn, slide;
+  turn.placement = deflection::Origin<double>{};
+  turn.joint.type = deflection::JointType::kRevolute;
+  turn.joint_stiffness = Vector3d::Constant(1500);
+  turn.weight.end = 20;
+  slide.placement = deflection::DenavitHartenberg<double>{0, 0.5, 0, 0};
+  slide.joint = {.type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6};
+  slide.joint_stiffness = Vector3d::Constant(700);
+  slide.beam = deflection::Beam<double>{};
+  slide.beam->E = 720;
+  slide.beam->I.head<2>().setOnes();
+  slide.weight.distributed = 10;
+  slide.weight.end = 5;
+  cell.arm = {};
+  cell.arm.rows = {turn, slide};
+  cell.arm.p_LT = Vector3d(0.8, 0, 0);
+  cell.load = 30;
+  const auto travel = deflectionTravelOf(cell, {0.2, 1});
+  ASSERT_TRUE(travel.is_proved) << travel.reason;
+
+  const double stretch = 1.01, a = 0.5 * stretch, bar = 0.7 * stretch, tip = 0.8 * stretch;
+  const double W1 = 30 + 5 + 10 * bar, M1 = 30 * (bar + tip) + 5 * bar + 10 * bar * bar / 2, M0 = M1 + (W1 + 20) * a;
+  const Vector3d compliance(1. / 1500, 1. / 700, 0.7 / 720), moment(M0, M1, M1), weight(W1 + 20, W1, W1);
+  const Vector3d bending = compliance.cwiseProduct(moment), reach(bar + 1 + a, bar + 1, bar + 1);
+  const Vector3d displacement(0, 0, bar * (1 + 2 * bending[2]));
+  Eigen::Matrix3d round;
+  for (int e = 0; e < 3; ++e)
+    for (int other = 0; other < 3; ++other)
+      round(e, other) = compliance[e] * (other < e ? moment[e] : moment[other] + weight[other] * displacement[other]);
+  const Vector3d first(compliance[0] * (W1 + 10 * reach[0]), compliance[1] * (W1 + 10 * reach[1]), M1 / 720);
+  const Vector3d arms = (Vector3d::Ones() + 2 * bending).cwiseProduct(reach) + 0.3 * displacement;
+  ASSERT_EQ(travel.per_joint.size(), 2);
+  EXPECT_NEAR(travel.per_joint[1], arms.dot((Eigen::Matrix3d::Identity() - round).inverse() * first), 1e-10);
+}
+
 /// Where a joint's clearance snaps over, all beyond it jumps.
 TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
   Workcell cell = testing::mockup();
@@ -177,6 +252,13 @@ TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
   const auto travel = deflectionTravelOf(cell, thin);
   EXPECT_FALSE(travel.is_proved);
   EXPECT_EQ(travel.jump, gapJumpOf(cell, thin));
+  // A slide carries what is beyond it as far as it goes out.
+  auto& slide = cell.arm.rows[5].joint;
+  slide.type = deflection::JointType::kPrismatic;
+  slide.offset = 0.1;
+  slide.lower = -1.7;
+  slide.upper = 1.2;
+  EXPECT_NEAR(gapJumpOf(cell, thick), 0.002 * (1.6 + tool) + 0.003 * (1.6 + forearm + tool), 1e-9);
 }
 
 TEST(DeflectionTravel, ARigidArmAddsNothing) {
@@ -191,10 +273,12 @@ TEST(DeflectionTravel, TellsWhereItProvesNothing) {
   cell.load = 1e5;
   EXPECT_FALSE(deflectionTravelOf(cell, bodyReachOf(cell)).is_proved);
   cell = testing::mockup();
-  cell.arm.rows.back().joint.type = deflection::JointType::kPrismatic;
+  auto& slide = cell.arm.rows.back().joint;
+  slide.type = deflection::JointType::kPrismatic;
+  slide.upper = std::numeric_limits<double>::infinity();
   const auto travel = deflectionTravelOf(cell, bodyReachOf(cell));
   EXPECT_FALSE(travel.is_proved);
-  EXPECT_NE(travel.reason.find("slid"), std::string::npos);
+  EXPECT_NE(travel.reason.find("slide without limits"), std::string::npos) << travel.reason;
 }
 
 }  // namespace

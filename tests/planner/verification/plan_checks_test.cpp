@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "deflection/effects/effect.hpp"
 #include "tests/planner/verification/plan_alterations.hpp"
 #include "tests/planner/verification/stated_plan.hpp"
 #include "tests/planner/workcell.hpp"
@@ -223,6 +224,17 @@ TEST(CheckPlan, NothingThinIsSteppedOverByALinkTurnedWithAnother) {
         });
         EXPECT_TRUE(found) << ratio << " " << step << " " << where;
       }
+}
+
+TEST(CheckPlan, SaysWhereTheTravelThatDeflectionAddsIsSampled) {
+  Workcell cell = twoLinks();
+  StatedPlan plan;
+  plan.path = {{0, 0, SegmentKind::kApproach, VectorXd::Zero(2)}};
+  EXPECT_EQ(checkPlan(cell, plan).deflection_travel_sampled, "");
+  auto effect = deflection::makeEffect(cell.arm, "joint-offset", "link2").effect;
+  effect.values = {0.001};
+  cell.arm.effects.push_back(effect);
+  EXPECT_EQ(checkPlan(cell, plan).deflection_travel_sampled, "the arm has effects beyond its elements");
 }
 
 TEST_F(Checked, ALeaveThatTheToolsBodyStatesEndsOnTravelAsInThePlan) {
