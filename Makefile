@@ -4,6 +4,7 @@
 # make site   the documents, every command and the catalogue of effects as a site in build/site/html
 # make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
 #                sanitize-program and sanitize-threads in a row
+# make coverage  lines and branches that sanitize-libraries and sanitize-program have run, by folder
 # make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
 # make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
 # make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
@@ -18,7 +19,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test sanitize sanitize-libraries sanitize-program sanitize-threads mutants clean-root bench package site program packages format clean
+.PHONY: demo test sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -40,6 +41,9 @@ LIBRARY_TESTS := tubesheets_test deflection_test calibration_test planner_test v
 
 sanitize: sanitize-libraries sanitize-program sanitize-threads
 
+# Where the sanitized tests leave what of the source they ran; `coverage` adds it up.
+sanitize-libraries sanitize-program: export LLVM_PROFILE_FILE = $(CURDIR)/build-asan/profiles/%4m.profraw
+
 build-asan/build.ninja: $(BUILD)/.packages-sanitize CMakePresets.json
 	cmake --preset asan
 	@touch $@
@@ -60,6 +64,9 @@ sanitize-threads: $(BUILD)/.packages-sanitize
 	cmake --preset tsan -DTBB_DIR=$(CURDIR)/build-tsan/tbb/installed/lib/cmake/TBB
 	cmake --build build-tsan -j $(JOBS)
 	ctest --test-dir build-tsan -LE web --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
+
+coverage:
+	python3 tests/coverage.py build-asan
 
 mutants: $(BUILD)/build.ninja
 	cmake --build $(BUILD) -j $(JOBS)

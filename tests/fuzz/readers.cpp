@@ -43,10 +43,18 @@ const Cell& mockup() {
   return kCell;
 }
 
-/// A file of that name with the text in it, in memory; for readers of files alone.
+/// In memory, with the shipped files in it: what a text refers to is there.
+std::string makeFolder() {
+  const std::string folder = "/dev/shm/tubeplan-fuzz-" + std::to_string(::getppid());
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy(kCells, folder,
+                        std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+  return folder;
+}
+
+/// A file of that name with the text in it; for readers of files alone.
 std::string fileOf(const std::string& text, const std::string& name) {
-  static const std::string kFolder = "/dev/shm/tubeplan-fuzz-" + std::to_string(::getppid());
-  std::filesystem::create_directories(kFolder);
+  static const std::string kFolder = makeFolder();
   const std::string path = kFolder + "/" + name;
   std::ofstream(path, std::ios::binary) << text;
   return path;

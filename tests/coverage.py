@@ -1,0 +1,61 @@
+"""coverage.py BUILD: what of each folder the tests have run that were built with `-fcoverage-mapping` (the asan preset) and
+have left their profiles in BUILD/profiles, as a table: lines, branches (either way counts once) and functions. The files with
+the most branches that were never taken are listed under it."""
+import collections
+import json
+import pathlib
+import subprocess
+import sys
+
+FOLDERS = ("tubesheets", "deflection", "calibration", "planner", "app")
+KINDS = ("lines", "branches", "functions")
+LISTED = 20
+
+
+def programs(build):
+    """Whatever the tests run: their own executables and the program."""
+    found = [path for path in (build / "tests").rglob("*_test") if path.is_file()]
+    return [str(path) for path in sorted(found) + [build / "tubeplan"] if path.exists()]
+
+
+def summaries(build):
+    """Of every file, llvm-cov's counts."""
+    profile = build / "coverage.profdata"
+    profiles = sorted(map(str, (build / "profiles").glob("*.profraw")))
+    if not profiles:
+        sys.exit(f"{build}/profiles is empty: no test has run, or not by `make sanitize`")
+    subprocess.run(["llvm-profdata-16", "merge", "-sparse", "-o", profile, *profiles], check=True)
+    first, *others = programs(build)
+    objects = [word for path in others for word in ("-object", path)]
+    words = ["llvm-cov-16", "export", "-summary-only", f"-instr-profile={profile}", first, *objects]
+    return json.loads(subprocess.run(words, check=True, stdout=subprocess.PIPE).stdout)["data"][0]["files"]
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    root = build.parent
+    sums = {folder: collections.Counter() for folder in (*FOLDERS, "all")}
+    missed = []
+    for file in summaries(build):
+        path = pathlib.Path(file["filename"])
+        name = str(path.relative_to(root)) if path.is_relative_to(root) else ""
+        folder = name.split("/")[0]
+        if folder not in FOLDERS:
+            continue
+        for kind in KINDS:
+            for part in ("count", "covered"):
+                for total in (sums[folder], sums["all"]):
+                    total[kind, part] += file["summary"][kind][part]
+        branches = file["summary"]["branches"]
+        missed.append((branches["count"] - branches["covered"], branches["count"], name))
+    print("| folder | " + " | ".join(KINDS) + " |\n|" + "---|" * (1 + len(KINDS)))
+    for folder, total in sums.items():
+        cells = [f"{100 * total[kind, 'covered'] / max(1, total[kind, 'count']):.1f} % of {total[kind, 'count']:,}" for kind in KINDS]
+        print(f"| {folder} | " + " | ".join(cells) + " |")
+    print("\nbranches never taken, files with the most:")
+    for count, whole, name in sorted(missed, reverse=True)[:LISTED]:
+        print(f"  {count:4} of {whole:4}  {name}")
+
+
+if __name__ == "__main__":
+    main()
