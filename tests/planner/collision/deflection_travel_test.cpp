@@ -140,8 +140,23 @@ TEST(DeflectionTravel, BoundsWhatASlideGains) {
   }
 }
 
-/// Two joints and a beam, each of them compliant: what one gains turns the others, and that again, to the end of the
-/// geometric series, whose sum is the inverse of the identity less one round.
+/// Two joints and a beam of this length, each of them compliant: what one gains turns the others, and that again, to
+/// the end of the geometric series, whose sum is the inverse of the identity less one round.
+struct ThreeElements {
+  Vector3d compliance, moment, weight, reach;
+  double beam = 0;
+
+  [[nodiscard]] double travelBy(const Vector3d& first) const {
+    const Vector3d bending = compliance.cwiseProduct(moment), displacement(0, 0, beam * (1 + 2 * bending[2]));
+    Eigen::Matrix3d round;
+    for (int e = 0; e < 3; ++e)
+      for (int other = 0; other < 3; ++other)
+        round(e, other) = compliance[e] * (other < e ? moment[e] : moment[other] + weight[other] * displacement[other]);
+    const Vector3d arms = (Vector3d::Ones() + 2 * bending).cwiseProduct(reach) + 0.3 * displacement;
+    return arms.dot((Eigen::Matrix3d::Identity() - round).inverse() * first);
+  }
+};
+
 TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   Workcell cell = testing::mockup();
   deflection::Row<double> upper, fore;
@@ -165,19 +180,10 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   const double stretch = 1.01, a = 0.5 * stretch, b = 0.8 * stretch;
   const double W1 = 30 + 10 * b, M1 = 30 * b + 10 * b * b / 2, M0 = M1 + (W1 + 20) * a;
   const Vector3d compliance(1. / 1500, 1. / 700, 0.8 / 720), moment(M0, M1, M1), weight(W1 + 20, W1, W1);
-  const Vector3d bending = compliance.cwiseProduct(moment), reach(1 + a, 1, 1);
-  const Vector3d displacement(0, 0, b * (1 + 2 * bending[2]));
-  Eigen::Matrix3d round;
-  for (int e = 0; e < 3; ++e)
-    for (int other = 0; other < 3; ++other)
-      round(e, other) = compliance[e] * (other < e ? moment[e] : moment[other] + weight[other] * displacement[other]);
-  const Vector3d arms = (Vector3d::Ones() + 2 * bending).cwiseProduct(reach) + 0.3 * displacement;
-  const auto by = [&](const Vector3d& turned) {
-    return arms.dot((Eigen::Matrix3d::Identity() - round).inverse() * compliance.cwiseProduct(turned));
-  };
+  const ThreeElements elements{compliance, moment, weight, {1 + a, 1, 1}, b};
   ASSERT_EQ(travel.per_joint.size(), 2);
-  EXPECT_NEAR(travel.per_joint[0], by(moment), 1e-10);
-  EXPECT_NEAR(travel.per_joint[1], by(Vector3d::Constant(M1)), 1e-10);
+  EXPECT_NEAR(travel.per_joint[0], elements.travelBy(compliance.cwiseProduct(moment)), 1e-10);
+  EXPECT_NEAR(travel.per_joint[1], elements.travelBy(compliance * M1), 1e-10);
   EXPECT_EQ(travel.stretch, stretch);
 
   // As many joints at one place, each within its own limit, have no end to the series.
@@ -204,7 +210,8 @@ TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
   turn.joint_stiffness = Vector3d::Constant(1500);
   turn.weight.end = 20;
   slide.placement = deflection::DenavitHartenberg<double>{0, 0.5, 0, 0};
-  slide.joint = {.type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6};
+  slide.joint = {
+      .name = "slide", .type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6};
   slide.joint_stiffness = Vector3d::Constant(700);
   slide.beam = deflection::Beam<double>{};
   slide.beam->E = 720;
@@ -221,16 +228,11 @@ TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
   const double stretch = 1.01, a = 0.5 * stretch, bar = 0.7 * stretch, tip = 0.8 * stretch;
   const double W1 = 30 + 5 + 10 * bar, M1 = 30 * (bar + tip) + 5 * bar + 10 * bar * bar / 2, M0 = M1 + (W1 + 20) * a;
   const Vector3d compliance(1. / 1500, 1. / 700, 0.7 / 720), moment(M0, M1, M1), weight(W1 + 20, W1, W1);
-  const Vector3d bending = compliance.cwiseProduct(moment), reach(bar + 1 + a, bar + 1, bar + 1);
-  const Vector3d displacement(0, 0, bar * (1 + 2 * bending[2]));
-  Eigen::Matrix3d round;
-  for (int e = 0; e < 3; ++e)
-    for (int other = 0; other < 3; ++other)
-      round(e, other) = compliance[e] * (other < e ? moment[e] : moment[other] + weight[other] * displacement[other]);
+  const Vector3d reach(bar + 1 + a, bar + 1, bar + 1);
   const Vector3d first(compliance[0] * (W1 + 10 * reach[0]), compliance[1] * (W1 + 10 * reach[1]), M1 / 720);
-  const Vector3d arms = (Vector3d::Ones() + 2 * bending).cwiseProduct(reach) + 0.3 * displacement;
+  const ThreeElements elements{compliance, moment, weight, reach, bar};
   ASSERT_EQ(travel.per_joint.size(), 2);
-  EXPECT_NEAR(travel.per_joint[1], arms.dot((Eigen::Matrix3d::Identity() - round).inverse() * first), 1e-10);
+  EXPECT_NEAR(travel.per_joint[1], elements.travelBy(first), 1e-10);
 }
 
 /// Where a joint's clearance snaps over, all beyond it jumps.
