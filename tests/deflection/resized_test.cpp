@@ -7,8 +7,9 @@
 
 #include "deflection/posture_batch.hpp"
 
-/// The address sanitizer's allocator says no as any other, where it would end the program.
+/// The sanitizers' allocators say no as any other, where they would end the program.
 extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
+extern "C" const char* __tsan_default_options() { return "allocator_may_return_null=1"; }
 
 namespace tubeplan::deflection {
 namespace {

@@ -3,6 +3,9 @@
 
 #include "tests/app/workbench/running_server.hpp"
 
+/// The address sanitizer keeps as much of the memory that was freed as the server may grow by: less of it here.
+extern "C" const char* __asan_default_options() { return "quarantine_size_mb=32"; }
+
 namespace tubeplan::app {
 namespace {
 
