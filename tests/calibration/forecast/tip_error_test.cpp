@@ -12,6 +12,8 @@
 namespace tubeplan::calibration {
 namespace {
 
+const Eigen::Matrix<double, 6, 6> kNoCovariance = Eigen::Matrix<double, 6, 6>::Zero();
+
 /// Postures under other holes than those touched.
 std::vector<Eigen::VectorXd> otherPostures() {
   std::vector<Eigen::VectorXd> postures;
@@ -35,7 +37,7 @@ TEST(TipError, OfAModelWithoutErrorIsThatOfBaseAndReadings) {
   const auto touches = touchesOf(cell, 0.005, 3);
   const auto base = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
   const auto postures = otherPostures();
-  const TipErrorQuestion asked{cell.arm, base.X_WB, 0, touches, {}, StatedModelError{0, 0}, postures};
+  const TipErrorQuestion asked{cell.arm, base.X_WB, 0, touches, kNoCovariance, StatedModelError{0, 0}, postures};
   const TipError found = findTipError(asked);
   EXPECT_EQ(found.source, ModelErrorSource::kStated);
   for (std::size_t k = 0; k < postures.size(); ++k) {
@@ -52,8 +54,9 @@ TEST(TipError, AStatedErrorAddsToBaseAndHole) {
   const auto touches = touchesOf(cell, 0.005, 3);
   const auto base = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
   const double sigma = 0.02 * kInch;
-  const TipErrorQuestion none{cell.arm, base.X_WB, 0, touches, {}, StatedModelError{0, 0}, otherPostures()};
-  const TipErrorQuestion some{cell.arm, base.X_WB, 0, touches, {}, StatedModelError{sigma, 0}, otherPostures()};
+  const TipErrorQuestion none{cell.arm, base.X_WB, 0, touches, kNoCovariance, StatedModelError{0, 0}, otherPostures()};
+  const TipErrorQuestion some{cell.arm,       base.X_WB, 0, touches, kNoCovariance, StatedModelError{sigma, 0},
+                              otherPostures()};
   const auto without = findTipError(none), with = findTipError(some);
   for (std::size_t k = 0; k < with.at.size(); ++k) {
     const Eigen::Matrix2d more = covarianceOf(with.at[k]) - covarianceOf(without.at[k]);
@@ -66,7 +69,7 @@ TEST(TipError, WithFewDegreesOfFreedomHasWiderTails) {
   const auto cell = touchedCell();
   const double size = 0.02 * kInch;
   const auto variance = [&](double sigma, int freedom) {
-    const TipErrorQuestion asked{cell.arm,       cell.X_WB_true, 0, {}, {}, StatedModelError{sigma, freedom},
+    const TipErrorQuestion asked{cell.arm,       cell.X_WB_true, 0, {}, kNoCovariance, StatedModelError{sigma, freedom},
                                  otherPostures()};
     const TipError found = findTipError(asked);
     EXPECT_NEAR(weightOf(found.at[0]), 1, 1e-12);
@@ -84,7 +87,7 @@ TEST(TipError, GrowsWithTheMisfitOfTheTouches) {
   auto touches = touchesOf(cell, 0.005, 3);
   const auto errorAt = [&] {
     const auto base = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
-    const TipErrorQuestion asked{cell.arm, base.X_WB, 0, touches, {}, std::nullopt, otherPostures()};
+    const TipErrorQuestion asked{cell.arm, base.X_WB, 0, touches, kNoCovariance, std::nullopt, otherPostures()};
     const TipError found = findTipError(asked);
     EXPECT_EQ(found.source, ModelErrorSource::kTouches);
     for (const auto& cases : found.at) EXPECT_NEAR(weightOf(cases), 1, 1e-12);
