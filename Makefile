@@ -64,7 +64,7 @@ sanitize-threads: $(BUILD)/.packages-sanitize
 	tests/sanitize/thread_tbb.sh build-tsan/tbb
 	cmake --preset tsan -DTBB_DIR=$(CURDIR)/build-tsan/tbb/installed/lib/cmake/TBB
 	cmake --build build-tsan -j $(JOBS)
-	ctest --test-dir build-tsan -LE web --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
+	TSAN_OPTIONS=suppressions=$(CURDIR)/tests/sanitize/thread.supp ctest --test-dir build-tsan -LE web --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
 
 coverage:
 	python3 tests/coverage.py build-asan

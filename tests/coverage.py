@@ -31,17 +31,25 @@ def summaries(build):
     return json.loads(subprocess.run(words, check=True, stdout=subprocess.PIPE).stdout)["data"][0]["files"]
 
 
+def name_of(filename, root):
+    """A file of the source's name in it, however the compiler was told of it; empty of other files."""
+    parts = pathlib.Path(filename).parts
+    for first in range(len(parts)):
+        if parts[first] in FOLDERS and root.joinpath(*parts[first:]).is_file():
+            return "/".join(parts[first:])
+    return ""
+
+
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     root = build.parent
     sums = {folder: collections.Counter() for folder in (*FOLDERS, "all")}
     missed = []
     for file in summaries(build):
-        path = pathlib.Path(file["filename"])
-        name = str(path.relative_to(root)) if path.is_relative_to(root) else ""
-        folder = name.split("/")[0]
-        if folder not in FOLDERS:
+        name = name_of(file["filename"], root)
+        if not name:
             continue
+        folder = name.split("/")[0]
         for kind in KINDS:
             for part in ("count", "covered"):
                 for total in (sums[folder], sums["all"]):

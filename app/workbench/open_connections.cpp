@@ -15,14 +15,16 @@ void TaskThreads::enqueue(std::function<void()> task) {
   const auto shared = std::make_shared<std::function<void()>>(std::move(task));
   const auto run = [this, shared] {
     (*shared)();
-    std::unique_lock lock(mutex_);
+    *shared = nullptr;
+    // Within the lock: who waits may put an end to all of this as soon as it is given back.
+    const std::lock_guard lock(mutex_);
     --running_;
-    return lock;
+    ended_.notify_all();
   };
   try {
-    std::thread([this, run] { std::notify_all_at_thread_exit(ended_, run()); }).detach();
+    std::thread(run).detach();
   } catch (const std::system_error&) {
-    (void)run();  // no more threads: the others wait, and nobody is lost
+    run();  // no more threads: the others wait, and nobody is lost
   }
 }
 
