@@ -66,9 +66,7 @@ Arm rigidCopy(const Arm& arm) {
   return rigid;
 }
 
-Eigen::Vector3d memberOf(const Arm& arm, int row) {
-  return row + 1 < static_cast<int>(arm.rows.size()) ? offsetInPreviousAxes<double>(arm.rows[row + 1]) : arm.p_LT;
-}
+Eigen::Vector3d memberOf(const Arm& arm, int row) { return offsetToNext<double>(arm, static_cast<std::size_t>(row)); }
 
 Eigen::Vector3d undeflectedMember(const Arm& arm, int row) {
   return arm.rows.at(row).joint.type == JointType::kPrismatic ? Eigen::Vector3d::UnitZ() : memberOf(arm, row);

@@ -62,10 +62,11 @@ class Bound {
     for (int row = rows - 1; row >= 0; --row) {
       const auto& numbers = arm_.rows[static_cast<std::size_t>(row)];
       const Eigen::Vector3d member = deflection::memberOf(arm_, row), bar = barOf(numbers, member);
-      const double slide = deflection::slideLength(numbers.joint) * kLengthening, length = bar.norm() * kLengthening;
-      moment += weight * (slide + member.norm() * kLengthening) + momentOf(numbers, length, slide);
+      const double slide = deflection::slideLength(numbers.joint) * kLengthening, step = member.norm() * kLengthening,
+                   length = bar.norm() * kLengthening;
+      moment += weight * (slide + step) + momentOf(numbers, length, slide);
       weight += weightOf(numbers, length);
-      reach = slide + std::max(reach + member.norm() * kLengthening, body_reach[static_cast<std::size_t>(row)]);
+      reach = slide + std::max(reach + step, body_reach[static_cast<std::size_t>(row)]);
       add({row, complianceOf(numbers, deflection::ElementPlace::kMember, bar), length, moment, weight, reach, 0});
       add({row, complianceOf(numbers, deflection::ElementPlace::kOrigin, bar), 0, moment, weight, reach, 0});
       at_origin_.push_back({moment, weight});

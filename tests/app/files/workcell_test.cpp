@@ -1,6 +1,8 @@
 // What is not planned for is refused before anything is planned.
 #include "app/files/workcell.hpp"
 
+#include <limits>
+
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -10,7 +12,7 @@ class WorkcellRefusals : public ::testing::Test {
  protected:
   Cell cell = readCell((shippedCells() / "column.yaml").string());
 
-  void expectRefused(const std::string& found, const std::string& advice) {
+  static void expectRefused(const Cell& cell, const std::string& found, const std::string& advice) {
     const std::string message = messageOf([&] { (void)workcellOf(cell, "plan a visit"); });
     expectSays(message, found);
     expectSays(message, "needed to plan a visit");
@@ -26,11 +28,10 @@ TEST_F(WorkcellRefusals, TheCellAsShippedIsPlannedFor) {
 
 TEST_F(WorkcellRefusals, ASlideWithoutLimits) {
   for (const bool lower : {true, false}) {
-    Cell copy = cell;
-    auto& slide = cell.arm.rows[0].joint;
+    Cell without = cell;
+    auto& slide = without.arm.rows[0].joint;
     (lower ? slide.lower : slide.upper) = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
-    expectRefused("the slide lift without limits", "add limits: [LOWEST, HIGHEST]");
-    cell = copy;
+    expectRefused(without, "the slide lift without limits", "add limits: [LOWEST, HIGHEST]");
   }
 }
 
@@ -38,17 +39,17 @@ TEST_F(WorkcellRefusals, AJointThatFollowsOthers) {
   auto& joint = cell.arm.rows[2].joint;
   joint.type = deflection::JointType::kPassive;
   joint.follows = {{1, -1}};
-  expectRefused("the joint elbow, which follows others", "a reading of its own");
+  expectRefused(cell, "the joint elbow, which follows others", "a reading of its own");
 }
 
 TEST_F(WorkcellRefusals, ASideChain) {
   cell.arm.side_chains.push_back({1, {cell.arm.rows[2]}});
-  expectRefused("the side chain at upper-link", "a lump of the link");
+  expectRefused(cell, "the side chain at upper-link", "a lump of the link");
 }
 
 TEST_F(WorkcellRefusals, AToolWithoutADirection) {
   cell.tool_axis_stated = false;
-  expectRefused("no insertion direction of the tool", "add tool: {axis: [x, y, z]}");
+  expectRefused(cell, "no insertion direction of the tool", "add tool: {axis: [x, y, z]}");
 }
 
 }  // namespace

@@ -157,23 +157,30 @@ struct ThreeElements {
   }
 };
 
-TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
+/// A joint in a bearing that gives, and another of this kind whose beam bends about these two axes.
+Workcell twoRows(const deflection::Joint<double>& outer, const Vector3d& bends) {
+  deflection::Row<double> first, second;
+  first.placement = deflection::Origin<double>{};
+  first.joint.type = deflection::JointType::kRevolute;
+  first.joint_stiffness = Vector3d::Constant(1500);
+  first.weight.end = 20;
+  second.placement = deflection::DenavitHartenberg<double>{0, 0.5, 0, 0};
+  second.joint = outer;
+  second.joint_stiffness = Vector3d::Constant(700);
+  second.beam = deflection::Beam<double>{};
+  second.beam->E = 720;
+  second.beam->I = bends.cwiseInverse();
+  second.weight.distributed = 10;
   Workcell cell = testing::mockup();
-  deflection::Row<double> upper, fore;
-  upper.placement = deflection::Origin<double>{};
-  upper.joint_stiffness = Vector3d::Constant(1500);
-  upper.weight.end = 20;
-  fore.placement = deflection::DenavitHartenberg<double>{0, 0.5, 0, 0};
-  fore.joint_stiffness = Vector3d::Constant(700);
-  fore.beam = deflection::Beam<double>{};
-  fore.beam->E = 720;
-  fore.beam->I.tail<2>().setOnes();
-  fore.weight.distributed = 10;
-  for (auto* row : {&upper, &fore}) row->joint.type = deflection::JointType::kRevolute;
   cell.arm = {};
-  cell.arm.rows = {upper, fore};
+  cell.arm.rows = {first, second};
   cell.arm.p_LT = Vector3d(0.8, 0, 0);
   cell.load = 30;
+  return cell;
+}
+
+TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
+  Workcell cell = twoRows({.name = "turn", .type = deflection::JointType::kRevolute}, {0, 1, 1});
   const auto travel = deflectionTravelOf(cell, {0.2, 1});
   ASSERT_TRUE(travel.is_proved) << travel.reason;
 
@@ -187,6 +194,7 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   EXPECT_EQ(travel.stretch, stretch);
 
   // As many joints at one place, each within its own limit, have no end to the series.
+  auto upper = cell.arm.rows[0], fore = cell.arm.rows[1];
   upper.joint_stiffness.setConstant(1000);
   upper.weight.end = 0;
   fore.joint_stiffness.setConstant(1000);
@@ -203,25 +211,10 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
 
 /// A joint, and a slide in a bearing that gives, on a bar that bends.
 TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
-  Workcell cell = testing::mockup();
-  deflection::Row<double> turn, slide;
-  turn.placement = deflection::Origin<double>{};
-  turn.joint.type = deflection::JointType::kRevolute;
-  turn.joint_stiffness = Vector3d::Constant(1500);
-  turn.weight.end = 20;
-  slide.placement = deflection::DenavitHartenberg<double>{0, 0.5, 0, 0};
-  slide.joint = {
-      .name = "slide", .type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6};
-  slide.joint_stiffness = Vector3d::Constant(700);
-  slide.beam = deflection::Beam<double>{};
-  slide.beam->E = 720;
-  slide.beam->I.head<2>().setOnes();
-  slide.weight.distributed = 10;
-  slide.weight.end = 5;
-  cell.arm = {};
-  cell.arm.rows = {turn, slide};
-  cell.arm.p_LT = Vector3d(0.8, 0, 0);
-  cell.load = 30;
+  Workcell cell =
+      twoRows({.name = "slide", .type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6},
+              {1, 1, 0});
+  cell.arm.rows[1].weight.end = 5;
   const auto travel = deflectionTravelOf(cell, {0.2, 1});
   ASSERT_TRUE(travel.is_proved) << travel.reason;
 
