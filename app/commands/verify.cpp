@@ -12,6 +12,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
 #include "app/documents/figures.hpp"
+#include "app/files/input_error.hpp"
 #include "app/files/plan_reader.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
@@ -75,11 +76,11 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
   fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
   fmt::print("largest centring error {:.1e} {}, largest deviation from a hole's axis during an approach {:.5f} {}\n",
              check.worst_centring / length, units.length().name, check.worst_approach / length, units.length().name);
-  if (check.statics_not_covered.empty())
+  if (!check.statics_not_covered.empty())
+    fmt::print("statics not checked independently: {}\n", check.statics_not_covered);
+  else if (std::isfinite(check.worst_statics))
     fmt::print("independent statics on finely segmented members: the tip within {:.5f} {} of that\n",
                check.worst_statics / length, units.length().name);
-  else
-    fmt::print("statics not checked independently: {}\n", check.statics_not_covered);
   if (std::isfinite(check.least_play))
     fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
   fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; margin beyond the clearance at least {:.4f} {}\n",
@@ -96,6 +97,9 @@ int run(const VerifyOptions& options) {
   const PlanFiles files = readPlanFiles(options.folder, planned);
   checkJsonTarget(options.json);
   const planner::Workcell work = checkedWorkcell(cell, planned, files);
+  if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
+    throw InputError(options.folder + "/plan.json padding", "a plan kept off by what the base may be out",
+                     "a cell.yaml beside it with the base's covariance", "plan again");
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";

@@ -175,11 +175,13 @@ Session readProject(const fs::path& file) {
 }
 
 json projectSummary(const fs::path& file) {
+  constexpr std::size_t kLongestHead = 1u << 16;
   std::ifstream stream(file, std::ios::binary);
-  std::string line;
-  if (!std::getline(stream, line)) return nullptr;
+  std::string line(kLongestHead, ' ');
+  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(std::min(line.find('\n'), static_cast<std::size_t>(stream.gcount())));
   const json head = json::parse(line, nullptr, false);
-  if (!head.is_object() || head.value("format", "") != kProjectFormat.name) return nullptr;
+  if (!head.is_object() || !head.contains("format") || head["format"] != kProjectFormat.name) return nullptr;
   json summary = {{"file", file.filename().string()}};
   for (const auto& part : head.value("question", json::array()))
     if (part.is_array() && part.size() == 2 && part[0].is_string()) summary[part[0].get<std::string>()] = part[1];

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "app/files/input_error.hpp"
+#include "app/files/json_value.hpp"
 
 namespace tubeplan::app {
 
@@ -15,29 +14,22 @@ using nlohmann::json;
 constexpr std::size_t kLongestText = 1u << 16;
 constexpr std::size_t kLongestList = 20000;
 
-[[noreturn]] void refuse(const std::string& key, const json& value, const std::string& expected) {
-  const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-  throw InputError("request (" + key + ")", inQuotes(text), expected);
-}
-
 const json* find(const json& object, const std::string& key) {
   const auto found = object.find(key);
   return found == object.end() || found->is_null() ? nullptr : &*found;
 }
 
-std::string textIn(const json& value, const std::string& key) {
-  if (!value.is_string() || value.get_ref<const std::string&>().size() > kLongestText) refuse(key, value, "a text");
-  return value.get<std::string>();
+JsonValue valueIn(const json& value, const std::string& key) { return {value, "request (" + key + ")"}; }
+
+std::string textIn(const JsonValue& value) {
+  std::string text = value.text();
+  if (text.size() > kLongestText) value.refuse(fmt::format("a text of at most {} bytes", kLongestText));
+  return text;
 }
 
-double numberIn(const json& value, const std::string& key) {
-  if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(key, value, "a finite number");
-  return value.get<double>();
-}
-
-const json& listIn(const json& value, const std::string& key, const std::string& expected) {
-  if (!value.is_array() || value.size() > kLongestList) refuse(key, value, expected);
-  return value;
+std::vector<JsonValue> itemsIn(const json& list, const std::string& key) {
+  if (list.size() > kLongestList) valueIn(list, key).refuse(fmt::format("a list of at most {} items", kLongestList));
+  return valueIn(list, key).items();
 }
 
 }  // namespace
@@ -55,50 +47,42 @@ json objectOf(const Request& request) {
 
 int integerOf(const json& object, const std::string& key, int otherwise, int least, int most) {
   const json* value = find(object, key);
-  if (!value) return otherwise;
-  const std::string expected = fmt::format("a whole number from {} to {}", least, most);
-  if (!value->is_number()) refuse(key, *value, expected);
-  const double number = value->get<double>();
-  if (!(number >= least && number <= most) || number != std::floor(number)) refuse(key, *value, expected);
-  return static_cast<int>(number);
+  return value ? valueIn(*value, key).integer(least, most) : otherwise;
 }
 
 std::uint64_t seedOf(const json& object) {
   const json* value = find(object, "seed");
   if (!value) return 1;
-  if (!value->is_number_unsigned()) refuse("seed", *value, "a whole number, zero or more");
+  if (!value->is_number_unsigned()) valueIn(*value, "seed").refuse("a whole number, zero or more");
   return value->get<std::uint64_t>();
 }
 
 double numberOf(const json& object, const std::string& key, double otherwise) {
   const json* value = find(object, key);
-  return value ? numberIn(*value, key) : otherwise;
+  return value ? valueIn(*value, key).number() : otherwise;
 }
 
 bool booleanOf(const json& object, const std::string& key, bool otherwise) {
   const json* value = find(object, key);
-  if (!value) return otherwise;
-  if (!value->is_boolean()) refuse(key, *value, "true or false");
-  return value->get<bool>();
+  return value ? valueIn(*value, key).boolean() : otherwise;
 }
 
 std::string textOf(const json& object, const std::string& key, const std::string& otherwise) {
   const json* value = find(object, key);
-  return value ? textIn(*value, key) : otherwise;
+  return value ? textIn(valueIn(*value, key)) : otherwise;
 }
 
 std::vector<std::string> textsOf(const json& object, const std::string& key) {
   std::vector<std::string> texts;
   const json* value = find(object, key);
   if (!value) return texts;
-  for (const auto& item : listIn(*value, key, "a list of texts")) texts.push_back(textIn(item, key));
+  for (const auto& item : itemsIn(*value, key)) texts.push_back(textIn(item));
   return texts;
 }
 
 std::vector<double> numbersOf(const json& object, const std::string& key) {
   std::vector<double> numbers;
-  for (const auto& item : listIn(requiredOf(object, key, "a list of numbers"), key, "a list of numbers"))
-    numbers.push_back(numberIn(item, key));
+  for (const auto& item : itemsIn(requiredOf(object, key, "a list of numbers"), key)) numbers.push_back(item.number());
   return numbers;
 }
 

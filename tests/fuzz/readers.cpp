@@ -1,28 +1,32 @@
 // Every reader of files that come from elsewhere, for libFuzzer: what it is given is read or refused, and nothing else.
 // TUBEPLAN_READER names the reader. See tests/fuzz/run.sh.
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/files/arm_reader.hpp"
 #include "app/files/campaign_reader.hpp"
 #include "app/files/cell_reader.hpp"
+#include "app/files/checkpoint/checkpoint_file.hpp"
 #include "app/files/checkpoint/plan_cache_json.hpp"
+#include "app/files/checkpoint/tally_checkpoint.hpp"
 #include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_reader.hpp"
 #include "app/files/mesh_reader.hpp"
+#include "app/files/plan_reader.hpp"
 #include "app/files/text_file.hpp"
 #include "app/files/urdf_reader.hpp"
+#include "app/files/workcell.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 #include "app/workbench/project.hpp"
 #include "deflection/effects/formula.hpp"
+#include "planner/verification/plan_checks.hpp"
+#include "tests/fuzz/fuzzed_folder.hpp"
+#include "tests/fuzz/workbench_calls.hpp"
 #include "tubesheets/hole_map_csv.hpp"
 #include "tubesheets/work_list.hpp"
 
@@ -31,33 +35,14 @@ namespace {
 using namespace tubeplan;
 using namespace tubeplan::app;
 
-const std::string kCells = TUBEPLAN_SOURCE_DIR "/app/cells/";
-
 const Cell& bench() {
-  static const Cell kCell = readCell(kCells + "bench.yaml");
+  static const Cell kCell = readCell(shippedCell("bench.yaml"));
   return kCell;
 }
 
 const Cell& mockup() {
-  static const Cell kCell = readCell(kCells + "mockup.yaml");
+  static const Cell kCell = readCell(shippedCell("mockup.yaml"));
   return kCell;
-}
-
-/// In memory, with the shipped files in it: what a text refers to is there.
-std::string makeFolder() {
-  const std::string folder = "/dev/shm/tubeplan-fuzz-" + std::to_string(::getppid());
-  std::filesystem::create_directories(folder);
-  std::filesystem::copy(kCells, folder,
-                        std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
-  return folder;
-}
-
-/// A file of that name with the text in it; for readers of files alone.
-std::string fileOf(const std::string& text, const std::string& name) {
-  static const std::string kFolder = makeFolder();
-  const std::string path = kFolder + "/" + name;
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
 }
 
 void readArmText(const std::string& text) { (void)readArm(parseYaml(text, "arm")); }
@@ -88,6 +73,35 @@ void readMeshText(const std::string& text) { (void)readMeshFile(fileOf(text, "me
 void readStlText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.stl")); }
 void readProjectText(const std::string& text) { (void)readProject(fileOf(text, "mine.tubeplan")); }
 void readCacheText(const std::string& text) { (void)cacheFrom(nlohmann::json::parse(text)); }
+/// plan.json, and from the first line that begins so path.csv.
+void writePlanText(const std::string& text) {
+  const auto path = std::min(text.find("time_s,"), text.size());
+  fileOf(text.substr(0, path), "plan.json");
+  fileOf(text.substr(path), "path.csv");
+}
+void readPlanText(const std::string& text) {
+  writePlanText(text);
+  (void)readPlanFiles(fuzzedFolder(), mockup());
+}
+void verifyPlanText(const std::string& text) {
+  writePlanText(text);
+  planner::Workcell work = workcellOf(mockup(), "verify a plan on it");
+  const PlanFiles files = readPlanFiles(fuzzedFolder(), mockup());
+  work.load = files.load;
+  work.insertion = files.insertion;
+  planner::PlanCheckOptions options;
+  options.padding = files.padding_sigmas;
+  (void)planner::checkPlan(work, files.plan, options);
+}
+
+/// A tally's content under a first line that fits it, or a whole file that may not.
+void readTallyText(const std::string& text) {
+  constexpr CheckpointFormat kFormat{"tubeplan campaign tally 1", "", ""};
+  static const PlanKey kQuestion{{"seed", "1"}};
+  fileOf(text.starts_with("{\"format") ? text : checkpointText(kFormat, kQuestion, text), kTallyFile);
+  (void)TallyCheckpoint(fuzzedFolder(), true).begin(kQuestion, 1000);
+}
+
 void editText(const std::string& text) {
   (void)parseYaml(text, "text");
   (void)parseYaml(withYamlValue(text, "base.position", "[1, 2, 3]"), "edited");
@@ -114,6 +128,12 @@ constexpr Reader kReaders[] = {
     {"stl", readStlText, false},
     {"project", readProjectText, false},
     {"cache", readCacheText},
+    {"plan", readPlanText},
+    {"verify", verifyPlanText},
+    {"tally", readTallyText},
+    {"call", callWorkbench, false},
+    {"door", knockAtDoor, false},
+    {"lines", sendLines, false},
     {"yaml-edit", editText},
 };
 

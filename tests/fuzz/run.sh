@@ -1,12 +1,13 @@
 #!/bin/sh
-# Gives every reader damaged text for so many seconds each, begun from the shipped files and what earlier runs have found
-# (build-asan/corpus). `tests/fuzz/run.sh SECONDS [READER...]`; a find ends it with its input in build-asan/finds.
+# Gives every reader damaged text for so many seconds each, begun from the shipped files, small ones of the tests and what
+# earlier runs have found (corpus/ in the build folder). `tests/fuzz/run.sh SECONDS [READER...]`; a find ends it with its
+# input in finds/. BUILD names another folder than build-asan.
 set -eu
 cd "$(dirname "$0")/../.."
 seconds=${1:?seconds for each reader}
 shift
-readers=${*:-arm cell measurements foreign urdf hole-map work-list selection formula campaign mesh stl project cache yaml-edit}
-out=build-asan
+readers=${*:-arm cell measurements foreign urdf hole-map work-list selection formula campaign mesh stl project cache plan verify tally yaml-edit call door lines}
+out=${BUILD:-build-asan}
 mkdir -p $out/finds
 for reader in $readers; do
   corpus=$out/corpus/$reader
@@ -16,8 +17,15 @@ for reader in $readers; do
     cell | yaml-edit) cp app/cells/*.yaml "$corpus" ;;
     urdf) cp tests/app/urdf/*.urdf "$corpus" ;;
     hole-map) cp app/cells/sheets/*.csv "$corpus" 2> /dev/null || true ;;
+    verify) cp tests/fuzz/corpus/plan/* "$corpus" ;;
+    call | door) ;;
+    *) cp tests/fuzz/corpus/$reader/* "$corpus" ;;
   esac
-  [ -d tests/fuzz/corpus/$reader ] && cp tests/fuzz/corpus/$reader/* "$corpus"
+  # Many in one file, lines of "==" between them; HTTP ends its lines with carriage returns.
+  case $reader in
+    call) awk -v to="$corpus" 'BEGIN { RS = "==\n"; ORS = "" } { print > (to "/call-" NR) }' tests/fuzz/corpus/call/calls.txt ;;
+    door) awk -v to="$corpus" 'BEGIN { RS = "==\n"; ORS = "" } { gsub("\n", "\r\n"); print > (to "/request-" NR) }' tests/fuzz/corpus/door/requests.txt ;;
+  esac
   leaks=1
   case $reader in
     urdf | stl) leaks=0 ;; # urdfdom itself leaks robots whose links go round in a ring, assimp the object of an STL text

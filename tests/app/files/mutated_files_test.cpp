@@ -5,6 +5,7 @@
 #include "app/files/cell_reader.hpp"
 #include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/measurements_reader.hpp"
+#include "app/files/plan_reader.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "tests/app/test_files.hpp"
 
@@ -57,6 +58,19 @@ TEST_F(MutatedCell, cellsAreReadOrRefused) {
   std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml");
   expectReadOrRefused(contentOf(shippedCells() / "mockup.yaml"), 200,
                       [&](const std::string& text) { (void)readCell(write("cell.yaml", text)); });
+}
+
+TEST_F(MutatedCell, plansAreReadOrRefused) {
+  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  const std::string both = contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "tests/fuzz/corpus/plan/two_tubes");
+  const std::string plan = both.substr(0, both.find("time_s,")), path = both.substr(plan.size());
+  const auto read = [&](const std::string& one, const std::string& other) {
+    (void)write("plan.json", one);
+    (void)write("path.csv", other);
+    (void)readPlanFiles(folder, cell);
+  };
+  expectReadOrRefused(plan, 2000, [&](const std::string& bad) { read(bad, path); });
+  expectReadOrRefused(path, 2000, [&](const std::string& bad) { read(plan, bad); });
 }
 
 TEST(MutatedFiles, measurementsAreReadOrRefused) {

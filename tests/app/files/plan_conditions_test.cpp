@@ -63,6 +63,13 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   EXPECT_EQ(padded["tubes"].size(), bare["tubes"].size()) << "the standoff is not eaten by the padding";
   EXPECT_GE(padded["min_clearance"].get<double>(), padded["clearance_required"].get<double>());
   EXPECT_EQ(run("verify " + shipped("mockup.yaml") + " padded").exit_code, 0);
+
+  // Where nothing says how far the base may be out, nothing can be kept off by it.
+  write("padded/cell.yaml", contentOf(shippedCells() / "mockup.yaml"));
+  write("padded/cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
+  const Outcome unknown = run("verify " + shipped("mockup.yaml") + " padded");
+  EXPECT_EQ(unknown.exit_code, 2);
+  expectSays(unknown.err, "expected a cell.yaml beside it with the base's covariance");
 }
 
 TEST_F(PlanConditions, AChangedParkKeepsEverythingButTheWaysToIt) {

@@ -53,6 +53,17 @@ TEST_F(SessionKeeping, theNextProgramGoesOnWhereTheLastOneWas) {
   done("/api/compare");
 }
 
+TEST_F(SessionKeeping, whatIsNoSessionIsNotListedAmongThem) {
+  std::filesystem::create_directories(state());
+  for (const char* head : {R"({"format":1})", R"({"format":null})", "[]", "", "\xff", R"({"question":7})"})
+    write("state/other-" + std::to_string(std::string(head).size()) + ".tubeplan", head);
+  write("state/long.tubeplan", "{\"format\":\"" + std::string(1u << 20, 'x'));
+  serveKept("bench.yaml");
+  const Reply files = get("/api/files");
+  EXPECT_EQ(files.status, 200) << files.text;
+  EXPECT_EQ(files.body["recent"].size(), 0u);
+}
+
 TEST_F(SessionKeeping, touchesComeBack) {
   const auto touch = [&](int hole) { return post("/api/touch", {{"hole", hole}}); };
   serveKept("mockup.yaml");

@@ -1,0 +1,75 @@
+#include "app/files/json_value.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/files/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// "from 0 to 10", "at least 0"; empty without bounds.
+std::string boundsText(double least, double most) {
+  if (std::isfinite(least) && std::isfinite(most)) return fmt::format(" from {} to {}", least, most);
+  if (std::isfinite(least)) return fmt::format(", at least {}", least);
+  return std::isfinite(most) ? fmt::format(", at most {}", most) : "";
+}
+
+}  // namespace
+
+void JsonValue::refuse(const std::string& expected) const {
+  throw InputError(place(), inQuotes(value_.dump(-1, ' ', false, json::error_handler_t::replace)), expected, advice_);
+}
+
+JsonValue JsonValue::at(const std::string& key) const {
+  if (!value_.is_object()) refuse("an object with the key " + key);
+  const auto found = value_.find(key);
+  if (found == value_.end()) throw InputError(place(), "no key " + key, "one", advice_);
+  return {*found, document_, path_ + (path_.empty() ? "" : ".") + key, advice_};
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  if (!value_.is_array()) refuse("a list");
+  std::vector<JsonValue> items;
+  items.reserve(value_.size());
+  for (const auto& item : value_)
+    items.push_back({item, document_, fmt::format("{}[{}]", path_, items.size()), advice_});
+  return items;
+}
+
+std::string JsonValue::text() const {
+  if (!value_.is_string()) refuse("a text");
+  return value_.get<std::string>();
+}
+
+bool JsonValue::boolean() const {
+  if (!value_.is_boolean()) refuse("true or false");
+  return value_.get<bool>();
+}
+
+double JsonValue::number(double least, double most) const {
+  const double number = value_.is_number() ? value_.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(number) || number < least || number > most) refuse("a finite number" + boundsText(least, most));
+  return number;
+}
+
+int JsonValue::integer(int least, int most) const {
+  const double number = value_.is_number() ? value_.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  if (!(number >= least && number <= most) || number != std::floor(number))
+    refuse("a whole number" + boundsText(least, most));
+  return static_cast<int>(number);
+}
+
+Eigen::VectorXd JsonValue::numbers(Eigen::Index count) const {
+  const auto list = items();
+  if (std::ssize(list) != count) refuse(fmt::format("{} numbers", count));
+  Eigen::VectorXd numbers(count);
+  for (Eigen::Index k = 0; k < count; ++k) numbers[k] = list[static_cast<std::size_t>(k)].number();
+  return numbers;
+}
+
+}  // namespace tubeplan::app

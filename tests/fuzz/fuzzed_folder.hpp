@@ -1,0 +1,33 @@
+// Where texts become files: a folder in memory that has the shipped files in it, so that what a text refers to is
+// there.
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace tubeplan::app {
+
+inline std::string shippedCell(const std::string& name) { return TUBEPLAN_SOURCE_DIR "/app/cells/" + name; }
+
+inline const std::string& fuzzedFolder() {
+  static const std::string kFolder = [] {
+    const std::string folder =
+        "/dev/shm/tubeplan-fuzz-" + std::to_string(::getppid()) + "/" + std::to_string(::getpid());
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy(shippedCell(""), folder, std::filesystem::copy_options::recursive);
+    return folder;
+  }();
+  return kFolder;
+}
+
+/// A file of that name with the text in it; for readers of files alone.
+inline std::string fileOf(const std::string& text, const std::string& name) {
+  const std::string path = fuzzedFolder() + "/" + name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+}  // namespace tubeplan::app

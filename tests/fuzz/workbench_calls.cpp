@@ -1,0 +1,84 @@
+#include "tests/fuzz/workbench_calls.hpp"
+
+#include <arpa/inet.h>
+#include <httplib.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "app/workbench/http_server.hpp"
+#include "app/workbench/line_server.hpp"
+#include "app/workbench/routes.hpp"
+#include "tests/fuzz/fuzzed_folder.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// Never ended, like the servers of it: the fuzzer leaves without a word.
+Workbench& workbench() {
+  static Workbench& workbench = *new Workbench([] {
+    WorkbenchOptions options;
+    options.cell = fuzzedFolder() + "/bench.yaml";
+    return options;
+  }());
+  return workbench;
+}
+
+/// Sends all of it, then reads until the server hangs up.
+void exchange(int port, const std::string& bytes) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  if (::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0) {
+    for (std::size_t sent = 0; sent < bytes.size();) {
+      const ssize_t now = ::send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+      if (now <= 0) break;
+      sent += static_cast<std::size_t>(now);
+    }
+    ::shutdown(socket, SHUT_WR);
+    char answer[4096];
+    while (::recv(socket, answer, sizeof answer, 0) > 0) {
+    }
+  }
+  ::close(socket);
+}
+
+}  // namespace
+
+void callWorkbench(const std::string& text) {
+  const auto line = std::min(text.find('\n'), text.size());
+  const auto blank = std::min(text.find(' '), line);
+  const auto question = std::min(text.find('?', blank), line);
+  Request request;
+  request.method = text.substr(0, blank);
+  std::istringstream words(text.substr(std::min(blank + 1, line), question - std::min(blank + 1, question)));
+  for (std::string word; std::getline(words, word, '/');) request.words.push_back(word);
+  httplib::Params asked;
+  httplib::detail::parse_query_text(text.substr(std::min(question + 1, line), line - std::min(question + 1, line)),
+                                    asked);
+  for (const auto& [name, value] : asked) request.query[name] = value;
+  request.body = text.substr(std::min(line + 1, text.size()));
+  request.content_type = request.body.starts_with("{") ? "application/json" : "text/csv";
+  if (answer(workbench(), request).status == 500) std::abort();
+}
+
+void knockAtDoor(const std::string& text) {
+  static HttpServer& server = *new HttpServer(workbench(), {"127.0.0.1", 0, ""}, "");
+  static std::thread& serving = *new std::thread([] { server.run(); });
+  (void)serving;
+  static const std::string kPort = std::to_string(server.port());
+  std::string bytes = text;
+  for (auto at = bytes.find("PORT"); at != std::string::npos; at = bytes.find("PORT", at)) bytes.replace(at, 4, kPort);
+  exchange(server.port(), bytes);
+}
+
+void sendLines(const std::string& text) {
+  static LineServer& server = *new LineServer(workbench(), 0);
+  exchange(server.port(), text);
+}
+
+}  // namespace tubeplan::app
