@@ -9,6 +9,7 @@
 
 #include "app/files/cell_writer.hpp"
 #include "app/files/checkpoint/checkpoint_file.hpp"
+#include "app/files/checkpoint/whole_number.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
@@ -96,7 +97,8 @@ json payloadOf(const Session& session) {
 ModelPointer modelOf(const json& entry) {
   const std::string path = entry.at("path");
   const auto arm = entry.contains("arm") ? std::optional<std::string>(entry.at("arm")) : std::nullopt;
-  return makeModel(entry.at("id"), entry.at("label"), entry.at("origin"), parseCell(entry.at("text"), path, arm));
+  return makeModel(wholeNumber<int>(entry.at("id")), entry.at("label"), entry.at("origin"),
+                   parseCell(entry.at("text"), path, arm));
 }
 
 std::shared_ptr<const ReadingSet> readingsOf(const json& entry, const Cell& cell) {
@@ -108,7 +110,7 @@ std::shared_ptr<const ReadingSet> readingsOf(const json& entry, const Cell& cell
   set->readings = std::move(readings);
   set->checks = std::move(checks);
   set->set_aside = entry.at("set_aside").get<std::set<std::string>>();
-  set->change = entry.at("change");
+  set->change = wholeNumber<int>(entry.at("change"));
   return set;
 }
 
@@ -117,7 +119,7 @@ std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const st
   if (entry.is_null()) return made;
   const auto touches = touchesOf(parseReadings(entry.at("csv"), file, cell), cell, file);
   for (std::size_t k = 0; k < touches.size(); ++k)
-    made.push_back({touches[k], entry.at("tubes").at(k), entry.at("simulated").at(k)});
+    made.push_back({touches[k], wholeNumber<int>(entry.at("tubes").at(k)), entry.at("simulated").at(k)});
   return made;
 }
 
@@ -126,8 +128,8 @@ std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry)
   for (const auto& [name, list] : entry.items())
     for (const auto& item : list) {
       auto result = std::make_shared<ResultDocument>();
-      result->model = item.at("model");
-      result->revision = item.at("revision");
+      result->model = wholeNumber<int>(item.at("model"));
+      result->revision = wholeNumber<std::uint64_t>(item.at("revision"));
       result->document = item.at("document");
       results[name][result->model] = std::move(result);
     }
@@ -137,19 +139,19 @@ std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry)
 Session sessionOf(const json& payload, const std::string& file) {
   Session session;
   for (const auto& entry : payload.at("models")) session.models.push_back(modelOf(entry));
-  session.current = payload.at("current");
+  session.current = wholeNumber<std::size_t>(payload.at("current"));
   if (session.current >= session.models.size())
     refuseDamaged(kProjectFormat, file, "a current model that is not in it");
   const Cell& cell = session.models.front()->cell;
-  session.next_model = payload.at("next_model");
-  session.revision = payload.at("revision");
+  session.next_model = wholeNumber<int>(payload.at("next_model"));
+  session.revision = wholeNumber<std::uint64_t>(payload.at("revision"));
   session.readings = readingsOf(payload.at("readings"), cell);
   session.results = resultsOf(payload.at("results"));
   session.truth = payload.at("truth");
   session.touches = touchesMade(payload.at("touches"), cell, file);
-  session.next_touch = payload.at("next_touch");
+  session.next_touch = wholeNumber<int>(payload.at("next_touch"));
   session.project = payload.at("project");
-  session.saved_revision = payload.at("saved_revision");
+  session.saved_revision = wholeNumber<std::uint64_t>(payload.at("saved_revision"));
   return session;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/files/checkpoint/whole_number.hpp"
+
 namespace tubeplan::app {
 
 namespace {
@@ -94,7 +96,7 @@ json reachJson(const planner::TubeReach& reach) {
 
 planner::TubeReach reachFrom(const json& object) {
   planner::TubeReach reach;
-  reach.tube = object.at("tube");
+  reach.tube = wholeNumber<int>(object.at("tube"));
   for (const auto& branch : object.at("branches")) reach.branches.push_back(branchFrom(branch));
   reach.status = reach.branches.empty() ? planner::ReachStatus::kUnreachable : planner::ReachStatus::kReachable;
   reach.reason = object.at("reason");
@@ -106,7 +108,10 @@ json endsJson(const MotionEnds& ends) {
   return {ends.first.tube, ends.first.branch, ends.second.tube, ends.second.branch};
 }
 
-MotionEnds endsFrom(const json& list) { return {{list.at(0), list.at(1)}, {list.at(2), list.at(3)}}; }
+MotionEnds endsFrom(const json& list) {
+  return {{wholeNumber<int>(list.at(0)), wholeNumber<int>(list.at(1))},
+          {wholeNumber<int>(list.at(2)), wholeNumber<int>(list.at(3))}};
+}
 
 json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
   return {{"ends", endsJson(ends)},
@@ -125,7 +130,7 @@ json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
 
 planner::MotionPlan travelFrom(const json& object) {
   planner::MotionPlan plan;
-  plan.status = static_cast<planner::MotionPlanStatus>(object.at("status").get<int>());
+  plan.status = static_cast<planner::MotionPlanStatus>(wholeNumber<int>(object.at("status")));
   plan.reason = object.at("reason");
   plan.waypoints = posturesFrom(object.at("waypoints"));
   plan.straight = plan.waypoints.size() == 2;
@@ -135,8 +140,8 @@ planner::MotionPlan travelFrom(const json& object) {
   plan.cost = numberFrom(object.at("cost"));
   plan.proved_margin = numberFrom(object.at("margin"));
   plan.tightest = clearanceFrom(object.at("tightest"));
-  plan.iterations = object.at("iterations");
-  plan.checks = object.at("checks");
+  plan.iterations = wholeNumber<decltype(plan.iterations)>(object.at("iterations"));
+  plan.checks = wholeNumber<decltype(plan.checks)>(object.at("checks"));
   return plan;
 }
 
@@ -152,10 +157,10 @@ json orderJson(const planner::VisitOrder& order) {
 
 planner::VisitOrder orderFrom(const json& object) {
   planner::VisitOrder order;
-  order.status = static_cast<planner::VisitOrderStatus>(object.at("status").get<int>());
+  order.status = static_cast<planner::VisitOrderStatus>(wholeNumber<int>(object.at("status")));
   order.reason = object.at("reason");
-  order.order = object.at("order").get<std::vector<int>>();
-  order.branches = object.at("branches").get<std::vector<int>>();
+  order.order = wholeNumbers<int>(object.at("order"));
+  order.branches = wholeNumbers<int>(object.at("branches"));
   order.travel_time = numberFrom(object.at("travel_time"));
   order.lower_bound = numberFrom(object.at("lower_bound"));
   order.optimality_gap = numberFrom(object.at("gap"));
@@ -189,7 +194,7 @@ planner::PlanCache cacheFrom(const json& object) {
   for (const auto& entry : object.at("proofs"))
     cache.proofs[endsFrom(entry.at("ends"))] = {numberFrom(entry.at("margin")), clearanceFrom(entry.at("tightest"))};
   for (const auto& entry : object.at("orders")) cache.orders.push_back(orderFrom(entry));
-  cache.visiting_order = object.at("visiting_order").get<std::vector<int>>();
+  cache.visiting_order = wholeNumbers<int>(object.at("visiting_order"));
   return cache;
 }
 

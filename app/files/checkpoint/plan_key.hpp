@@ -30,8 +30,8 @@ struct PlanKeyInputs {
   planner::TravelKind travel = planner::TravelKind::kJoints;
 };
 
-/// program, arm and scene, base, load, clearance, compensation, insertion, tilt allowed, travel, sheet: what proved motions and
-/// postures depend on; then seed, tubes, start and end, other conditions and from.
+/// program, arm and scene, base, load, clearance, compensation, insertion, tilt allowed, travel, sheet: what proved
+/// motions and postures depend on; then seed, tubes, start and end, other conditions and from.
 [[nodiscard]] PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes);
 
 /// The program's version and the fingerprint of its own bytes: another build may round otherwise.

@@ -7,6 +7,7 @@
 
 #include "app/files/atomic_file.hpp"
 #include "app/files/checkpoint/checkpoint_file.hpp"
+#include "app/files/checkpoint/whole_number.hpp"
 #include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
@@ -24,7 +25,7 @@ RunSet runsFrom(const json& ranges, const fs::path& path) {
   RunSet set;
   std::uint64_t last = 0;
   for (const auto& range : ranges) {
-    const RunRange runs{range.at(0), range.at(1)};
+    const RunRange runs{wholeNumber<std::uint64_t>(range.at(0)), wholeNumber<std::uint64_t>(range.at(1))};
     if (runs.first < last || runs.end <= runs.first) refuseDamaged(kTallyFormat, path, "runs out of order");
     set.insert(runs);
     last = runs.end;
@@ -36,7 +37,7 @@ TallySoFar tallyOf(const CheckpointFile& file, const fs::path& path) {
   TallySoFar tally;
   readPayload(kTallyFormat, path, file, [&](const json& payload) {
     tally.done = runsFrom(payload.at("done"), path);
-    payload.at("total").get_to(tally.total);
+    tally.total = wholeNumbers<std::uint64_t>(payload.at("total"));
   });
   return tally;
 }
