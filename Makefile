@@ -4,7 +4,7 @@
 # make site   the documents, every command and the catalogue of effects as a site in build/site/html
 # make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
 #                sanitize-program and sanitize-threads in a row
-# make coverage  lines and branches that sanitize-libraries and sanitize-program have run, by folder
+# make coverage  lines and branches that the tests run, by folder (clang)
 # make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
 # make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
 # make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
@@ -42,9 +42,6 @@ LIBRARY_TESTS := tubesheets_test deflection_test calibration_test planner_test v
 
 sanitize: sanitize-libraries sanitize-program sanitize-threads
 
-# Where the sanitized tests leave what of the source they ran; `coverage` adds it up.
-sanitize-libraries sanitize-program: export LLVM_PROFILE_FILE = $(CURDIR)/build-asan/profiles/%4m.profraw
-
 build-asan/build.ninja: $(BUILD)/.packages-sanitize CMakePresets.json
 	cmake --preset asan
 	@touch $@
@@ -66,8 +63,11 @@ sanitize-threads: $(BUILD)/.packages-sanitize
 	cmake --build build-tsan -j $(JOBS)
 	TSAN_OPTIONS=suppressions=$(CURDIR)/tests/sanitize/thread.supp ctest --test-dir build-tsan -LE web --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
 
-coverage:
-	python3 tests/coverage.py build-asan
+coverage: $(BUILD)/.packages-sanitize
+	cmake --preset coverage
+	cmake --build build-coverage -j $(JOBS)
+	LLVM_PROFILE_FILE=$(CURDIR)/build-coverage/profiles/%4m.profraw ctest --test-dir build-coverage -LE web --output-on-failure --no-tests=error -j $(JOBS)
+	python3 tests/coverage.py build-coverage
 
 mutants: $(BUILD)/build.ninja
 	cmake --build $(BUILD) -j $(JOBS)
@@ -115,4 +115,4 @@ format:
 	clang-format -i $$(git ls-files '*.cpp' '*.hpp')
 
 clean:
-	rm -rf $(BUILD) $(BENCH) build-dev build-asan build-tsan
+	rm -rf $(BUILD) $(BENCH) build-dev build-asan build-fuzz build-coverage build-tsan

@@ -1,5 +1,5 @@
-"""coverage.py BUILD: what of each folder the tests have run that were built with `-fcoverage-mapping` (the asan preset) and
-have left their profiles in BUILD/profiles, as a table: lines, branches (either way counts once) and functions. The files with
+"""coverage.py BUILD: what of each folder the tests have run that were built with `-fcoverage-mapping` (the coverage preset)
+and have left their profiles in BUILD/profiles, as a table: lines, branches (either way counts once) and functions. The files with
 the most branches that were never taken are listed under it."""
 import collections
 import json
@@ -23,7 +23,7 @@ def summaries(build):
     profile = build / "coverage.profdata"
     profiles = sorted(map(str, (build / "profiles").glob("*.profraw")))
     if not profiles:
-        sys.exit(f"{build}/profiles is empty: no test has run, or not by `make sanitize`")
+        sys.exit(f"{build}/profiles is empty: no test has run, or not by `make coverage`")
     subprocess.run(["llvm-profdata-16", "merge", "-sparse", "-o", profile, *profiles], check=True)
     first, *others = programs(build)
     objects = [word for path in others for word in ("-object", path)]

@@ -16,8 +16,6 @@ using TrialDraw = calibration::RandomStreamFrom<SplitMix>;
 
 enum Purpose : std::uint64_t { kHiddenKey = 101, kReadingsKey, kDiagnosisKey };
 
-double uniform(TrialDraw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
-
 int indexBelow(std::size_t count, TrialDraw& draw) { return static_cast<int>(draw.seed() % count); }
 
 struct Hidden {
@@ -32,7 +30,7 @@ Hidden drawEffect(const deflection::Arm& arm, const std::vector<int>& kinds, Tri
   Hidden hidden;
   hidden.effect.kind = kind;
   hidden.effect.place = places[static_cast<std::size_t>(indexBelow(places.size(), draw))];
-  hidden.share = std::pow(kLeastShare, uniform(draw));
+  hidden.share = std::pow(kLeastShare, draw.uniform(0, 1));
   for (const auto& number : row.parameters) hidden.effect.values.push_back(number.neutral);
   for (std::size_t v = 0; v < row.parameters.size(); ++v) {
     const auto& number = row.parameters[v];
@@ -90,7 +88,7 @@ std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const ca
   SimulationTask task = prepareSimulation(cell_, request);
   DiagnosisTrial trial;
   std::string effect, at;
-  if (uniform(draw) >= options_.nothing) {
+  if (draw.uniform(0, 1) >= options_.nothing) {
     const Hidden hidden = drawEffect(cell_.arm, kinds_, draw);
     const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(hidden.effect.kind)];
     trial.effect = hidden.effect.kind;
