@@ -299,7 +299,8 @@ TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
   const Outcome outcome = run("identify " + shipped("bench.yaml") + " radians.csv --json -" + kFree);
   expectWarns(json::parse(outcome.out), "are they radians?");
   writeReadings("degrees.csv");
-  for (const auto& warning : identified(shipped("bench.yaml") + " degrees.csv" + kFree)["warnings"])
+  const json degrees = identified(shipped("bench.yaml") + " degrees.csv" + kFree);
+  for (const auto& warning : degrees["warnings"])
     EXPECT_EQ(warning.get<std::string>().find("radians"), std::string::npos) << warning;
 }
 
@@ -311,7 +312,8 @@ TEST_F(Identify, TouchesOfUnknownPointsThatFitBetterThanTheirNoiseAreFlagged) {
   expectWarns(identified(shipped("bench.yaml") + " exact.csv" + kFree), "an arm that shrinks");
   maker.addTouches(30, loads, false);
   writeReadings("noisy.csv");
-  for (const auto& warning : identified(shipped("bench.yaml") + " noisy.csv" + kFree)["warnings"])
+  const json noisy = identified(shipped("bench.yaml") + " noisy.csv" + kFree);
+  for (const auto& warning : noisy["warnings"])
     EXPECT_EQ(warning.get<std::string>().find("shrinks"), std::string::npos) << warning;
 }
 

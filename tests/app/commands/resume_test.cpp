@@ -179,7 +179,8 @@ TEST_F(Resume, FromAPlanOfAToolThatMayLeanMoreNoPostureIsKept) {
   const Outcome outcome = run("plan puma.yaml --tubes spread:12 --from old --out new");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   expectSays(outcome.err, "of old only the order is reused (another tilt allowed");
-  for (const auto& tube : planOf("new")["tubes"]) EXPECT_LE(tube["tilt"].get<double>(), 1.62) << tube["name"];
+  const json plan = planOf("new");
+  for (const auto& tube : plan["tubes"]) EXPECT_LE(tube["tilt"].get<double>(), 1.62) << tube["name"];
 }
 
 TEST_F(Resume, WhatDiffersOfAnotherWayOfTravelIsSaidInWords) {
