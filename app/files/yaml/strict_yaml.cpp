@@ -31,6 +31,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     refuseAnchor(mark, anchor);
+    refuseTag(mark, "");
     YamlNode node = makeNode(mark, YamlNode::Kind::kNull);
     if (expectsKey()) node.fail("no key before the colon", "a word", "");
     finish(std::move(node));
@@ -137,9 +138,12 @@ class TreeBuilder : public YAML::EventHandler {
       makeNode(mark, YamlNode::Kind::kNull).fail("an unclosed quote", "quotes in pairs", "");
   }
 
-  // The parser gives "?" for plain values and "!" for quoted ones, and nothing for some collections.
+  // The parser gives "?" for plain values and "!" for quoted ones, and nothing for some collections; a "!" that stands
+  // in the text is where its value begins.
   void refuseTag(const YAML::Mark& mark, const std::string& tag) const {
-    if (!tag.empty() && tag != "?" && tag != "!")
+    const auto at = static_cast<std::size_t>(mark.pos);
+    const bool is_written = at < text_.size() && text_[at] == '!';
+    if (is_written || (!tag.empty() && tag != "?" && tag != "!"))
       makeNode(mark, YamlNode::Kind::kNull).fail("the tag " + inQuotes(tag), "the value alone", "");
   }
 
