@@ -5,6 +5,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/workbench/http_server.hpp"
@@ -47,6 +49,16 @@ void exchange(int port, const std::string& bytes) {
   ::close(socket);
 }
 
+/// A job that the input began belongs to it: it has a moment, then it is stopped and waited for.
+void endJobs() {
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+  while (workbench().jobs().isBusy()) {
+    if (std::chrono::steady_clock::now() > patience)
+      for (const auto& job : workbench().jobs().list()) (void)workbench().jobs().cancel(job.at("id"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 }  // namespace
 
 void callWorkbench(const std::string& text) {
@@ -64,6 +76,7 @@ void callWorkbench(const std::string& text) {
   request.body = text.substr(std::min(line + 1, text.size()));
   request.content_type = request.body.starts_with("{") ? "application/json" : "text/csv";
   if (answer(workbench(), request).status == 500) std::abort();
+  endJobs();
 }
 
 void knockAtDoor(const std::string& text) {
@@ -74,6 +87,7 @@ void knockAtDoor(const std::string& text) {
   std::string bytes = text;
   for (auto at = bytes.find("PORT"); at != std::string::npos; at = bytes.find("PORT", at)) bytes.replace(at, 4, kPort);
   exchange(server.port(), bytes);
+  endJobs();
 }
 
 void sendLines(const std::string& text) {
