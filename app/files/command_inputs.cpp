@@ -74,9 +74,7 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
   tubesheets::Selection selection;
   if (namesCsvFile(request)) {
     const auto list = tubesheets::parseWorkListCsv(readTextFile(request));
-    if (list.problem)
-      throw InputError(fmt::format("{}:{} ({})", request, list.problem->line, list.problem->what), list.problem->found,
-                       list.problem->expected, list.problem->advice);
+    if (list.problem) refuseText(request, *list.problem);
     selection = tubesheets::selectTubes(sheet, list);
   } else {
     selection = tubesheets::selectTubes(sheet, request);

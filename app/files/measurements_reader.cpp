@@ -367,10 +367,9 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
 
 MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file, const deflection::Arm& arm,
                                        const tubesheets::Sheet* sheet) {
-  const tubesheets::CsvTable table = tubesheets::parseCsv(text);
-  if (table.problem)
-    throw InputError(fmt::format("{}:{} ({})", file, table.problem->line, table.problem->what), table.problem->found,
-                     table.problem->expected, table.problem->advice.empty() ? kReadForeign : table.problem->advice);
+  tubesheets::CsvTable table = tubesheets::parseCsv(text);
+  if (table.problem && table.problem->advice.empty()) table.problem->advice = kReadForeign;
+  if (table.problem) refuseText(file, *table.problem);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
   MeasurementTable read;

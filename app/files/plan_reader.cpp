@@ -33,12 +33,16 @@ json parseJson(const std::string& path) {
   }
 }
 
+Eigen::VectorXd jointsOf(const JsonValue& readings, const Cell& cell) {
+  return readings.numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units));
+}
+
 planner::StatedTube tubeOf(const JsonValue& tube, const Cell& cell) {
   const double length = cell.units.factor(dimension::kLength);
   return {tube.at("row").integer(1, kMost),
           tube.at("column").integer(1, kMost),
           tube.at("hole").numbers(3) * length,
-          tube.at("joints").numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units)),
+          jointsOf(tube.at("joints"), cell),
           tube.at("predicted_tip").numbers(3) * length,
           tube.has("dwell_s") ? tube.at("dwell_s").number(0) : 0,
           tube.has("zone") ? tube.at("zone").integer(0, kMost) : 0};
@@ -56,14 +60,9 @@ void readTubesOf(const JsonValue& document, const Cell& cell, PlanFiles& files) 
     files.plan.unreachable.push_back({tube.at("row").integer(1, kMost), tube.at("column").integer(1, kMost)});
 }
 
-std::optional<Eigen::VectorXd> postureOf(const JsonValue& document, const char* key, const Cell& cell) {
-  if (!document.has(key)) return std::nullopt;
-  return document.at(key).numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units));
-}
-
 void readConditionsOf(const JsonValue& document, const Cell& cell, PlanFiles& files) {
-  files.plan.start = postureOf(document, "start", cell);
-  files.plan.end = postureOf(document, "end", cell);
+  if (document.has("start")) files.plan.start = jointsOf(document.at("start"), cell);
+  if (document.has("end")) files.plan.end = jointsOf(document.at("end"), cell);
   if (document.has("padding")) files.padding_sigmas = document.at("padding").at("sigmas").number(0);
   files.compensation = document.at("compensation").text();
   if (!planner::findCompensation(files.compensation))
@@ -78,9 +77,10 @@ class PathReader {
  public:
   PathReader(const std::string& path, const Cell& cell)
       : path_(path), factors_(jointFactors(cell.arm, cell.units)), table_(tubesheets::parseCsv(readTextFile(path))) {
-    if (table_.problem)
-      throw InputError(fmt::format("{}:{} ({})", path, table_.problem->line, table_.problem->what),
-                       table_.problem->found, table_.problem->expected, kAdvice);
+    if (table_.problem) {
+      table_.problem->advice = kAdvice;
+      refuseText(path, *table_.problem);
+    }
     std::vector<std::string> columns{"time_s", "segment", "kind"};
     for (const auto& joint : cell.arm.joints()) columns.push_back(jointColumn(joint, cell.units));
     if (table_.columns == columns) return;

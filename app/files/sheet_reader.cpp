@@ -101,9 +101,7 @@ tubesheets::Sheet readMappedSheet(const YamlNode& node, const Units& units, cons
   readCommon(node, units, description);
   const std::string path = (folder / node.at("map").text()).lexically_normal().string();
   const tubesheets::HoleMap map = tubesheets::parseHoleMap(readTextFile(path));
-  if (map.problem)
-    throw InputError(fmt::format("{}:{} ({})", path, map.problem->line, map.problem->what), map.problem->found,
-                     map.problem->expected, map.problem->advice);
+  if (map.problem) refuseText(path, *map.problem);
   if (map.leg && *map.leg != description.leg)
     node.at("leg").fail(fmt::format("the {} leg but a map of the {} leg", legName(description.leg), legName(*map.leg)),
                         "the same leg in both", "check which map belongs to this cell");

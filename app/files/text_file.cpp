@@ -70,6 +70,11 @@ void checkText(const std::string& path, std::string_view text) {
   }
 }
 
+void refuseText(const std::string& path, const tubesheets::Problem& problem) {
+  throw InputError(fmt::format("{}:{} ({})", path, problem.line, problem.what), problem.found, problem.expected,
+                   problem.advice);
+}
+
 std::string readTextFile(const std::string& path) {
   std::string text = bytesOfText(path);
   noteInput(path, text);

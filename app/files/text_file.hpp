@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "tubesheets/problem.hpp"
+
 namespace tubeplan::app {
 
 /// The file's text without a byte order mark. Throws InputError for a file that is missing, a folder, unreadable,
@@ -15,5 +17,8 @@ namespace tubeplan::app {
 
 /// What readTextFile asks of a file's text, of text that comes another way. `path` is its name for messages.
 void checkText(const std::string& path, std::string_view text);
+
+/// Throws InputError for a problem of that file's text, with its line.
+[[noreturn]] void refuseText(const std::string& path, const tubesheets::Problem& problem);
 
 }  // namespace tubeplan::app

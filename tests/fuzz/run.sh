@@ -18,13 +18,12 @@ for reader in $readers; do
     urdf) cp tests/app/urdf/*.urdf "$corpus" ;;
     hole-map) cp app/cells/sheets/*.csv "$corpus" 2> /dev/null || true ;;
     verify) cp tests/fuzz/corpus/plan/* "$corpus" ;;
-    call | door) ;;
-    *) cp tests/fuzz/corpus/$reader/* "$corpus" ;;
   esac
   # Many in one file, lines of "==" between them; HTTP ends its lines with carriage returns.
   case $reader in
     call) awk -v to="$corpus" 'BEGIN { RS = "==\n"; ORS = "" } { print > (to "/call-" NR) }' tests/fuzz/corpus/call/calls.txt ;;
     door) awk -v to="$corpus" 'BEGIN { RS = "==\n"; ORS = "" } { gsub("\n", "\r\n"); print > (to "/request-" NR) }' tests/fuzz/corpus/door/requests.txt ;;
+    *) [ ! -d tests/fuzz/corpus/$reader ] || cp tests/fuzz/corpus/$reader/* "$corpus" ;;
   esac
   leaks=1
   case $reader in

@@ -1,9 +1,6 @@
 #include "tests/fuzz/workbench_calls.hpp"
 
-#include <arpa/inet.h>
 #include <httplib.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -12,6 +9,7 @@
 #include "app/workbench/http_server.hpp"
 #include "app/workbench/line_server.hpp"
 #include "app/workbench/routes.hpp"
+#include "tests/app/workbench/raw_connection.hpp"
 #include "tests/fuzz/fuzzed_folder.hpp"
 
 namespace tubeplan::app {
@@ -26,27 +24,6 @@ Workbench& workbench() {
     return options;
   }());
   return workbench;
-}
-
-/// Sends all of it, then reads until the server hangs up.
-void exchange(int port, const std::string& bytes) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  if (::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0) {
-    for (std::size_t sent = 0; sent < bytes.size();) {
-      const ssize_t now = ::send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-      if (now <= 0) break;
-      sent += static_cast<std::size_t>(now);
-    }
-    ::shutdown(socket, SHUT_WR);
-    char answer[4096];
-    while (::recv(socket, answer, sizeof answer, 0) > 0) {
-    }
-  }
-  ::close(socket);
 }
 
 /// A job that the input began belongs to it: it has a moment, then it is stopped and waited for.
@@ -86,13 +63,13 @@ void knockAtDoor(const std::string& text) {
   static const std::string kPort = std::to_string(server.port());
   std::string bytes = text;
   for (auto at = bytes.find("PORT"); at != std::string::npos; at = bytes.find("PORT", at)) bytes.replace(at, 4, kPort);
-  exchange(server.port(), bytes);
+  (void)saidTo(server.port(), bytes);
   endJobs();
 }
 
 void sendLines(const std::string& text) {
   static LineServer& server = *new LineServer(workbench(), 0);
-  exchange(server.port(), text);
+  (void)saidTo(server.port(), text);
 }
 
 }  // namespace tubeplan::app

@@ -1,7 +1,5 @@
 // The door over a real socket: what is refused is refused, whatever follows on the connection.
-#include <arpa/inet.h>
-#include <sys/socket.h>
-
+#include "tests/app/workbench/raw_connection.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
 namespace tubeplan::app {
@@ -10,31 +8,13 @@ namespace {
 class HttpDoor : public WorkbenchTest {
  protected:
   [[nodiscard]] int connected() const {
-    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(server->port()));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    const int socket = connectedTo(server->port());
+    EXPECT_GE(socket, 0);
     return socket;
   }
 
   /// What the server says to these bytes until it closes the connection.
-  [[nodiscard]] std::string said(const std::string& bytes) const {
-    const int socket = connected();
-    for (std::size_t sent = 0; sent < bytes.size();) {
-      const ssize_t now = ::send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-      if (now <= 0) break;
-      sent += static_cast<std::size_t>(now);
-    }
-    ::shutdown(socket, SHUT_WR);
-    std::string answer;
-    char block[4096];
-    for (ssize_t got; (got = ::recv(socket, block, sizeof block, 0)) > 0;)
-      answer.append(block, static_cast<std::size_t>(got));
-    ::close(socket);
-    return answer;
-  }
+  [[nodiscard]] std::string said(const std::string& bytes) const { return saidTo(server->port(), bytes); }
   [[nodiscard]] std::string host() const { return "Host: 127.0.0.1:" + std::to_string(server->port()) + "\r\n"; }
 };
 

@@ -1,9 +1,6 @@
 // Random calls of the workbench: valid ones, damaged ones and bytes that are no call at all.
 #pragma once
 
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -11,6 +8,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "tests/app/workbench/raw_connection.hpp"
 
 namespace tubeplan::app {
 
@@ -24,7 +23,7 @@ class RandomCalls {
 
   CallCounts make(int count) {
     CallCounts counts;
-    for (int k = 0; k < count; ++k) ++counts[statusOf(ask(draw() % 12 == 0 ? noise() : call()))];
+    for (int k = 0; k < count; ++k) ++counts[statusOf(saidTo(port_, draw() % 12 == 0 ? noise() : call()))];
     return counts;
   }
 
@@ -218,26 +217,6 @@ class RandomCalls {
     std::string bytes;
     for (std::uint64_t k = draw() % 400; k > 0; --k) bytes += static_cast<char>(draw());
     return draw() % 2 ? bytes : "GET / HTTP/1.1\r\n" + bytes + "\r\n\r\n";
-  }
-
-  [[nodiscard]] std::string ask(const std::string& bytes) const {
-    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-    const timeval patience{60, 0};
-    ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port_));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    std::string answer;
-    if (::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0 &&
-        ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0) {
-      ::shutdown(socket, SHUT_WR);
-      char block[4096];
-      for (ssize_t got; (got = ::recv(socket, block, sizeof block, 0)) > 0;)
-        answer.append(block, static_cast<std::size_t>(got));
-    }
-    ::close(socket);
-    return answer;
   }
 
   static int statusOf(const std::string& answer) {
