@@ -35,7 +35,7 @@ double inFile(double value, deflection::Quantity quantity, const Units& units) {
 std::string groundsText(const EffectWarning& warning, const Units& units) {
   std::string text = fmt::format("p = {:.2g}", warning.p_value);
   if (std::isfinite(warning.heldout_with.rms) && std::isfinite(warning.heldout_without.rms))
-    text += fmt::format("; held-out error {:.4f} with, {:.4f} {} without",
+    text += fmt::format("; held-out error {:.4g} with, {:.4g} {} without",
                         warning.heldout_with.rms / units.factor(dimension::kLength),
                         warning.heldout_without.rms / units.factor(dimension::kLength), units.length().name);
   return text;

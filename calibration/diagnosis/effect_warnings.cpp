@@ -15,6 +15,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kNearNeutral = 2;  // sigmas
+constexpr double kByChance = 0.05;  // p from which a fall is noise
 constexpr int kRivals = 6;          // models that are fitted in place of an effect
 constexpr double kMostWork = 2e4;   // fitted numbers times readings times effects, up to which rivals are fitted
 
@@ -120,7 +121,7 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   return warning;
 }
 
-/// What taking an effect out does, as a warning that it is not needed.
+/// What taking an effect out does, as a warning that it is not needed: by the criterion it gains so much.
 EffectWarning unneeded(const Case& c, int effect, double gain) {
   const Without without = fitWithout(c, effect);
   const auto numbers = fittedNumbers(c.with, effect);
@@ -159,6 +160,13 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
   return nullptr;
 }
 
+/// An effect that does not compete, as a formula of the user's: by what chi-square rises by without it.
+void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
+  EffectWarning not_needed = unneeded(c, effect, 0);
+  not_needed.is_within_noise = not_needed.p_value > kByChance;
+  if (!(not_needed.fall >= c.limits.gap)) warnings.push_back(not_needed);
+}
+
 /// The effect taken out and everything that could stand in its place weighed, itself among them.
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
@@ -180,8 +188,12 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   }
   if (!own && !models.asked.empty() && !models.asked.front().effects.empty()) own = &models.asked.front();
   if (!nothing) return;
-  const double gain = own ? nothing->criterion - own->criterion : -std::numeric_limits<double>::infinity();
-  const bool is_beaten = own && other && other->criterion + c.limits.gap < own->criterion;
+  if (!own) {
+    judgeByFit(c, effect, warnings);
+    return;
+  }
+  const double gain = nothing->criterion - own->criterion;
+  const bool is_beaten = other && other->criterion + c.limits.gap < own->criterion;
   if (gain < c.limits.gap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
     // What takes much of the error, and yet no evidence speaks for it, stands in for another.
@@ -191,7 +203,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
     }
   }
   const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
-  if (own && may_reshape && own->effects.size() == 1 && own->chi2 + c.limits.gap < c.with.chi2) {
+  if (may_reshape && own->effects.size() == 1 && own->chi2 + c.limits.gap < c.with.chi2) {
     warning.better = *find(*own, warning);
     warning.by = c.with.chi2 - own->chi2;
     warnings.push_back(warning);

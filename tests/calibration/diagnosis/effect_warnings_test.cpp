@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "deflection/effects/formula.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -21,11 +22,15 @@ struct WithEffects {
   std::vector<std::string> free = cell.identify;
 
   explicit WithEffects(const std::vector<Added>& added) {
-    for (const auto& [effect, at] : added) {
-      cell.arm.effects.push_back(deflection::makeEffect(cell.arm, effect, at).effect);
-      for (const auto& parameter : deflection::parametersOf(cell.arm))
-        if (parameter.path.effect == static_cast<int>(cell.arm.effects.size()) - 1) free.push_back(parameter.name);
-    }
+    for (const auto& [effect, at] : added) add(deflection::makeEffect(cell.arm, effect, at).effect);
+  }
+
+  explicit WithEffects(const std::string& formula) { add(deflection::makeFormula(cell.arm, formula, {}).effect); }
+
+  void add(const deflection::Effect& effect) {
+    cell.arm.effects.push_back(effect);
+    for (const auto& parameter : deflection::parametersOf(cell.arm))
+      if (parameter.path.effect == static_cast<int>(cell.arm.effects.size()) - 1) free.push_back(parameter.name);
   }
 
   [[nodiscard]] std::vector<EffectWarning> identified(const std::vector<Measurement>& readings) const {
@@ -96,6 +101,21 @@ TEST(EffectWarnings, TwoRightEffectsAreBothNeeded) {
   const WithEffects both(std::vector<Added>{{"hysteresis", "theta2"}, {"joint-offset", "theta4"}});
   EXPECT_TRUE(both.identified(readings).empty());
   EXPECT_TRUE(both.diagnosed(readings).empty());
+}
+
+/// No diagnosis tries a formula: it is judged by what it does to chi-square.
+TEST(EffectWarnings, AFormulaOfTheUsersIsNeededWhereItIsRight) {
+  const WithEffects wave("theta3 += c*sin(theta3) + d*cos(theta3)");
+  const auto readings = benchReadings(shippedBench(), "encoder-eccentricity", "theta3", {0.001, 0.0012}, 60, 7);
+  EXPECT_TRUE(wave.identified(readings).empty());
+  EXPECT_TRUE(wave.diagnosed(readings).empty());
+  const auto nothing = benchReadings(shippedBench(), "", "", {}, 60, 7);
+  for (const auto& warnings : {wave.identified(nothing), wave.diagnosed(nothing)}) {
+    const auto unneeded = ofKind(warnings, EffectWarningKind::kNotNeeded);
+    ASSERT_EQ(unneeded.size(), 1U);
+    EXPECT_EQ(unneeded.front().effect, "formula");
+    EXPECT_GT(unneeded.front().p_value, 0.001);
+  }
 }
 
 TEST(EffectWarnings, ASizeThatNoMachineHasIsSaid) {
