@@ -3,7 +3,6 @@
 // evidence is then taken about a fit of their own.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -86,34 +85,13 @@ struct DiagnosisWork {
   [[nodiscard]] const Cause& cause(int index) const { return causes.causes[static_cast<std::size_t>(index)]; }
 };
 
-/// Evidence with a discrepancy of all terms together, or of a single source.
-struct WeighedDiscrepancy : Evidence {
-  SourceEvidence source;  ///< `source` -1 where it is less probable than all terms together
-};
-
-/// Evidence that counts a discrepancy of a single source too; `single` is of the model without any discrepancy.
-[[nodiscard]] WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& single,
-                                             const EvidenceOptions& options);
-
-/// Finds the models that compete about the linearisation, fills `work.models`. Unwinds where it was stopped.
-void compareModels(DiagnosisWork& work);
-
-/// Fits the leading ones and that of nothing missing. Unwinds where it was stopped.
-void fitLeaders(DiagnosisWork& work);
-
-/// The model of these effects, all their numbers, fitted from where linear evidence has them and, where their values
-/// are not neutral, from these: the more probable end. Without a fit where one of them is no cause.
-[[nodiscard]] CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects);
-
 /// That nothing is missing; `work.models` must be compared.
 [[nodiscard]] const CompetingModel& modelOfNothing(const DiagnosisWork& work);
 
-/// Of log weight behind the best model, within which linear evidence may err: those are fitted.
-[[nodiscard]] double leaderWindow(double best, double nothing);
+/// The index in `work.noise` of the view that the model most probably has.
+[[nodiscard]] std::size_t likelyNoise(const DiagnosisWork& work, const CompetingModel& model);
 
-/// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it
-/// for one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.
-using EvidenceOf = std::function<WeighedDiscrepancy(const NoiseHypothesis& noise, std::size_t index, double scale)>;
-void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model);
+/// Most probable first; equal ones in the order they had.
+void sortByWeight(std::vector<CompetingModel>& models);
 
 }  // namespace tubeplan::calibration

@@ -6,7 +6,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "calibration/diagnosis/model_evidence.hpp"
 #include "calibration/diagnosis/noise_hypotheses.hpp"
+#include "calibration/diagnosis/placed_model.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
@@ -21,9 +23,6 @@ constexpr int kIterations = 20;
 constexpr double kSmallFall = 0.03;  // of chi-square, by a step that asks for no further one
 constexpr double kFarSize = 4;       // of the largest usual: the prior of a size while it is fitted
 constexpr double kMostSize = 10;     // of the largest usual: no machine has more, and an arm may not shrink to a point
-constexpr double kBeyondUsual = 2;   // sigmas past the largest usual size
-constexpr double kShapePrior = 3;    // of a knee's typical step
-constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 // What an unknown effect has in common with the known one most like it, against what it has of its own, in noise
 // sigmas.
 constexpr double kLikeness = 0.7;
@@ -31,92 +30,8 @@ constexpr double kOrders = 4.6;          // log of a hundred: over so much the s
 constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
 constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
 
-/// A model under way: what is free beside the baseline's numbers.
-struct Placed {
-  PlacedArm arm;
-  std::vector<Unknown> sizes, shapes;
-  std::vector<double> of_level;     ///< chosen shape of each term
-  std::vector<int> first_effect;    ///< index of each term's first effect in the arm
-  std::vector<std::size_t> counts;  ///< sizes of each term
-};
-
-/// Middles of the gaps between the readings' times, from one time to another.
-std::vector<double> gapsBetween(const std::vector<Measurement>& readings, double from, double to) {
-  std::vector<double> times;
-  for (const auto& reading : readings)
-    if (std::isfinite(reading.time)) times.push_back(reading.time);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  std::vector<double> gaps;
-  for (std::size_t k = 0; k + 1 < times.size(); ++k)
-    if (const double time = (times[k] + times[k + 1]) / 2; time >= from && time <= to) gaps.push_back(time);
-  return gaps;
-}
-
-/// Of these times of a step the one that lowers chi-square most.
-std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& term, const std::vector<double>& times) {
-  cause.levels = times;
-  const Signatures signatures(work.basis.fitted, {cause});
-  EvidenceGram gram;
-  const MatrixXd S = signatures.columnsAt(work.basis.readings, work.basis.weights, work.basis.stop);
-  if (S.rows() != work.basis.residual.r.size()) return times.size() / 2;
-  gram.add(work.basis.residual.jacobian, S, MatrixXd(S.rows(), 0), -work.basis.residual.r);
-  const LinearEvidence evidence(gram, work.basis.unknowns, {});
-  std::size_t best = 0;
-  double most = -1;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    std::vector<int> columns;
-    for (const int number : term.numbers)
-      columns.push_back(signatures.columnsOf(0, static_cast<int>(k))[static_cast<std::size_t>(number)]);
-    if (const double fall = evidence.fall(columns); fall > most) most = fall, best = k;
-  }
-  return best;
-}
-
-/// A step between two readings is the same wherever it is between them: the gaps near the level are tried, of very
-/// many first some, then all between the neighbours of the best.
-double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
-  const ModelTerm& term = model.terms[index];
-  const Cause& cause = work.cause(term.cause);
-  const auto& levels = cause.levels;
-  const auto level = static_cast<std::size_t>(term.level);
-  const double from = level > 0 ? levels[level - 1] : -std::numeric_limits<double>::infinity();
-  const double to = level + 1 < levels.size() ? levels[level + 1] : std::numeric_limits<double>::infinity();
-  std::vector<double> gaps = gapsBetween(work.basis.readings, from, to);
-  while (gaps.size() > kMostTimes) {
-    const std::size_t step = gaps.size() / kMostTimes + 1;
-    std::vector<double> some;
-    for (std::size_t k = 0; k < gaps.size(); k += step) some.push_back(gaps[k]);
-    const std::size_t best = bestTime(work, cause, term, some) * step;
-    const std::size_t first = best > step ? best - step : 0, last = std::min(gaps.size() - 1, best + step);
-    gaps = std::vector<double>(gaps.begin() + static_cast<std::ptrdiff_t>(first),
-                               gaps.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-  }
-  return gaps.size() < 2 ? levels[level] : gaps[bestTime(work, cause, term, gaps)];
-}
-
-Placed place(const DiagnosisWork& work, const CompetingModel& model) {
-  Placed placed{work.basis.fitted, {}, {}, {}, {}, {}};
-  for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    const ModelTerm& term = model.terms[t];
-    const Cause& cause = work.cause(term.cause);
-    const double level =
-        isStep(cause) ? refinedTime(work, model, t) : cause.levels[static_cast<std::size_t>(term.level)];
-    const int effect = static_cast<int>(placed.arm.arm.effects.size());
-    const auto own = placeCause(placed.arm, cause, level);
-    for (const int number : term.numbers) placed.sizes.push_back(own[static_cast<std::size_t>(number)]);
-    placed.counts.push_back(term.numbers.size());
-    placed.of_level.push_back(level);
-    placed.first_effect.push_back(effect);
-    if (cause.shape < 0 || isStep(cause)) continue;
-    placed.shapes.push_back(shapeUnknown(placed.arm.arm, cause, effect, level));
-    placed.shapes.back().prior_sigma = kShapePrior * placed.shapes.back().typical;
-  }
-  return placed;
-}
-
 /// The most probable state by one noise.
-LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& model, const Placed& placed,
+LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
                             std::vector<Unknown>& unknowns) {
   unknowns = work.basis.unknowns;
   for (Unknown size : placed.sizes) {
@@ -135,7 +50,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
     const double linear = model.sizes.size() > static_cast<Index>(k) ? model.sizes[static_cast<Index>(k)] : 0;
     x[fitted + static_cast<Index>(k)] = std::clamp(linear * size.typical, size.lower, size.upper);
   }
-  const NoiseHypothesis& noise = model.more_noise_probability > 0.5 ? work.noise.back() : work.noise.front();
+  const NoiseHypothesis& noise = work.noise[likelyNoise(work, model)];
   const double tolerance = std::clamp(kSmallFall / static_cast<double>(noise.weights.rows), 1e-6, 1e-4);
   const LeastSquaresOptions solver{tolerance, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
   return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
@@ -143,7 +58,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
 }
 
 /// Whether a size ended where no machine's is.
-bool isImpossible(const Placed& placed, const VectorXd& x, std::size_t fitted) {
+bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitted) {
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
     const double most = 0.999 * kMostSize * size.typical;
@@ -179,7 +94,7 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
 }
 
 /// Sizes count from nothing: y is what the model with none of them would miss.
-bool linearizeAt(const DiagnosisWork& work, const Placed& placed, const std::vector<Unknown>& unknowns,
+bool linearizeAt(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
   at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
   if (!at.residual.ok || !at.residual.r.allFinite() || !at.residual.jacobian.allFinite()) return false;
@@ -204,7 +119,7 @@ bool linearizeAt(const DiagnosisWork& work, const Placed& placed, const std::vec
   return true;
 }
 
-std::vector<PriorSize> priorsOf(const Placed& placed, double scale) {
+std::vector<PriorSize> priorsOf(const PlacedModel& placed, double scale) {
   std::vector<PriorSize> priors;
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
@@ -273,7 +188,7 @@ double logOddsOfLikeness(double length, double left) {
 /// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
 /// left of it. So where something remains, each term competes with being such a likeness: what it takes of the error is
 /// then of the order of what remains, and not of the order that its own cause has.
-void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std::vector<AtOptimum>& at,
+void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
   if (model.terms.empty() || remains < kHardlyLeft) return;
@@ -291,52 +206,9 @@ void weighLikenesses(const DiagnosisWork& work, const Placed& placed, const std:
   }
 }
 
-FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
-  FoundNumber number{name, unknown.quantity, value, sigma};
-  number.is_beyond_usual =
-      unknown.path.effect >= 0 && std::abs(value - unknown.start) > unknown.typical + kBeyondUsual * sigma;
-  return number;
-}
-
-/// What a term became, effect by effect.
-void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const Placed& placed, std::size_t index,
-                  const VectorXd& sigma, std::size_t first_size, Explanation& fit) {
-  const Cause& cause = work.cause(term.cause);
-  const auto sigmaOf = [&](std::size_t k) {
-    return sigma.size() > static_cast<Index>(k) ? sigma[static_cast<Index>(k)] * placed.sizes[k].typical
-                                                : std::numeric_limits<double>::quiet_NaN();
-  };
-  if (!cause.frees.empty()) {
-    FoundEffect found{cause.effect, cause.at, {}, cause.frees, {}, {}};
-    for (std::size_t k = first_size; k < first_size + placed.counts[index]; ++k) {
-      const Unknown& unknown = placed.sizes[k];
-      const double value = deflection::locate(fit.fitted.arm, unknown.path);
-      found.numbers.push_back(foundNumber(unknown, unknown.name, value,
-                                          sigmaOf(k) * std::abs(slopeAt(unknown, variableAt(unknown, value)))));
-    }
-    fit.effects.push_back(std::move(found));
-    return;
-  }
-  for (std::size_t e = 0; e < cause.effects.size(); ++e) {
-    const int effect = placed.first_effect[index] + static_cast<int>(e);
-    const auto& fitted = fit.fitted.arm.effects[static_cast<std::size_t>(effect)];
-    const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(fitted.kind)];
-    FoundEffect found{cause.effect, deflection::placeText(fit.fitted.arm, fitted), fitted, {}, {}, {}};
-    for (std::size_t v = 0; v < fitted.values.size(); ++v) {
-      FoundNumber number{kind.parameters[v].name,
-                         deflection::numberOf(fit.fitted.arm, fitted, static_cast<int>(v)).quantity, fitted.values[v]};
-      for (std::size_t k = first_size; k < first_size + placed.counts[index]; ++k)
-        if (placed.sizes[k].path.effect == effect && placed.sizes[k].path.value == static_cast<int>(v))
-          number = foundNumber(placed.sizes[k], number.name, number.value, sigmaOf(k));
-      found.numbers.push_back(number);
-    }
-    fit.effects.push_back(std::move(found));
-  }
-}
-
 /// Whether of a cause at all joints alike the fit, which ended at `x`, found one size only: that joint's own cause says
 /// the same.
-bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const Placed& placed, const VectorXd& x) {
+bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed, const VectorXd& x) {
   const std::size_t fitted = work.basis.unknowns.size();
   std::size_t k = 0;
   for (const ModelTerm& term : model.terms) {
@@ -349,12 +221,34 @@ bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const P
   return false;
 }
 
+/// What the fit, which ended at `x`, says of the model; its evidence must be there.
+void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
+                 const VectorXd& x, const std::vector<AtOptimum>& at, CompetingModel& model) {
+  const std::size_t likely = likelyNoise(work, model);
+  Explanation& fit = model.fit;
+  fit.fitted = applied(placed.arm, unknowns, x);
+  fit.chi2 = at.front().residual.r.squaredNorm();
+  fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
+  const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
+  fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
+  // Sizes stand where the fit left them, so their deviations are those of the prior that it had.
+  const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    describeTerm(work, model.terms[t], placed, t, sigma, first, fit);
+    first += placed.counts[t];
+  }
+  fit.model_error = model.model_error;
+  fit.remainder_probability = model.discrepancy_probability;
+  fit.criterion = -2 * model.logWeight();
+}
+
 }  // namespace
 
 void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   model.is_fitted = true;
   const double linear = model.log_evidence;
-  const Placed placed = place(work, model);
+  const PlacedModel placed = placeModel(work, model);
   std::vector<Unknown> unknowns;
   const auto solution = minimize(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
@@ -379,25 +273,10 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
     return;
   }
   model.gain_by_fit = model.log_evidence - linear;
-  const std::size_t likely = model.more_noise_probability > 0.5 ? at.size() - 1 : 0;
+  const std::size_t likely = likelyNoise(work, model);
   keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
   weighLikenesses(work, placed, at, model);
-  Explanation& fit = model.fit;
-  fit.fitted = applied(placed.arm, unknowns, solution.x);
-  fit.chi2 = at.front().residual.r.squaredNorm();
-  fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
-  const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
-  fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
-  // Sizes stand where the fit left them, so their deviations are those of the prior that it had.
-  const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
-  std::size_t first = 0;
-  for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    describeTerm(work, model.terms[t], placed, t, sigma, first, fit);
-    first += placed.counts[t];
-  }
-  fit.model_error = model.model_error;
-  fit.remainder_probability = model.discrepancy_probability;
-  fit.criterion = -2 * model.logWeight();
+  describeFit(work, placed, unknowns, solution.x, at, model);
 }
 
 }  // namespace tubeplan::calibration

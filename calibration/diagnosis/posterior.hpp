@@ -1,5 +1,5 @@
-// From competing models to what may be said: their probabilities, causes that are the same under several names, and the
-// verdict.
+// From competing models to what is probable: classes of models with the same causes, under whatever names, and the
+// causes that are sure.
 #pragma once
 
 #include "calibration/diagnosis/competing_models.hpp"
@@ -17,6 +17,12 @@ struct ModelClass {
   const CompetingModel* model = nullptr;  ///< the most probable
 };
 
+inline constexpr double kLeastLikely =
+    0.02;  ///< of the best class's probability, below which a class counts for little
+
+/// Counts one class to another.
+void mixIn(const ModelClass& one, ModelClass& to);
+
 struct Posterior {
   double nothing = 0;               ///< that nothing is missing
   double unknown = 0;               ///< that something is that follows the readings, and no cause is part of it
@@ -29,17 +35,5 @@ struct Posterior {
 
 /// `work.models` must be found. Fits the model of the causes that are sure. Unwinds where it was stopped.
 [[nodiscard]] Posterior posteriorOf(const DiagnosisWork& work);
-
-/// Fills verdict and alternatives.
-void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnosis& result);
-
-/// Fills `ranking`.
-void rankCauses(const DiagnosisWork& work, Diagnosis& result);
-
-/// Fills `detectable`.
-void listDetectable(const DiagnosisWork& work, Diagnosis& result);
-
-/// What is left beside a model's causes, and what it follows.
-[[nodiscard]] Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model);
 
 }  // namespace tubeplan::calibration

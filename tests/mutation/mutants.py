@@ -63,7 +63,8 @@ PARTS = [
              "calibration/measurements/reading_prediction.cpp"),
          [(CALIBRATION_TEST, "*")]),
     Part("evidence", "calibration",
-         own("calibration/diagnosis/linear_evidence.cpp", "calibration/diagnosis/posterior.cpp"),
+         own(*(f"calibration/diagnosis/{name}.cpp"
+               for name in ("linear_evidence", "claims", "posterior", "decision", "ranking", "remainder"))),
          [(CALIBRATION_TEST, "*Evidence*:LogSum.*"), (CALIBRATION_TEST, "Decide.*:*Diagnos*"), (CALIBRATION_TEST, "*")]),
     Part("bound", "planner", own("planner/order/one_tree_bound.cpp", "planner/order/priced_tree.cpp"),
          [("planner/planner_test", "*")]),

@@ -1,5 +1,5 @@
 // From probabilities of causes to the verdict: each case by numbers that are summed by hand.
-#include "calibration/diagnosis/posterior.hpp"
+#include "calibration/diagnosis/decision.hpp"
 
 #include <gtest/gtest.h>
 

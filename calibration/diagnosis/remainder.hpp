@@ -1,0 +1,15 @@
+// What is left beside the causes of a model.
+#pragma once
+
+#include "calibration/diagnosis/competing_models.hpp"
+#include "calibration/diagnosis/same_posture.hpp"
+
+namespace tubeplan::calibration {
+
+/// What is left beside a model's causes, and what it follows.
+[[nodiscard]] Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model);
+
+/// Of the errors that a model leaves; those of the baseline where it has no causes, or no fit.
+[[nodiscard]] SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model);
+
+}  // namespace tubeplan::calibration
