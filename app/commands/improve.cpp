@@ -35,29 +35,37 @@ struct ImproveOptions {
   ImprovementRequest request;
 };
 
+/// ", without 2 readings"; nothing of none.
+std::string withoutText(std::size_t count) {
+  if (count == 0) return "";
+  return fmt::format(", without {} {}", count, count == 1 ? "reading" : "readings");
+}
+
 /// Writes and prints models as they come, so that what is done stays where the rest is stopped.
 class Keeper {
  public:
   Keeper(const CellReadings& input, const ImproveOptions& options) : input_(input), options_(options) {}
 
   void keep(const ImprovedModel& model) {
-    const auto files = improvedCell(input_.cell, model.cell, model.fit, input_.readings, options_.out);
-    ++models_;
+    const auto used = calibration::withoutSetAside(input_.readings, model.set_aside);
+    const auto files = improvedCell(input_.cell, model.cell, model.fit, used, options_.out);
+    step_ = model.step;
     // A model that only fits what was there before is written at the end: the readings may allow no verdict on it.
-    if (models_ > 1)
+    if (step_ > 0)
       write(files);
     else
       first_ = files;
     if (printsText(options_.json))
-      fmt::print("{}: held-out error {}\n", model.name, lengthText(model.fit.heldout.rms, input_.cell.units));
+      fmt::print("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
+                 lengthText(model.fit.heldout.rms, input_.cell.units));
     std::fflush(stdout);
   }
 
   void finish(bool is_usable) {
-    if (is_usable && models_ == 1) write(*first_);
+    if (is_usable && step_ == 0) write(*first_);
   }
 
-  [[nodiscard]] int steps() const { return std::max(0, models_ - 1); }
+  [[nodiscard]] int steps() const { return step_; }
 
  private:
   static void write(const CellFiles& files) { writeFilesTogether(files.inOrder(), "--out"); }
@@ -65,10 +73,11 @@ class Keeper {
   const CellReadings& input_;
   const ImproveOptions& options_;
   std::optional<CellFiles> first_;
-  int models_ = 0;
+  int step_ = 0;
 };
 
-void print(const Improvement& result, const ImproveOptions& options, const Units& units) {
+void print(const Improvement& result, const ImproveOptions& options, const CellReadings& input) {
+  const Units& units = input.cell.units;
   for (std::size_t k = 0; k < result.steps.size(); ++k) {
     const auto& step = result.steps[k];
     fmt::print("step {}: {}: {}\n", k + 1, nameOf(step.diagnosis.verdict), sentenceOf(step, units));
@@ -76,11 +85,15 @@ void print(const Improvement& result, const ImproveOptions& options, const Units
       fmt::print("  ended ({}): {}\n", nameOf(result.end), reasonText(step, units));
     else
       fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), reasonText(step, units));
-    if (!step.also.empty()) fmt::print("  the same all over the arm's range: {}\n", fmt::join(step.also, ", "));
+    if (!step.also.empty())
+      fmt::print("  with this tool no reading tells it apart from: {}\n", fmt::join(step.also, ", "));
   }
   if (result.end == ImprovementEnd::kNotFitted)
     fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
   if (result.end == ImprovementEnd::kMostSteps) fmt::print("ended after --steps {}\n", options.request.steps);
+  if (const auto ids = idsSetAside(result, input.readings); !ids.empty())
+    fmt::print("set aside as outliers, in no fit and no error: {} {}\n", ids.size() == 1 ? "reading" : "readings",
+               fmt::join(ids, ", "));
   if (!result.models.empty()) fmt::print("{}", modelComparisonText(comparisonRowsOf(result), units));
   if (!result.isUsable())
     fmt::print("nothing was written\n");
@@ -93,20 +106,20 @@ int run(const ImproveOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   checkReportTarget(options.report);
-  checkWritableFile(options.out, "--out");
+  checkWritableCellAndArm(input.cell, options.out, "--out");
   Keeper keeper(input, options);
   ImprovementRequest request = options.request;
   request.on_model = [&](const ImprovedModel& model) { keeper.keep(model); };
   try {
     const auto result = improveModel(input, request, terminalWorkHooks());
     keeper.finish(result.isUsable());
-    nlohmann::json json = improvementJson(result, input.cell.units);
+    nlohmann::json json = improvementJson(result, input.readings, input.cell.units);
     addChecks(input.checks, input.cell.units, json);
     writeJson(options.json, json);
     if (options.report.isWanted()) writeReport(options.report, improvementPage(input, options.request.seed, result));
     if (printsText(options.json)) {
       fmt::print("{}", checksText(input.checks, input.cell.units));
-      print(result, options, input.cell.units);
+      print(result, options, input);
     }
     return result.isUsable() ? kDone : kNegativeAnswer;
   } catch (const JobStopped&) {

@@ -115,6 +115,16 @@ std::string shortText(const Explanation& explanation, const Units& units) {
   return text.size() <= kShort ? text : namesText(explanation);
 }
 
+/// ", or joint-offset@A5 in place of link-length@bend, which ..."; empty where no cause has other names.
+std::string orText(const Explanation& explanation) {
+  std::vector<std::string> others;
+  for (const auto& effect : explanation.effects)
+    for (const auto& [name, at] : effect.also)
+      others.push_back(fmt::format("{}@{} in place of {}@{}", name, at, effect.effect, effect.at));
+  if (others.empty()) return "";
+  return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(others, " and "));
+}
+
 std::string followsText(const calibration::Remainder& remainder) {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < remainder.follows.size() && k < 2; ++k) names.push_back(remainder.follows[k].first);
@@ -125,7 +135,7 @@ std::string remainderText(const Diagnosis& result, const Units& units) {
   const auto& remainder = result.remainder;
   if (!std::isfinite(remainder.size)) return "";
   if (remainder.follows.empty())
-    return lengthText(remainder.size, units) + " remains that depends on nothing recorded in the readings";
+    return fmt::format("{} remains that {}", lengthText(remainder.size, units), kFollowsNothing);
   return fmt::format("{} remains that no known effect explains{}", lengthText(remainder.size, units),
                      followsText(remainder));
 }
@@ -133,9 +143,11 @@ std::string remainderText(const Diagnosis& result, const Units& units) {
 std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
   if (result.isScatterAlone())
     return fmt::format(
-        "The readings scatter by {} beyond their stated noise, and this scatter depends on nothing that they record: "
-        "sigma is too small, the arm does not repeat, or something unrecorded acts on it.",
-        lengthText(result.remainder.size, units));
+        "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
+        "not "
+        "repeat, something unrecorded acts on it, or it changes with a joint too fast for these readings, as with the "
+        "turns of a gear or a screw.",
+        lengthText(result.remainder.size, units), kFollowsNothing);
   const std::string rest = remainderText(result, units);
   return fmt::format("Something is missing, and no known effect is certain to be part of it{}.",
                      rest.empty() ? "" : ": " + rest);
@@ -188,7 +200,9 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
 }  // namespace
 
 std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
-  const std::string first = result.alternatives.empty() ? "" : shortText(result.alternatives.front(), units);
+  const std::string first = result.alternatives.empty()
+                                ? ""
+                                : shortText(result.alternatives.front(), units) + orText(result.alternatives.front());
   switch (result.verdict) {
     case Verdict::kNotRun:
     case Verdict::kStopped:
@@ -280,7 +294,7 @@ std::string alternativeText(const Explanation& alternative, const Units& units) 
     std::vector<std::string> also;
     for (const auto& [name, at] : effect.also) also.push_back(name + "@" + at);
     if (!also.empty())
-      text += fmt::format("         {}@{} is the same all over the arm's range as {}\n", effect.effect, effect.at,
+      text += fmt::format("         with this tool no reading tells {}@{} apart from {}\n", effect.effect, effect.at,
                           fmt::join(also, ", "));
     for (const auto& number : effect.numbers)
       if (number.is_beyond_usual)
@@ -333,8 +347,8 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
   if (std::isfinite(result.nothing_probability))
     text += fmt::format("nothing missing has probability {:.3g}\n", result.nothing_probability);
   if (result.model_error > 0)
-    text += fmt::format("about {} in each coordinate beyond the stated noise depends on nothing recorded\n",
-                        lengthText(result.model_error, units));
+    text += fmt::format("about {} in each coordinate beyond the stated noise {}\n",
+                        lengthText(result.model_error, units), kFollowsNothing);
   for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
   if (!result.ranking.empty())
     text += "  effect                                  probability  chi-square reduction   size\n";

@@ -9,6 +9,9 @@
 
 namespace tubeplan::app {
 
+/// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
+inline constexpr const char* kFollowsNothing = "follows no smooth function of what the readings record";
+
 /// The one plain sentence of a diagnosis.
 [[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
 

@@ -102,7 +102,7 @@ nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& st
 }  // namespace
 
 std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result) {
-  nlohmann::json page = pageOf("Improvement", input, seed, improvementJson(result, input.cell.units));
+  nlohmann::json page = pageOf("Improvement", input, seed, improvementJson(result, input.readings, input.cell.units));
   page["models"] = ladderModels(page["rungs"]);
   if (!page["rungs"].empty()) {
     const auto& first = page["rungs"].front()["rms"];

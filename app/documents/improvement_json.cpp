@@ -45,8 +45,7 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
     case ImprovementReason::kNothingMissing:
       return "nothing is missing";
     case ImprovementReason::kScatter:
-      return fmt::format("the remainder, {} beyond the stated noise, depends on nothing recorded in the readings",
-                         first);
+      return fmt::format("the remainder, {} beyond the stated noise, {}", first, kFollowsNothing);
     case ImprovementReason::kSure:
       return "certain, and it predicts the farthest poses";
     case ImprovementReason::kSureInAll:
@@ -80,12 +79,22 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
   return "";
 }
 
-nlohmann::json improvementJson(const Improvement& result, const Units& units) {
+std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
+  std::vector<std::string> ids;
+  if (result.models.empty()) return ids;
+  for (const int reading : result.models.back().set_aside)
+    ids.push_back(readings.at(static_cast<std::size_t>(reading)).id);
+  return ids;
+}
+
+nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& readings,
+                               const Units& units) {
   const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
     return nlohmann::json{{"before", lengthJson(before.rms, units)}, {"after", lengthJson(after.rms, units)}};
   };
   nlohmann::json json = modelComparisonJson(comparisonRowsOf(result), units);
   json["end"] = nameOf(result.end);
+  json["set_aside"] = idsSetAside(result, readings);
   json["steps"] = nlohmann::json::array();
   for (const auto& step : result.steps)
     json["steps"].push_back({{"verdict", nameOf(step.diagnosis.verdict)},

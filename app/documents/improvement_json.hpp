@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "app/files/units.hpp"
 #include "app/studies/model/improvement.hpp"
@@ -18,7 +19,12 @@ namespace tubeplan::app {
 /// Why a cause was added, or why the loop ends there.
 [[nodiscard]] std::string reasonText(const ImprovementStep& step, const Units& units);
 
+/// The ids of the readings that no model was fitted to, as the last diagnosis took them for outliers.
+[[nodiscard]] std::vector<std::string> idsSetAside(const Improvement& result,
+                                                   const std::vector<calibration::Measurement>& readings);
+
 /// As `tubeplan improve --json` writes it.
-[[nodiscard]] nlohmann::json improvementJson(const Improvement& result, const Units& units);
+[[nodiscard]] nlohmann::json improvementJson(const Improvement& result,
+                                             const std::vector<calibration::Measurement>& readings, const Units& units);
 
 }  // namespace tubeplan::app

@@ -194,12 +194,14 @@ Answer improve(Workbench& workbench, const Request& request) {
                     for (const auto& model : outcome.models)
                       improved.push_back(
                           {model.name == "as given" ? "fitted" : model.name,
-                           improvedCell(input.cell, model.cell, model.fit, input.readings, input.cell.path).reread()});
+                           improvedCell(input.cell, model.cell, model.fit,
+                                        calibration::withoutSetAside(input.readings, model.set_aside), input.cell.path)
+                               .reread()});
                     finishJob(workbench, began, [&](Session& session) {
                       int id = 0;
                       for (std::size_t k = 0; k < improved.size(); ++k)
                         id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
-                      putResult(session, "improve", id, improvementJson(outcome, input.cell.units));
+                      putResult(session, "improve", id, improvementJson(outcome, input.readings, input.cell.units));
                     });
                     return "improve";
                   });

@@ -4,10 +4,14 @@
 #include <cmath>
 #include <map>
 
+#include "calibration/diagnosis/decision.hpp"
 #include "calibration/diagnosis/indistinguishable.hpp"
-#include "calibration/diagnosis/model_fit.hpp"
+#include "calibration/diagnosis/leading_models.hpp"
+#include "calibration/diagnosis/model_search.hpp"
 #include "calibration/diagnosis/noise_hypotheses.hpp"
 #include "calibration/diagnosis/posterior.hpp"
+#include "calibration/diagnosis/ranking.hpp"
+#include "calibration/diagnosis/remainder.hpp"
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -216,11 +220,6 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-std::vector<Measurement> withoutSetAside(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
-  for (auto at = set_aside.rbegin(); at != set_aside.rend(); ++at) readings.erase(readings.begin() + *at);
-  return readings;
-}
-
 /// How many touches each unknown point is left without these readings.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   std::map<std::string, int> left;
@@ -302,6 +301,11 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
 }
 
 }  // namespace
+
+std::vector<Measurement> withoutSetAside(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
+  for (auto at = set_aside.rbegin(); at != set_aside.rend(); ++at) readings.erase(readings.begin() + *at);
+  return readings;
+}
 
 Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
   try {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/studies/model/cell_fit.hpp"
 #include "app/studies/model/explained_model.hpp"
@@ -83,7 +84,7 @@ Decision decisionOn(const Diagnosis& diagnosis) {
       return amongEquals(diagnosis);
     case Verdict::kUnexplained:
       if (diagnosis.isScatterAlone())
-        return {nullptr, ImprovementEnd::kAdequate, ImprovementReason::kScatter, diagnosis.remainder.size};
+        return {nullptr, ImprovementEnd::kNothingSure, ImprovementReason::kScatter, diagnosis.remainder.size};
       return amongUnsure(diagnosis);
     default:
       return {nullptr, ImprovementEnd::kInconclusive, ImprovementReason::kNoVerdict};
@@ -114,7 +115,7 @@ class Improver {
 
   Improvement run(const CellModel& cell) {
     beginStep(hooks_, "fit");
-    ImprovedModel first = fitted("as given", cell, hooks_);
+    ImprovedModel first = fitted("as given", cell, 0, hooks_);
     if (!isUsable(first.fit)) {
       result_.end = ImprovementEnd::kNotFitted;
       result_.models.push_back(std::move(first));
@@ -128,13 +129,15 @@ class Improver {
   }
 
  private:
-  [[nodiscard]] ImprovedModel fitted(const std::string& name, const CellModel& cell, const WorkHooks& hooks) const {
+  [[nodiscard]] ImprovedModel fitted(const std::string& name, const CellModel& cell, int step,
+                                     const WorkHooks& hooks) const {
     calibration::IdentificationOptions options;
     options.free = freeNumbersOf(cell);
     options.seed = request_.seed;
     options.intervals_by_profile = false;
     options.hooks = hooks;
-    ImprovedModel model{name, cell, calibration::identify(startOf(cell, readings_), readings_, options)};
+    const auto used = calibration::withoutSetAside(readings_, set_aside_);
+    ImprovedModel model{name, cell, calibration::identify(startOf(cell, used), used, options), step, set_aside_};
     requireGoingOn(hooks);
     return model;
   }
@@ -154,10 +157,26 @@ class Improver {
     result_.models.push_back(std::move(model));
   }
 
+  /// Every model is fitted to the readings that the diagnosis took: its word is of those, and errors are compared.
+  void setAside(const Diagnosis& diagnosis, const WorkHooks& hooks) {
+    if (diagnosis.verdict == Verdict::kNotRun || diagnosis.set_aside == set_aside_) return;
+    const auto before = std::exchange(set_aside_, diagnosis.set_aside);
+    std::vector<ImprovedModel> again;
+    for (const ImprovedModel& model : result_.models)
+      again.push_back(fitted(model.name, model.cell, model.step, hooks));
+    if (!std::all_of(again.begin(), again.end(), [](const ImprovedModel& model) { return isUsable(model.fit); })) {
+      set_aside_ = before;
+      return;
+    }
+    result_.models = std::move(again);
+    if (request_.on_model) request_.on_model(result_.models.back());
+  }
+
   /// One round; false where the loop ends.
   bool improveOnce(const WorkHooks& hooks) {
+    const Diagnosis diagnosis = diagnosisOf(result_.models.back().cell, hooks);
+    setAside(diagnosis, hooks);
     const ImprovedModel& last = result_.models.back();
-    const Diagnosis diagnosis = diagnosisOf(last.cell, hooks);
     const Decision decision = decisionOn(diagnosis);
     result_.steps.push_back(stepOf(diagnosis, decision));
     result_.end = decision.end;
@@ -168,7 +187,7 @@ class Improver {
     ImprovementStep& step = result_.steps.back();
     CellModel cell = last.cell;
     const AddedCauses added = addExplanation(cause, cell);
-    auto model = fitted(fmt::format("+ {}", fmt::join(added.names, " + ")), cell, hooks);
+    auto model = fitted(fmt::format("+ {}", fmt::join(added.names, " + ")), cell, last.step + 1, hooks);
     if (!isUsable(model.fit) || !(model.fit.heldout.rms < last.fit.heldout.rms)) {
       result_.end = ImprovementEnd::kDoesNotCarryOver;
       step.reason = ImprovementReason::kNotLowerTogether;
@@ -184,6 +203,7 @@ class Improver {
   const std::vector<Measurement>& readings_;
   const ImprovementRequest& request_;
   WorkHooks hooks_;
+  std::vector<int> set_aside_;
   Improvement result_;
 };
 

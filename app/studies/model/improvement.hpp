@@ -18,18 +18,21 @@ struct ImprovedModel {
   std::string name;  ///< "as given", "+ backlash@tool.z"
   CellModel cell;    ///< with what was added; its numbers are those of `fit`
   calibration::Identification fit;
+  int step = 0;                ///< how many added something
+  std::vector<int> set_aside;  ///< readings left out of the fit: the last diagnosis took them for outliers
 };
 
 struct ImprovementRequest {
   int steps = 6;  ///< the most that add something
   std::uint64_t seed = 1;
-  std::function<void(const ImprovedModel&)> on_model;  ///< called with every model once it is fitted
+  /// Called with every model once it is fitted; with one again that is fitted to other readings.
+  std::function<void(const ImprovedModel&)> on_model;
 };
 
 enum class ImprovementEnd {
   kNotRun,
   kAdequate,          ///< nothing is missing
-  kNothingSure,       ///< something is, and no cause lowers the error where it was not fitted
+  kNothingSure,       ///< something is, and no cause lowers the error where it was not fitted, or the noise is larger
   kAmbiguous,         ///< alternatives differ over the arm's range by more than the first gains
   kDoesNotCarryOver,  ///< the cause does not lower the error of readings kept out, or of the farthest poses
   kMistake,           ///< a mistake with the readings explains the error
@@ -41,7 +44,7 @@ enum class ImprovementEnd {
 /// Why a cause was added, or why the loop ends.
 enum class ImprovementReason {
   kNothingMissing,
-  kScatter,            ///< what is left follows nothing that the readings state; `first`: its size
+  kScatter,            ///< what is left follows no smooth function of what the readings state; `first`: its size
   kSure,               ///< and it predicts the farthest poses
   kSureInAll,          ///< in every alternative
   kAlternativesClose,  ///< they differ by `first` over the arm's range, less than the gain `second`
@@ -68,7 +71,8 @@ struct ImprovementStep {
 struct Improvement {
   ImprovementEnd end = ImprovementEnd::kNotRun;
   std::vector<ImprovementStep> steps;
-  std::vector<ImprovedModel> models;  ///< as given and as fitted first; one more for each step that added something
+  /// As given and as fitted first; one more for each step that added something. All are fitted to the same readings.
+  std::vector<ImprovedModel> models;
 
   /// Whether there is a model that may be used.
   [[nodiscard]] bool isUsable() const {

@@ -1,6 +1,8 @@
 // The whole loop by one command, from outside: what it writes is what it reports, it says why it ends, and it writes
 // nothing where the readings allow no verdict. And what a diagnosis gives to `add` is what it found.
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/files/cell_reader.hpp"
 #include "tests/app/program.hpp"
@@ -21,6 +23,24 @@ class Improve : public ProgramTest {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
+  /// Adds so much to the first coordinate of a line's reading.
+  static void spoilPlace(std::string& text, int line, double by) {
+    std::vector<std::string> lines, fields;
+    std::istringstream all(text), header(text.substr(0, text.find('\n')));
+    for (std::string one; std::getline(all, one);) lines.push_back(one);
+    for (std::string one; std::getline(header, one, ',');) fields.push_back(one);
+    const auto column = static_cast<std::size_t>(
+        std::find_if(fields.begin(), fields.end(), [](const auto& name) { return name.starts_with("x_"); }) -
+        fields.begin());
+    std::string& spoilt = lines.at(static_cast<std::size_t>(line));
+    std::size_t from = 0;
+    for (std::size_t k = 0; k < column; ++k) from = spoilt.find(',', from) + 1;
+    const std::size_t end = spoilt.find(',', from);
+    spoilt.replace(from, end - from, std::to_string(std::stod(spoilt.substr(from, end - from)) + by));
+    text.clear();
+    for (const auto& one : lines) text += one + "\n";
+  }
+
   [[nodiscard]] json improved(const std::string& more = "") {
     const auto outcome = run("improve " + bench() + " set/measurements.csv --out new.yaml --json figures.json" + more);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -38,6 +58,24 @@ TEST_F(Improve, WritesTheModelThatItReports) {
   const auto compared = run("compare new.yaml set/measurements.csv --json -");
   const double reported = figures["rungs"][1]["rms"]["fitted"];
   EXPECT_NEAR(json::parse(compared.out)["rms"]["before"].get<double>(), reported, 0.01 * reported);
+}
+
+/// A reading that is no noise is in no fit and no error that is reported, and named.
+TEST_F(Improve, FitsWithoutWhatItSetsAside) {
+  simulate("hysteresis@theta4:0.06deg");
+  std::string text = contentOf(folder / "set/measurements.csv");
+  spoilPlace(text, 40, 1.5);
+  write("set/measurements.csv", text);
+  const json figures = improved();
+  EXPECT_EQ(figures["end"], "adequate") << figures.dump(1);
+  ASSERT_EQ(figures["set_aside"].size(), 1U);
+  ASSERT_EQ(figures["rungs"].size(), 2U);
+  const auto& last = figures["rungs"][1];
+  EXPECT_LT(last["rms"]["fitted"].get<double>(), 1.3 * last["rms"]["noise_floor"].get<double>());
+  const auto without = run("compare new.yaml set/measurements.csv --json - --assume without=" +
+                           figures["set_aside"][0].get<std::string>());
+  const double reported = last["rms"]["fitted"];
+  EXPECT_NEAR(json::parse(without.out)["rms"]["before"].get<double>(), reported, 0.01 * reported);
 }
 
 TEST_F(Improve, SaysWhyItEndsWhereStepsRunOut) {
