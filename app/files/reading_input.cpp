@@ -16,6 +16,7 @@
 #include "app/files/touch_input.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/model/cell_fit.hpp"
+#include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/measurement_posture.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -190,10 +191,13 @@ ReadingsWithChecks checkTable(MeasurementTable table, const std::string& file, C
                                    [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
   if (is_past) requireWithinLimits(table, cell.arm, file, adviceOnLimits(table, cell));
   requireDefinedFormulas(table.readings, cell, file);
-  auto checks = calibration::checkMeasurements(asChecked(table, cell));
+  auto checked = asChecked(table, cell);
+  const auto copies = is_overruled ? std::nullopt : calibration::takeCopiesOut(checked);
+  auto checks = calibration::checkMeasurements(checked);
   if (is_overruled)
     for (auto& check : checks.checks) check.severity = calibration::CheckSeverity::kRemark;
-  return {std::move(table.readings), std::move(checks)};
+  if (copies) checks.checks.push_back(*copies);
+  return {std::move(checked.readings), std::move(checks)};
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.angle_units, checked.units.angles, value);
   if (!factor) return std::nullopt;
-  Mend mend{"angles", value,
-            "the unit of the joint readings is " + value + ", not " + checked.units.angles.name + " as their columns say"};
+  Mend mend{
+      "angles", value,
+      "the unit of the joint readings is " + value + ", not " + checked.units.angles.name + " as their columns say"};
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(checked.start.arm.jointCount());
   for (Eigen::Index j = 0; j < factors.size(); ++j)
     if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute) factors[j] = *factor;

@@ -19,8 +19,9 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, value);
   if (!factor) return std::nullopt;
-  Mend mend{"coordinates", value,
-            "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name + " as their columns say"};
+  Mend mend{
+      "coordinates", value,
+      "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name + " as their columns say"};
   mend.change = [checked = &checked, factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       if (areWritten(*checked, reading)) *reading.p_W *= factor;

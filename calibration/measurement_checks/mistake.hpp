@@ -25,6 +25,7 @@ struct NamedUnit {
 struct ReadingUnits {
   NamedUnit coordinates{"m", 1}, loads{"N", 1}, angles{"rad", 1}, sigma{"m", 1};
   std::vector<NamedUnit> lengths, forces, angle_units, sigmas;
+  std::vector<NamedUnit> joints;  ///< of each joint's column; empty where nobody knows
 };
 
 /// Readings as their file has them, and what they are held against.

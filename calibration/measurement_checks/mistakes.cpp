@@ -3,10 +3,12 @@
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/axes.hpp"
 #include "calibration/measurement_checks/base_elsewhere.hpp"
+#include "calibration/measurement_checks/coordinate_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
 #include "calibration/measurement_checks/holes_off.hpp"
 #include "calibration/measurement_checks/joint_order.hpp"
 #include "calibration/measurement_checks/joint_sign.hpp"
+#include "calibration/measurement_checks/joint_unit.hpp"
 #include "calibration/measurement_checks/joint_zero.hpp"
 #include "calibration/measurement_checks/loads_unit.hpp"
 #include "calibration/measurement_checks/mirror.hpp"
@@ -23,12 +25,12 @@ namespace tubeplan::calibration {
 
 const std::vector<MistakeKind>& mistakeKinds() {
   static const std::vector<MistakeKind> kKinds = {
-      mistakes::coordinates_unit::kind(), mistakes::loads_unit::kind(),     mistakes::angles_unit::kind(),
-      mistakes::sigma_unit::kind(),       mistakes::mirror::kind(),         mistakes::axes::kind(),
-      mistakes::joint_sign::kind(),       mistakes::joint_zero::kind(),     mistakes::joint_order::kind(),
-      mistakes::shifted_rows::kind(),     mistakes::holes_off::kind(),      mistakes::one_hole::kind(),
-      mistakes::sheet_mirrored::kind(),   mistakes::base_elsewhere::kind(), mistakes::setup_alone::kind(),
-      mistakes::without::kind(),
+      mistakes::coordinates_unit::kind(), mistakes::loads_unit::kind(),  mistakes::angles_unit::kind(),
+      mistakes::coordinate_unit::kind(),  mistakes::joint_unit::kind(),  mistakes::sigma_unit::kind(),
+      mistakes::mirror::kind(),           mistakes::axes::kind(),        mistakes::joint_sign::kind(),
+      mistakes::joint_zero::kind(),       mistakes::joint_order::kind(), mistakes::shifted_rows::kind(),
+      mistakes::holes_off::kind(),        mistakes::one_hole::kind(),    mistakes::sheet_mirrored::kind(),
+      mistakes::base_elsewhere::kind(),   mistakes::setup_alone::kind(), mistakes::without::kind(),
   };
   return kKinds;
 }

@@ -62,20 +62,52 @@ auto contentOf(const Measurement& m) {
                     number(m.time)};
 }
 
-std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
-  std::map<decltype(contentOf(checked.readings.front())), std::string> first;
-  std::vector<std::string> ids, again;
-  for (const auto& reading : checked.readings) {
-    const auto [at, is_new] = first.emplace(contentOf(reading), reading.id);
-    if (is_new) continue;
-    ids.push_back(reading.id);
-    again.push_back(reading.id + " (as " + at->second + ")");
+/// A reading all of whose numbers an earlier one has.
+struct Copy {
+  std::size_t reading = 0, of = 0;
+};
+
+std::vector<Copy> copiesIn(const std::vector<Measurement>& readings) {
+  std::map<decltype(contentOf(readings.front())), std::size_t> first;
+  std::vector<Copy> copies;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (const auto [at, is_new] = first.emplace(contentOf(readings[k]), k); !is_new) copies.push_back({k, at->second});
+  return copies;
+}
+
+/// The step in which the measured coordinates are written, in m: the largest power of ten of their unit in which all
+/// are whole.
+double stepOfCoordinates(const CheckedReadings& checked) {
+  constexpr double kCoarsest = 1, kFinest = 1e-7;
+  for (double step = kCoarsest; step > kFinest; step /= 10) {
+    const auto isWhole = [&](double metres) {
+      const double steps = metres / checked.units.coordinates.factor / step;
+      return std::abs(steps - std::round(steps)) < 1e-3;
+    };
+    const bool are_whole = std::all_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& m) {
+      return !m.p_W || !kindOf(m).has_coordinates || std::all_of(m.p_W->begin(), m.p_W->end(), isWhole);
+    });
+    if (are_whole) return step * checked.units.coordinates.factor;
   }
-  if (ids.empty()) return std::nullopt;
+  return kFinest * checked.units.coordinates.factor;
+}
+
+std::string copiesText(const CheckedReadings& checked, const std::vector<Copy>& copies) {
+  std::vector<std::string> names;
+  for (const Copy& copy : copies)
+    names.push_back(checked.readings[copy.reading].id + " (as " + checked.readings[copy.of].id + ")");
+  return listOf(names);
+}
+
+std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
+  const auto copies = copiesIn(checked.readings);
+  if (copies.empty()) return std::nullopt;
+  std::vector<std::string> ids;
+  for (const Copy& copy : copies) ids.push_back(checked.readings[copy.reading].id);
   return MeasurementCheck{"duplicates",
                           CheckSeverity::kRemark,
-                          std::string(ids.size() == 1 ? "a reading occurs" : "readings stand") +
-                              " twice with identical numbers: " + listOf(again),
+                          std::string(ids.size() == 1 ? "a reading occurs" : "readings occur") +
+                              " twice with identical numbers: " + copiesText(checked, copies),
                           kNoFigure,
                           kNoFigure,
                           assumeWithout(ids),
@@ -200,6 +232,25 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
   if (none([](const Measurement& m) { return std::isfinite(m.time); }))
     missing.push_back({"time", "with the time, slip or drift of the base could be detected"});
   return missing;
+}
+
+std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
+  constexpr double kFine = 0.1;  // of sigma: two readings with the same three coordinates are then one in 10^4
+  const double step = stepOfCoordinates(checked);
+  auto copies = copiesIn(checked.readings);
+  std::erase_if(copies, [&](const Copy& copy) {
+    const Measurement& m = checked.readings[copy.reading];
+    return !m.p_W || !kindOf(m).has_coordinates || !(step < kFine * m.sigma);
+  });
+  if (copies.empty()) return std::nullopt;
+  MeasurementCheck check;
+  check.name = "copies";
+  check.sentence = std::string(copies.size() == 1 ? "a reading is a copy" : "readings are copies") +
+                   " of another in all numbers and counted once: " + copiesText(checked, copies) +
+                   "; --assume as-is counts every row";
+  for (auto copy = copies.rbegin(); copy != copies.rend(); ++copy)
+    checked.readings.erase(checked.readings.begin() + static_cast<std::ptrdiff_t>(copy->reading));
+  return check;
 }
 
 std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,

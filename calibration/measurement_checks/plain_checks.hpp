@@ -8,6 +8,11 @@ namespace tubeplan::calibration {
 
 [[nodiscard]] std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings);
 
+/// Takes out the readings that are copies of an earlier one beyond doubt: all numbers are the same, and the coordinates
+/// are written so finely against their noise that two readings would differ. Counted twice they would look like noise
+/// that is too small. Nothing where there is none.
+std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked);
+
 /// Without those of a kind that is suspected already.
 [[nodiscard]] std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
                                                         const std::vector<MeasurementCheck>& suspected);

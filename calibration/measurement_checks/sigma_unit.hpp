@@ -11,7 +11,8 @@ inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.sigmas, checked.units.sigma, value);
   if (!factor) return std::nullopt;
-  Mend mend{"sigma", value, "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column says"};
+  Mend mend{"sigma", value,
+            "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column says"};
   mend.change = [factor = *factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) {
       reading.sigma *= factor;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
@@ -108,6 +109,45 @@ TEST(MeasurementChecksOf, ShiftedRowsKeepWholeWhatWasMeasured) {
   EXPECT_EQ(readings[0].row, 2);
   EXPECT_FALSE(readings[1].direction_W || readings[1].row);
   EXPECT_TRUE(readings[1].p_TQ);
+}
+
+CheckedReadings checkedOf(const SeededSet& set) {
+  return {app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell), set.table.units,
+          nullptr};
+}
+
+TEST(MeasurementChecksOf, CopiesAreTakenOutWhereNoTwoReadingsWouldBeAlike) {
+  auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
+  ASSERT_TRUE(set);
+  auto clean = checkedOf(*set);
+  EXPECT_FALSE(takeCopiesOut(clean));
+  EXPECT_EQ(clean.readings.size(), 30U);
+  for (int k : {3, 3, 17}) {
+    set->table.readings.push_back(set->table.readings[static_cast<std::size_t>(k)]);
+    set->table.readings.back().id += "-again" + std::to_string(set->table.readings.size());
+  }
+  auto copied = checkedOf(*set);
+  const auto check = takeCopiesOut(copied);
+  ASSERT_TRUE(check);
+  EXPECT_EQ(check->severity, CheckSeverity::kRemark);
+  EXPECT_EQ(copied.readings.size(), 30U);
+  EXPECT_EQ(copied.readings.back().id, clean.readings.back().id);
+}
+
+// A dial gauge reads the same number again and again: its readings are repeats, not copies.
+TEST(MeasurementChecksOf, CoarseReadingsThatAgreeAreNoCopies) {
+  auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
+  ASSERT_TRUE(set);
+  const double step = 0.01 * set->table.units.coordinates.factor;
+  for (auto& m : set->table.readings) {
+    *m.p_W = (*m.p_W / step).array().round().matrix() * step;
+    m.sigma = 3 * step;
+  }
+  set->table.readings.push_back(set->table.readings.front());
+  set->table.readings.back().id += "-again";
+  auto checked = checkedOf(*set);
+  EXPECT_FALSE(takeCopiesOut(checked));
+  EXPECT_EQ(checked.readings.size(), 31U);
 }
 
 TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {

@@ -143,6 +143,17 @@ inline Made degrees(SeededSet& s, SeededRandom&) {
   s.table.units.angles = {"rad", 1};
   return "angles=deg";
 }
+inline Made jointInRadians(SeededSet& s, SeededRandom& random) {
+  const int joint = drawnJoint(s, random);
+  for (auto& m : s.table.readings) m.q[joint] *= std::numbers::pi / 180;
+  return "joint-unit=" + jointName(s, joint) + ":rad";
+}
+inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s) || areHoles(s)) return std::nullopt;
+  const int axis = drawnBelow(3, random);
+  for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
+  return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
+}
 inline Made mirrored(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s) || areHoles(s)) return std::nullopt;
   const int axis = drawnBelow(3, random);
@@ -290,6 +301,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"loads", "loads in kg", seeded::kilograms},
       {"angles", "radians under deg", seeded::radians},
       {"angles", "degrees under rad", seeded::degrees},
+      {"joint-unit", "one joint in radians under deg", seeded::jointInRadians},
+      {"coordinate-unit", "one coordinate in mm", seeded::coordinateInMillimetres},
       {"sigma", "sigma x 1000", seeded::sigmaThousandfold},
       {"sigma", "sigma x 25.4", seeded::sigmaInMillimetres},
       {"sigma", "sigma / 1000", seeded::sigmaThousandth},

@@ -1,0 +1,35 @@
+// One coordinate in another unit than its column says. Places that the sheet tells stay.
+#pragma once
+
+#include <string_view>
+
+#include "calibration/measurement_checks/coordinates_unit.hpp"
+
+namespace tubeplan::calibration::mistakes::coordinate_unit {
+
+inline constexpr std::string_view kAxes = "xyz";
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  std::vector<std::string> values;
+  for (const auto& unit : coordinates_unit::values(checked))
+    for (const char axis : kAxes) values.push_back(std::string(1, axis) + ":" + unit);
+  return values;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto [axis, unit] = partedAtColon(value);
+  const auto at = axis.size() == 1 ? kAxes.find(axis.front()) : std::string_view::npos;
+  const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, unit);
+  if (at == std::string_view::npos || !factor) return std::nullopt;
+  Mend mend{"coordinate-unit", value,
+            "the unit of " + axis + " is " + unit + ", not " + checked.units.coordinates.name + " as its column says"};
+  mend.change = [checked = &checked, at, factor = *factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings)
+      if (coordinates_unit::areWritten(*checked, reading)) (*reading.p_W)[static_cast<Eigen::Index>(at)] *= factor;
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"coordinate-unit", "AXIS:UNIT", "x, y or z and a unit of length", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::coordinate_unit

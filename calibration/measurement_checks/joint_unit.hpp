@@ -1,0 +1,43 @@
+// One joint read in another unit than its column says: one column in radians among those in degrees.
+#pragma once
+
+#include "calibration/measurement_checks/units_of_columns.hpp"
+
+namespace tubeplan::calibration::mistakes::joint_unit {
+
+/// The units that a joint's column might be in, and the one that it says.
+inline const std::vector<NamedUnit>& unitsOf(const CheckedReadings& checked, int joint) {
+  const bool turns = checked.start.arm.joint(joint).type == deflection::JointType::kRevolute;
+  return turns ? checked.units.angle_units : checked.units.lengths;
+}
+
+inline const NamedUnit& unitOf(const CheckedReadings& checked, int joint) {
+  return checked.units.joints.at(static_cast<std::size_t>(joint));
+}
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  std::vector<std::string> values;
+  const int joints = static_cast<int>(checked.units.joints.size());
+  for (int j = 0; joints > 1 && j < joints; ++j)
+    for (const auto& unit : otherNames(unitsOf(checked, j), unitOf(checked, j)))
+      values.push_back(checked.start.arm.joint(j).name + ":" + unit);
+  return values;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto [name, unit] = partedAtColon(value);
+  const int joint = jointNamed(checked.start.arm, name);
+  if (joint < 0 || joint >= static_cast<int>(checked.units.joints.size())) return std::nullopt;
+  const auto factor = factorOf(unitsOf(checked, joint), unitOf(checked, joint), unit);
+  if (!factor) return std::nullopt;
+  Mend mend{"joint-unit", value,
+            "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column says"};
+  mend.change = [joint, factor = *factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.q[joint] *= factor;
+  };
+  return mend;
+}
+
+inline MistakeKind kind() { return {"joint-unit", "JOINT:UNIT", "a joint and a unit of its own kind", values, mend}; }
+
+}  // namespace tubeplan::calibration::mistakes::joint_unit
