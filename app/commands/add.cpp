@@ -28,7 +28,7 @@ int run(const AddOptions& options) {
   const Addition added = addToCell(cell, options.request);
   if (!options.readings.empty() && added.formulas.empty())
     throw InputError("--readings", "no formula to set beside the catalogue", "--formula with it");
-  checkWritableFile(options.out, "--out");
+  checkWritableCell(cell, options.out, "--out");
   const std::string text = cellTextWith(cell, added, options.out);
   const std::string overlap =
       options.readings.empty()

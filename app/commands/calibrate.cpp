@@ -11,6 +11,7 @@
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/touch_input.hpp"
 #include "app/jobs/calibration.hpp"
@@ -33,7 +34,7 @@ int run(const CalibrateOptions& options) {
   const auto [readings, checks] = readAndCheck({options.measurements}, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkJsonTarget(options.json);
-  if (!options.out.empty()) checkWritableFile(options.out, "--out");
+  if (!options.out.empty()) checkWritableCell(cell, options.out, "--out");
   const CalibrationOutcome outcome = calibrateCell(cell, touches, options.measurements);
   const auto& result = outcome.calibration;
   if (result.status == CalibrationStatus::kDone && !options.out.empty())

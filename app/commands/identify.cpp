@@ -45,7 +45,7 @@ int run(const IdentifyOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   const auto& [cell, file, readings, checks] = input;
   checkJsonTarget(options.json);
-  if (!options.out.empty()) checkWritableFile(options.out, "--out");
+  if (!options.out.empty()) checkWritableCellAndArm(cell, options.out, "--out");
   IdentificationRequest request = options.request;
   if (printsText(options.json)) fmt::print("{}", checksText(checks, cell.units));
   if (options.verbose)

@@ -42,9 +42,9 @@ std::vector<LadderModel> modelsOf(const LadderOptions& options) {
 }
 
 int run(const LadderOptions& options) {
+  const auto models = modelsOf(options);
   checkJsonTarget(options.json);
   checkReportTarget(options.report);
-  const auto models = modelsOf(options);
   const auto outcome = climbLadder(models, options.request, terminalWorkHooks());
   nlohmann::json figures = outcome.figures;
   addChecks(models.back().input.checks, models.front().input.cell.units, figures);

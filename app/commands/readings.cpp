@@ -52,9 +52,9 @@ int run(const ReadingsOptions& options) {
     return kDone;
   }
   if (options.files.empty()) throw InputError("FILES", "none", "the tables to read", "name one or more, or --template");
-  if (!options.out.empty()) checkWritableFile(options.out, "--out");
   ForeignRequest request{{}, {options.columns, unitsOf(options.units)}, options.kind};
   for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));
+  if (!options.out.empty()) checkWritableFile(options.out, "--out");
   const ForeignReadings readings = readForeign(request, cell.arm);
   const auto table =
       parseMeasurementTable(readings.text, "the readings", cell.arm, cell.sheet ? &*cell.sheet : nullptr);

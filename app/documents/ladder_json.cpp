@@ -6,8 +6,8 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/model_comparison_json.hpp"
+#include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
-#include "app/version.hpp"
 
 namespace tubeplan::app {
 
@@ -59,11 +59,11 @@ std::string ladderPage(const nlohmann::json& figures, const std::string& measure
   nlohmann::json page = {{"title", "Comparison of models"},
                          {"measurements", measurements},
                          {"seed", seed},
-                         {"version", kVersion},
                          {"units", figures["units"]},
                          {"models", ladderModels(figures["rungs"])}};
   for (const auto& compared : figures["rungs"]) page["noise_floor"] = compared["rms"]["noise_floor"];
   page["step_table"] = figures["step_table"];
+  stateOrigin(page);
   return renderLadderReport(page);
 }
 

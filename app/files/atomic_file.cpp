@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 
 namespace tubeplan::app {
 
@@ -67,12 +68,18 @@ void refuseFolder(const fs::path& path, const std::string& option) {
     throw InputError(option, fmt::format("'{}', a folder", path.string()), "the name of a file", "add a file name");
 }
 
+fs::path absoluteFolder(const fs::path& path, const std::string& option) {
+  if (path.empty()) throw InputError(option, "''", "the name of a folder");
+  return fs::absolute(path).lexically_normal();
+}
+
 }  // namespace
 
 void checkWritableFile(const fs::path& named, const std::string& option) {
   refuseFolder(named, option);
   const fs::path path = behindLink(named);
   if (isSpecialFile(path)) return;
+  claimOutput(path, option);
   MadeFolders made;
   made.make(folderOf(path), option);
   removeLeftovers(folderOf(path), path.filename().string());
@@ -94,6 +101,7 @@ void writeFilesTogether(const std::vector<TextFile>& files, const std::string& o
       if (const auto error = writeToDisk(path, file.text)) failToWrite(option, path, error.message());
       continue;
     }
+    claimOutput(path, option);
     made.make(folderOf(path), option);
     staged.add(temporaryBeside(path), temporaryBeside(folderOf(path) / asideName(path)), path, file.text);
   }
@@ -111,7 +119,7 @@ void removeLeftovers(const fs::path& folder, const std::string& name) {
 }
 
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
-    : path_(fs::absolute(path).lexically_normal()), option_(option), staged_(option) {
+    : path_(absoluteFolder(path, option)), option_(option), staged_(option) {
   if (!path_.has_filename()) path_ = path_.parent_path();  // a name that ends with a slash
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_)) failToWrite(option, path_, "a file, not a folder");

@@ -16,8 +16,9 @@ struct TextFile {
   std::string text;
 };
 
-/// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, and the
-/// place is no folder. Leaves nothing behind, not even what a program that was killed left. For use before long work.
+/// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, the
+/// place is no folder, and it is no file that the command reads or another option writes (InputRecord). Leaves nothing
+/// behind, not even what a program that was killed left. For use before long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
 /// Writes beside the place, waits for the disk and renames, so that no reader ever sees half a file, nor one after a

@@ -7,11 +7,13 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <system_error>
 #include <vector>
 
 #include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
 #include "app/files/quantities.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 #include "calibration/estimation/held_out.hpp"
@@ -187,6 +189,17 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
 }
 
 /// Everything but whether it gives the reported error.
+bool isIt(const Cell& cell, const fs::path& out) {
+  std::error_code error;
+  return fs::equivalent(out, cell.path, error);
+}
+
+fs::path armBeside(const fs::path& cell) {
+  fs::path arm = cell;
+  arm.replace_filename(cell.stem().string() + "-arm.yaml");
+  return arm;
+}
+
 CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
   const auto rigid = givenUp(cell, result);
@@ -200,8 +213,7 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   if (is_inline) {
     text = withoutArmParameters(withArmParameters(text, arm_node, source, numbers), arm_node, rigid);
   } else {
-    fs::path arm_path = out;
-    arm_path.replace_filename(out.stem().string() + "-arm.yaml");
+    const fs::path arm_path = armBeside(out);
     const std::string found = withArmParameters(cell.arm_source.text, arm_node, source, numbers);
     files.arm = {arm_path, withoutArmParameters(found, arm_node, rigid)};
     makePair(text, *files.arm);
@@ -282,6 +294,18 @@ std::string cellTextAt(const Cell& cell, const fs::path& out) {
 
 std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {
   return withBaseText(cellTextAt(cell, out), cell, base);
+}
+
+void checkWritableCell(const Cell& cell, const fs::path& out, const std::string& option) {
+  if (auto* record = InputRecord::current(); record && isIt(cell, out)) record->allowReplacing(cell.path);
+  checkWritableFile(out, option);
+}
+
+void checkWritableCellAndArm(const Cell& cell, const fs::path& out, const std::string& option) {
+  checkWritableCell(cell, out, option);
+  if (cell.arm_source.text.empty()) return;
+  if (auto* record = InputRecord::current(); record && isIt(cell, out)) record->allowReplacing(cell.arm_path);
+  checkWritableFile(armBeside(out), option);
 }
 
 }  // namespace tubeplan::app

@@ -55,6 +55,31 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
   EXPECT_EQ(run("--version").out.substr(0, 9), "tubeplan ");
 }
 
+/// What an option writes is neither what the command reads nor what another option writes.
+TEST_F(Program, refusesToWriteOverItsInputs) {
+  ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
+  for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
+  const std::string readings = "set/measurements.csv", asked = "bench.yaml " + readings;
+  const std::string before = contentOf(folder / readings), arm = contentOf(folder / "cobra-arm.yaml");
+  expectRefused("identify " + asked + " --out " + readings, {"--out", "measurements.csv", "reads"});
+  expectRefused("identify " + asked + " --json ./" + readings, {"--json", "reads"});
+  expectRefused("compare " + asked + " --report set/../set/measurements.csv", {"--report", "reads"});
+  expectRefused("improve " + asked + " --out cobra-arm.yaml", {"--out", "cobra-arm.yaml", "reads"});
+  expectRefused("diagnose " + asked + " --json bench.yaml", {"--json", "bench.yaml", "reads"});
+  expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"a.txt", "writes too"});
+  EXPECT_EQ(contentOf(folder / readings), before);
+  EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
+}
+
+/// A cell may be improved in its place.
+TEST_F(Program, writesACellOverItself) {
+  ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
+  for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
+  const Outcome outcome = run("identify bench.yaml set/measurements.csv --out bench.yaml --folds 0");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(run("pose bench.yaml --joints 0,30,30,30").exit_code, 0);
+}
+
 TEST_F(Program, refusesCommandLinesThatMakeNoSense) {
   expectRefused("mapp", {"'mapp'", "did you mean 'map'?"});
   expectRefused("map", {"CELL"});
