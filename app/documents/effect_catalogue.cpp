@@ -72,7 +72,7 @@ std::string catalogueText(const Cell& cell, const std::string& only) {
     if (!only.empty() && only != kind.name) continue;
     const auto places = deflection::placeTexts(cell.arm, kind);
     text += fmt::format("{}\n  {}\n  {}\n", kind.name, kind.words, kind.law);
-    text += places.empty() ? "  nowhere on this arm\n"
+    text += places.empty() ? fmt::format("  {}\n", deflection::lackOfPlace(kind))
                            : fmt::format("  numbers: {}\n  at: {}\n", numbersText(cell, kind, places.front()),
                                          fmt::join(places, ", "));
   }

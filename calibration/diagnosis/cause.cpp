@@ -44,6 +44,7 @@ std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std
   if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";
   if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances cover it";
+  if (*kind.place_needs && kind.places(arm).empty()) return deflection::lackOfPlace(kind);
   return "";
 }
 

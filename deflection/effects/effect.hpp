@@ -54,8 +54,9 @@ struct EffectKind {
   const char* source;
   EffectStage stage;
   PlaceRule at;
-  const char* word = "";  ///< the only place's name, for PlaceRule::kWord
-  double odds = 1;        ///< prior odds of the kind against others, shared by its places; 0: never tried unasked ...
+  const char* word = "";         ///< the only place's name, for PlaceRule::kWord
+  const char* place_needs = "";  ///< what an arm must have for a place, where its file may lack it: "a slide"
+  double odds = 1;  ///< prior odds of the kind against others, shared by its places; 0: never tried unasked ...
   const char* odds_reason = "";             ///< ... and why
   std::vector<EffectVariable> varies_with;  ///< the plainest first; empty: with anything
   EffectNeeds needs;
@@ -75,6 +76,9 @@ const std::vector<EffectKind>& effectKinds();
 
 /// Every place of an arm where the effect can be, as text.
 [[nodiscard]] std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind);
+
+/// "this arm has no place for it, which needs a slide": of a kind that has none.
+[[nodiscard]] std::string lackOfPlace(const EffectKind& kind);
 
 [[nodiscard]] std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text);
 

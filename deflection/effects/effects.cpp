@@ -23,6 +23,7 @@
 #include "deflection/effects/link_weight.hpp"
 #include "deflection/effects/payload_offset.hpp"
 #include "deflection/effects/scale_error.hpp"
+#include "deflection/effects/screw_coupling.hpp"
 #include "deflection/effects/slide_bending.hpp"
 #include "deflection/effects/stiffening.hpp"
 #include "deflection/effects/thermal_growth.hpp"
@@ -36,16 +37,17 @@ namespace tubeplan::deflection {
 
 const std::vector<EffectKind>& effectKinds() {
   static const std::vector<EffectKind> kKinds{
-      joint_offset::kind(),       joint_scale::kind(),      encoder_eccentricity::kind(),
-      transmission_error::kind(), hysteresis::kind(),       joint_coupling::kind(),
-      link_length::kind(),        link_twist::kind(),       tool_offset::kind(),
-      thermal_growth::kind(),     link_weight::kind(),      tool_weight::kind(),
-      payload_offset::kind(),     gravity_tilt::kind(),     hose_pull::kind(),
-      contact_force::kind(),      joint_compliance::kind(), link_bending::kind(),
-      link_torsion::kind(),       stiffening::kind(),       backlash::kind(),
-      base_slip::kind(),          base_drift::kind(),       scale_error::kind(),
-      gravity_sag::kind(),        slide_bending::kind(),    cable_stretch::kind(),
-      gear_wave::kind(),          tool_remount::kind(),     user_formula::kind(),
+      joint_offset::kind(),       joint_scale::kind(),    encoder_eccentricity::kind(),
+      transmission_error::kind(), hysteresis::kind(),     joint_coupling::kind(),
+      screw_coupling::kind(),     link_length::kind(),    link_twist::kind(),
+      tool_offset::kind(),        thermal_growth::kind(), link_weight::kind(),
+      tool_weight::kind(),        payload_offset::kind(), gravity_tilt::kind(),
+      hose_pull::kind(),          contact_force::kind(),  joint_compliance::kind(),
+      link_bending::kind(),       link_torsion::kind(),   stiffening::kind(),
+      backlash::kind(),           base_slip::kind(),      base_drift::kind(),
+      scale_error::kind(),        gravity_sag::kind(),    slide_bending::kind(),
+      cable_stretch::kind(),      gear_wave::kind(),      tool_remount::kind(),
+      user_formula::kind(),
   };
   return kKinds;
 }
@@ -90,6 +92,11 @@ std::string textOf(const Arm& arm, const Effect& effect) {
   return std::string(kind.name) + "@" + placeText(arm, effect);
 }
 
+std::string lackOfPlace(const EffectKind& kind) {
+  const std::string needs = kind.place_needs;
+  return needs.empty() ? "this arm has no place for it" : "this arm has no place for it, which needs " + needs;
+}
+
 MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at) {
   MadeEffect made;
   const auto index = findEffectKind(name);
@@ -104,7 +111,7 @@ MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at
   if (!place) {
     made.status = EffectStatus::kUnknownPlace;
     made.known = placeTexts(arm, kind);
-    made.reason = made.known.empty() ? "this arm has no place for it" : "it has no such place on this arm";
+    made.reason = made.known.empty() ? lackOfPlace(kind) : "it has no such place on this arm";
     if (name == user_formula::kName) made.reason = "it is made from a text, as 'theta3 += c*sin(3*theta1)'";
     return made;
   }

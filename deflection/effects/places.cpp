@@ -30,6 +30,14 @@ std::vector<Place> ofRevoluteJoints(const Arm& arm) {
   return ofRows(arm, [](const Arm& a, int row) { return turns(a.rows[row]); });
 }
 
+std::vector<Place> ofSlidesTurned(const Arm& arm) {
+  std::vector<Place> out;
+  for (const Place& to : ofJoints(arm))
+    for (const Place& from : ofRevoluteJoints(arm))
+      if (!turns(arm.rows[to.row])) out.push_back({.row = to.row, .other = from.row});
+  return out;
+}
+
 std::vector<Place> ofJointPairs(const Arm& arm) {
   std::vector<Place> out;
   for (const Place& to : ofJoints(arm))

@@ -11,6 +11,9 @@ std::vector<Place> ofRevoluteJoints(const Arm& arm);
 /// Every ordered pair of two joints of the same type: `row` takes from `other`.
 std::vector<Place> ofJointPairs(const Arm& arm);
 
+/// Every slide with every revolute joint: `row` takes from `other`.
+std::vector<Place> ofSlidesTurned(const Arm& arm);
+
 std::vector<Place> ofRows(const Arm& arm);
 
 /// The rows, or rows and axes, that a rule accepts.

@@ -30,7 +30,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const S out = along > S(0) ? along : S(0);  // fully in: nothing gives yet
   EffectTerms<S>& effect_terms = effectTermsOf(context, row);
   effect_terms.joint_is_compliant = true;
-  effect_terms.compliance[effect.place.axis] += out * (effect.values[0] + out * (effect.values[1] + out * effect.values[2]));
+  effect_terms.compliance[effect.place.axis] +=
+      out * (effect.values[0] + out * (effect.values[1] + out * effect.values[2]));
 }
 
 inline EffectKind kind() {

@@ -32,6 +32,7 @@ inline EffectKind kind() {
           .source = "Harmonic Drive catalogues: K1, K2, T1",
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,
+          .place_needs = "an axis with joint_stiffness in the arm file",
           .odds = 1,
           .odds_reason = "strain wave gears and preloaded bearings are compliant about zero",
           .varies_with = {EffectVariable::kMoment},

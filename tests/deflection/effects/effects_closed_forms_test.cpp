@@ -110,6 +110,14 @@ void jointCoupling() {
   expectSame(withEffect(arm, "joint-coupling", "theta3<-theta2", {0.02}), posture, arm, changed);
 }
 
+void screwCoupling() {
+  const Arm arm = mastArm();
+  const Posture posture = at({0.2, 0.3, -0.4, 0.25}, kLoad, -Vector3d::UnitZ());
+  Posture changed = posture;
+  changed.q[1] += 1.5e-3 * -0.4;
+  expectSame(withEffect(arm, "screw-coupling", "joint-of-mast<-joint-of-wrist", {1.5e-3}), posture, arm, changed);
+}
+
 void linkLength() {
   EXPECT_NEAR(solve(withEffect(elbow(), "link-length", "boom", {0.01}), at({0, 0})).X_BD.p.x(), 2 * kLength + 0.01,
               1e-15);
@@ -366,6 +374,7 @@ const std::map<std::string, void (*)()>& closedForms() {
                                                         {"transmission-error", transmissionError},
                                                         {"hysteresis", hysteresis},
                                                         {"joint-coupling", jointCoupling},
+                                                        {"screw-coupling", screwCoupling},
                                                         {"link-length", linkLength},
                                                         {"link-twist", linkTwist},
                                                         {"tool-offset", toolOffset},

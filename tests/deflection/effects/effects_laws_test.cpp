@@ -21,11 +21,12 @@ double differenceOf(const FlexibleKinematics& a, const FlexibleKinematics& b) {
 
 TEST(EffectsTable, HoldsTheNamesOfTheCatalogue) {
   const std::set<std::string> promised{
-      "joint-offset", "joint-scale", "encoder-eccentricity", "transmission-error", "hysteresis",    "joint-coupling",
-      "link-length",  "link-twist",  "tool-offset",          "link-weight",        "tool-weight",   "payload-offset",
-      "gravity-tilt", "hose-pull",   "contact-force",        "joint-compliance",   "link-bending",  "link-torsion",
-      "stiffening",   "backlash",    "thermal-growth",       "base-slip",          "base-drift",    "scale-error",
-      "formula",      "gear-wave",   "tool-remount",         "gravity-sag",        "cable-stretch", "slide-bending"};
+      "joint-offset",  "joint-scale", "encoder-eccentricity", "transmission-error", "hysteresis",    "joint-coupling",
+      "link-length",   "link-twist",  "tool-offset",          "link-weight",        "tool-weight",   "payload-offset",
+      "gravity-tilt",  "hose-pull",   "contact-force",        "joint-compliance",   "link-bending",  "link-torsion",
+      "stiffening",    "backlash",    "thermal-growth",       "base-slip",          "base-drift",    "scale-error",
+      "formula",       "gear-wave",   "tool-remount",         "gravity-sag",        "cable-stretch", "slide-bending",
+      "screw-coupling"};
   std::set<std::string> names;
   for (const EffectKind& kind : effectKinds()) names.insert(kind.name);
   EXPECT_EQ(names, promised);
@@ -96,10 +97,19 @@ TEST(EffectsTable, ASlideHasNoPlaceForWhatTurns) {
   }
   EXPECT_TRUE(has("joint-coupling", "joint-of-mast<-joint-of-slider"));
   EXPECT_FALSE(has("joint-coupling", "joint-of-mast<-joint-of-wrist"));
+  EXPECT_TRUE(has("screw-coupling", "joint-of-mast<-joint-of-wrist"));
+  EXPECT_FALSE(has("screw-coupling", "joint-of-wrist<-joint-of-mast"));
+  EXPECT_FALSE(has("screw-coupling", "joint-of-mast<-joint-of-slider"));
   EXPECT_FALSE(has("backlash", "mast.z"));
   EXPECT_TRUE(has("backlash", "wrist.z"));
   const Arm offset = withEffect(arm, "joint-offset", "joint-of-mast");
   EXPECT_EQ(findParameter(offset, "joint-offset@joint-of-mast.offset")->quantity, Quantity::kLength);
+}
+
+TEST(EffectsTable, WhatAnArmLacksForAPlaceIsSaid) {
+  const auto made = makeEffect(cobraArm(), "gear-wave", "theta2");
+  EXPECT_EQ(made.status, EffectStatus::kUnknownPlace);
+  EXPECT_NE(made.reason.find("gear_ratio"), std::string::npos) << made.reason;
 }
 
 TEST(EffectsTable, NamesThatAreNotKnownAreRefusedWithTheOnesThatAre) {

@@ -1,0 +1,38 @@
+// A slide that a turning joint carries along its screw, as the last axes of a SCARA do on one ball screw spline.
+//
+// Law: true position of the slide = its reading + travel * reading of the turning joint.
+// Symbols: travel [m per rad]: the screw's lead over a turn, where the controller does not take it off.
+// Validity: readings counted from the encoders' zeros.
+// Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::screw_coupling {
+
+template <class S>
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  const int to = jointIndexOf(context.given, effect.place.row);
+  const int from = jointIndexOf(context.given, effect.place.other);
+  context.posture.q[to] += effect.values[0] * context.asked.q[from];
+}
+
+inline EffectKind kind() {
+  return {.name = "screw-coupling",
+          .words = "a joint's turning moves a slide along its screw",
+          .law = "true position of the slide = reading + travel * reading of a revolute joint, in radians",
+          .validity = "a slide and a revolute joint",
+          .source = "Craig, Introduction to Robotics: actuator and joint space",
+          .stage = EffectStage::kReading,
+          .at = PlaceRule::kJointPair,
+          .odds = 0.5,
+          .odds_reason = "only where both are on one screw, and the controller takes its lead off",
+          .varies_with = {EffectVariable::kJoint},
+          .needs = {},
+          .parameters = {{"travel", Quantity::kLength, 0, -0.1, 0.1, 2e-3}},
+          .places = places::ofSlidesTurned,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::screw_coupling
