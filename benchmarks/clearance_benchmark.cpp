@@ -62,7 +62,7 @@ const Bench& bench() {
 }
 
 /// What CollisionWorld::closest answers, every solid pair asked of the library.
-double marginByLibrary(const Scene& scene, const std::vector<int>& groups, const std::vector<Isometry3d>& X_WL) {
+double marginByLibrary(const Scene& scene, const std::vector<Isometry3d>& X_WL) {
   double least = std::numeric_limits<double>::infinity();
   const auto solidOf = [](const ShapePointer& shape) { return dynamic_cast<const Solid*>(shape.get()); };
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -78,7 +78,7 @@ double marginByLibrary(const Scene& scene, const std::vector<int>& groups, const
     }
     for (std::size_t k = 0; k < i; ++k) {
       const Body& other = scene.bodies[k];
-      if (std::abs(groups[i] - groups[k]) <= 1 || mayTouch(other, body)) continue;
+      if (!areJudged(scene, static_cast<int>(k), static_cast<int>(i)) || mayTouch(other, body)) continue;
       const Isometry3d& X_WO = X_WL[static_cast<std::size_t>(other.frame_index)];
       least = std::min(least, separationByLibrary(X_WB, solid, X_WO, *solidOf(other.shape)).distance);
     }
@@ -153,9 +153,8 @@ void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
 
 void registerAll() {
   static const CollisionWorld world(bench().cell.scene);
-  static const std::vector<int> groups = rigidGroups(bench().cell.scene);
   const auto own = [](const auto& frames) { return world.closest(frames).margin; };
-  const auto library = [](const auto& frames) { return marginByLibrary(bench().cell.scene, groups, frames); };
+  const auto library = [](const auto& frames) { return marginByLibrary(bench().cell.scene, frames); };
   const auto us = benchmark::kMicrosecond;
   benchmark::RegisterBenchmark("posture/shape", shape)->Unit(us);
   benchmark::RegisterBenchmark("posture/distances", [=](benchmark::State& s) { distances(s, own); })->Unit(us);

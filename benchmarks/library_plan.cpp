@@ -74,7 +74,7 @@ class LibraryChecker {
         if (meetsObstacle(i, poseOf(i), k)) return false;
       }
       for (std::size_t k = 0; k < i; ++k)
-        if (std::abs(groups_[i] - groups_[k]) > 1 && !mayTouch(scene.bodies[k], body) &&
+        if (areJudged(scene, static_cast<int>(k), static_cast<int>(i)) && !mayTouch(scene.bodies[k], body) &&
             meet(padded_[i], poseOf(i), plain_[k], poseOf(k)))
           return false;
     }
@@ -102,7 +102,6 @@ class LibraryChecker {
 
   const Workcell& cell_;
   double padding_;
-  std::vector<int> groups_ = rigidGroups(cell_.scene);
   std::vector<LibraryBody> padded_, plain_, obstacles_;
 };
 

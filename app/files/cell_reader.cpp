@@ -194,7 +194,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   SceneSource scene = readScene(root, cell.arm, cell.units, folder);
   cell.scene = std::move(scene.scene);
   cell.meshes = std::move(scene.meshes);
-  cell.warnings = sceneWarnings(cell.meshes, cell.arm, cell.X_WB);
+  cell.warnings = sceneWarnings(cell.scene, cell.meshes, cell.arm, cell.X_WB);
   const auto stated_by_scene = findToolAxis(cell.scene);
   if (!source.names_tool_axis) cell.arm.tool_axis_L = stated_by_scene.value_or(cell.arm.tool_axis_L);
   cell.tool_axis_stated = source.names_tool_axis || stated_by_scene.has_value();

@@ -9,6 +9,7 @@
 #include "app/files/mesh_reader.hpp"
 #include "app/files/quantities.hpp"
 #include "app/files/suggestion.hpp"
+#include "planner/collision/inseparable.hpp"
 
 namespace tubeplan::app {
 
@@ -216,14 +217,23 @@ SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Un
   if (const YamlNode* shapes = cell.find("link_shapes")) readLinkShapes(*shapes, reading, scene);
   scene.clearance = readQuantityOr(cell, "clearance", units, dimension::kLength, 0);
   const auto problems = planner::findSceneProblems(scene);
-  if (problems.empty()) return {std::move(scene), std::move(reading.meshes)};
+  if (problems.empty()) {
+    scene.inseparable = planner::inseparableBodies(arm, scene);
+    return {std::move(scene), std::move(reading.meshes)};
+  }
   const planner::SceneProblem& first = problems.front();
   throw InputError(findProblemNode(cell, first.path).where(first.path), first.found, first.expected);
 }
 
-std::vector<std::string> sceneWarnings(const std::vector<SceneMesh>& meshes, const deflection::Arm& arm,
-                                       const Eigen::Isometry3d& X_WB) {
+std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
+                                       const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
   std::vector<std::string> warnings;
+  for (const auto& [a, b] : scene.inseparable)
+    warnings.push_back(
+        fmt::format("the shapes of {} and {} are too near each other in every posture: they are not "
+                    "checked against one another",
+                    planner::bodyLabel(scene.bodies[static_cast<std::size_t>(a)]),
+                    planner::bodyLabel(scene.bodies[static_cast<std::size_t>(b)])));
   for (const SceneMesh& mesh : meshes) {
     if (!mesh.shape->survey().isClosed())
       warnings.push_back(fmt::format("{} ({}) is {}; the space inside it counts as free", mesh.obstacle, mesh.path,

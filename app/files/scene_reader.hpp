@@ -34,8 +34,9 @@ struct SceneSource {
 [[nodiscard]] SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units,
                                     const std::filesystem::path& folder);
 
-/// What should be looked at: meshes that are not closed, or that stand where the arm, from its base, does not reach.
-[[nodiscard]] std::vector<std::string> sceneWarnings(const std::vector<SceneMesh>& meshes, const deflection::Arm& arm,
-                                                     const Eigen::Isometry3d& X_WB);
+/// What should be looked at: bodies that are inseparable, meshes that are not closed, or that stand where the arm, from
+/// its base, does not reach.
+[[nodiscard]] std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
+                                                     const deflection::Arm& arm, const Eigen::Isometry3d& X_WB);
 
 }  // namespace tubeplan::app

@@ -38,15 +38,13 @@ CollisionWorld::CollisionWorld(Scene scene) : scene_(std::move(scene)), body_rea
     double& reach = body_reach_[body.frame_index];
     reach = std::max(reach, solids_.back()->farthestFrom(Vector3d::Zero()).norm());
   }
-  const std::vector<int> groups = rigidGroups(scene_);
   for (int i = 0; i < static_cast<int>(scene_.bodies.size()); ++i) {
     for (int k = 0; k < static_cast<int>(scene_.obstacles.size()); ++k) {
       const Obstacle& obstacle = scene_.obstacles[k];
       addPair({i, k, false, dynamic_cast<const Solid*>(obstacle.shape.get())}, mayTouch(obstacle, scene_.bodies[i]));
     }
     for (int k = 0; k < i; ++k)
-      if (groups[i] - groups[k] > 1 || groups[k] - groups[i] > 1)
-        addPair({i, k, true, solids_[k]}, mayTouch(scene_.bodies[k], scene_.bodies[i]));
+      if (areJudged(scene_, k, i)) addPair({i, k, true, solids_[k]}, mayTouch(scene_.bodies[k], scene_.bodies[i]));
   }
   // Pairs in closed form first: they cost little, and what they find spares most of the others.
   std::ranges::stable_partition(pairs_, [this](const Pair& pair) { return isQuick(pair); });

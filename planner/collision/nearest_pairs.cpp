@@ -105,7 +105,6 @@ void NearestPairs::addPairs() {
   const auto add = [&](PairKind kind, int body, int other, bool is_exact) {
     (is_exact ? exact : bounded).push_back({kind, body, other});
   };
-  const std::vector<int> groups = rigidGroups(scene_);
   for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
     const auto body = static_cast<std::size_t>(i);
     const bool is_capsule = solids_[body]->isCapsule();
@@ -116,7 +115,7 @@ void NearestPairs::addPairs() {
     }
     for (int k = 0; k < i; ++k) {
       const auto other = static_cast<std::size_t>(k);
-      if (std::abs(groups[body] - groups[other]) > 1 && !mayTouch(scene_.bodies[other], scene_.bodies[body]))
+      if (areJudged(scene_, k, i) && !mayTouch(scene_.bodies[other], scene_.bodies[body]))
         add(PairKind::kBodyAndBody, i, k, is_capsule && solids_[other]->isCapsule());
     }
   }

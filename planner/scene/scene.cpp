@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace tubeplan::planner {
@@ -82,15 +81,13 @@ std::vector<SceneProblem> findSceneProblems(const Scene& scene) {
   return problems;
 }
 
-std::vector<int> rigidGroups(const Scene& scene) {
-  std::vector<int> moving_rows_before;
-  for (int moving = 0; const Link& link : scene.links) moving_rows_before.push_back(moving += link.moves ? 1 : 0);
-  std::map<int, int> rank;
-  for (const Body& body : scene.bodies) rank[moving_rows_before[body.frame_index]];
-  for (int next = 0; auto& [moving, number] : rank) number = next++;
-  std::vector<int> groups;
-  for (const Body& body : scene.bodies) groups.push_back(rank[moving_rows_before[body.frame_index]]);
-  return groups;
+bool areJudged(const Scene& scene, int a, int b) {
+  const auto rowOf = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].frame_index; };
+  const auto [inner, outer] = std::minmax({rowOf(a), rowOf(b)});
+  const auto joints = std::count_if(scene.links.begin() + inner + 1, scene.links.begin() + outer + 1,
+                                    [](const Link& link) { return link.moves; });
+  const std::pair<int, int> pair = std::minmax(a, b);
+  return joints > 1 && std::ranges::find(scene.inseparable, pair) == scene.inseparable.end();
 }
 
 }  // namespace tubeplan::planner

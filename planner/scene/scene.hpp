@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "planner/scene/scene_shapes.hpp"
@@ -35,6 +36,8 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   std::vector<Body> bodies;
   double clearance = 0;  ///< m; the least distance to be kept between all that may not touch
+  /// Bodies, by their indices, the first less, that are never apart (inseparableBodies): not judged, but named.
+  std::vector<std::pair<int, int>> inseparable = {};
 };
 
 /// What makes a scene unusable. `path` says where (`obstacle mezzanine: allow`).
@@ -55,9 +58,9 @@ struct SceneProblem {
 [[nodiscard]] bool mayTouch(const Obstacle& obstacle, const Body& body);
 [[nodiscard]] bool mayTouch(const Body& a, const Body& b);
 
-/// The number of each body's rigid group: rows that do not move count with the row before them, and groups without
-/// bodies are left out. Bodies whose numbers differ by one or less are on the same piece or share a joint, where they
-/// always touch, and are never judged against one another.
-[[nodiscard]] std::vector<int> rigidGroups(const Scene& scene);
+/// Whether two bodies, by their indices, are judged against one another unless they may touch: not where they are on
+/// one piece or share a joint, where they always touch, nor where they are inseparable. Rows that do not move are one
+/// piece with the row before them.
+[[nodiscard]] bool areJudged(const Scene& scene, int a, int b);
 
 }  // namespace tubeplan::planner

@@ -55,12 +55,11 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
 }
 
 LipschitzMargins::LipschitzMargins(const Scene& scene, const BasePadding& padding) : scene_(scene), padding_(padding) {
-  const std::vector<int> group = rigidGroups(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
       if (!mayTouch(scene.obstacles[k], scene.bodies[i])) pairs_.push_back({i, k, false});
     for (std::size_t j = i + 1; j < scene.bodies.size(); ++j)
-      if (std::abs(group[i] - group[j]) > 1 && !mayTouch(scene.bodies[i], scene.bodies[j]))
+      if (areJudged(scene, static_cast<int>(i), static_cast<int>(j)) && !mayTouch(scene.bodies[i], scene.bodies[j]))
         pairs_.push_back({i, j, true});
   }
 }

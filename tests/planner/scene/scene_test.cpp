@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/planner/toy_arm.hpp"
 
 namespace tubeplan::planner {
@@ -45,12 +47,21 @@ TEST(SceneProblems, EachIsTold) {
   EXPECT_EQ(problems.size(), 8u);
 }
 
-TEST(RigidGroups, PassiveRowsMergeAndBarelinksAreLeftOut) {
+TEST(AreJudged, BodiesWithMoreThanOneJointBetweenThem) {
   Scene scene;
   scene.links = {{"pedestal", false}, {"shoulder", true}, {"bracket", false}, {"wrist", true}, {"hand", true}};
   const auto body = [&](int i) { return Body{scene.links[i].name, i, "", shape("sphere", {0, 0, 0, 0.1}), {}}; };
   scene.bodies = {body(0), body(1), body(2), body(4), body(4)};
-  EXPECT_EQ(rigidGroups(scene), (std::vector<int>{0, 1, 1, 2, 2}));
+  std::set<std::pair<int, int>> judged;
+  for (int b = 0; b < 5; ++b)
+    for (int a = 0; a < b; ++a)
+      if (areJudged(scene, a, b)) judged.emplace(a, b);
+  // The wrist has no body: the bracket and the hand are judged, though nothing is between them in the list.
+  EXPECT_EQ(judged, (std::set<std::pair<int, int>>{{0, 3}, {0, 4}, {1, 3}, {1, 4}, {2, 3}, {2, 4}}));
+  scene.inseparable = {{2, 3}};
+  EXPECT_FALSE(areJudged(scene, 2, 3));
+  EXPECT_FALSE(areJudged(scene, 3, 2));
+  EXPECT_TRUE(areJudged(scene, 2, 4));
 }
 
 TEST(MayTouch, ByLinkOrBodyNameFromEitherSide) {

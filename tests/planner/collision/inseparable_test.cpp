@@ -1,0 +1,74 @@
+// Bodies that no posture parts are named and left alone; all others with more than one joint between them are judged.
+#include "planner/collision/inseparable.hpp"
+
+#include <gtest/gtest.h>
+
+#include "planner/collision/clearance.hpp"
+#include "tests/planner/toy_arm.hpp"
+
+namespace tubeplan::planner {
+namespace {
+
+using testing::shape;
+using Pairs = std::vector<std::pair<int, int>>;
+
+/// Three joints about parallel axes: a forearm, a bare wrist of this length, and a hand.
+deflection::Arm armWithWrist(double wrist) {
+  deflection::Arm arm;
+  for (const auto& [name, from] : {std::pair{"forearm", 0.0}, {"wrist", 1.0}, {"hand", wrist}}) {
+    deflection::Row<double> row;
+    row.name = name;
+    row.placement = deflection::Origin<double>{{from, 0, 0}, {0, 0, 0}};
+    row.joint.type = deflection::JointType::kRevolute;
+    row.joint.name = std::string("joint-of-") + name;
+    row.joint.lower = -2;
+    row.joint.upper = 2;
+    arm.rows.push_back(row);
+  }
+  arm.p_LT = {0.3, 0, 0};
+  return arm;
+}
+
+Scene sceneOf(const deflection::Arm& arm) {
+  Scene scene;
+  for (const auto& row : arm.rows) scene.links.push_back({row.name, true});
+  scene.bodies.push_back({"forearm", 0, "", shape("capsule", {0, 0, 0, 1, 0, 0, 0.05}), {}});
+  scene.bodies.push_back({"hand", 2, "", shape("capsule", {0, 0, 0, 0.3, 0, 0, 0.05}), {}});
+  return scene;
+}
+
+TEST(Inseparable, AHandOnAWristThatIsShorterThanItIsThick) {
+  const deflection::Arm arm = armWithWrist(0.06);
+  EXPECT_EQ(inseparableBodies(arm, sceneOf(arm)), (Pairs{{0, 1}}));
+}
+
+TEST(Inseparable, NoneWhereSomePosturePartsThem) {
+  const deflection::Arm arm = armWithWrist(0.2);
+  EXPECT_EQ(inseparableBodies(arm, sceneOf(arm)), Pairs{});
+}
+
+TEST(Inseparable, WithinTheClearanceCountsAsNear) {
+  const deflection::Arm arm = armWithWrist(0.12);
+  Scene scene = sceneOf(arm);
+  EXPECT_EQ(inseparableBodies(arm, scene), Pairs{});
+  scene.clearance = 0.03;
+  EXPECT_EQ(inseparableBodies(arm, scene), (Pairs{{0, 1}}));
+  scene.bodies[1].allow = {"forearm"};
+  EXPECT_EQ(inseparableBodies(arm, scene), Pairs{});
+}
+
+/// The hand folds back along the forearm: seen, though the wrist between them has no shape.
+TEST(CollisionWorld, JudgesBodiesAcrossALinkWithoutShapes) {
+  const testing::ToyArm toy{{1, 1, 1}, 0.05};
+  Scene scene = toy.scene({});
+  scene.bodies.erase(scene.bodies.begin() + 1);
+  const CollisionWorld world(scene);
+  const double turn = 2 * std::numbers::pi / 3;
+  const Clearance folded = world.closest(toy.frames(Eigen::Vector3d(0, turn, turn)));
+  EXPECT_NEAR(folded.distance, -0.1, 1e-12);
+  scene.inseparable = {{0, 1}};
+  EXPECT_TRUE(CollisionWorld(scene).allPairs(toy.frames(Eigen::Vector3d(0, turn, turn))).empty());
+}
+
+}  // namespace
+}  // namespace tubeplan::planner
