@@ -149,8 +149,9 @@ std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice
   return kept;
 }
 
-std::string apartReason(const Clearance& between) {
-  std::string reason = "no path to it: it lies in a part of the free space that is not connected to the visited tubes";
+std::string apartReason(const Clearance& between, bool has_start) {
+  std::string reason = std::string("no path to it was found: the search did not connect it to ") +
+                       (has_start ? "the start posture" : "the visited tubes") + " (another --seed may)";
   if (!between.body.empty())
     reason += "; on the straight motion between them, " + between.body + " comes too near " + between.other;
   return reason;
@@ -223,7 +224,7 @@ std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roa
       if (const int part = parts[k][static_cast<std::size_t>(branch)]; part == kept || part < 0)
         branches.push_back(branch);
     if (branches.empty()) {
-      left_out.push_back({choice.reach[k].tube, apartReason(between), between});
+      left_out.push_back({choice.reach[k].tube, apartReason(between, conditions.start.has_value()), between});
       continue;
     }
     in_part.reach.push_back(std::move(choice.reach[k]));

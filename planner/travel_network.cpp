@@ -67,8 +67,16 @@ const Roadmap& TravelRoadmap::get() {
   return roadmap_.emplace(travelProblemOf(context_), std::move(postures), options);
 }
 
+bool TravelRoadmap::bridge(const std::vector<Eigen::VectorXd>& postures) {
+  get();
+  MotionPlannerOptions motion = context_.options.motion;
+  motion.seed = context_.options.seed;
+  if (!roadmap_->bridge(postures, motion)) return false;
+  return is_bridged_ = true;
+}
+
 TravelNetwork::TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap)
-    : context_(context), reach_(reach), problem_(travelProblemOf(context)) {
+    : context_(context), reach_(reach), roadmap_(roadmap), problem_(travelProblemOf(context)) {
   problem_.roadmap = [&roadmap](const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) {
     return roadmap.get().between(q0, q1, checks);
   };
@@ -105,18 +113,26 @@ MotionPlan TravelNetwork::planned(Stop a, Stop b) {
   return planMotion(standoff(a), standoff(b), problem_, motion);
 }
 
+/// Of two stops the lesser first.
+const MotionPlan& TravelNetwork::forward(Stop a, Stop b) {
+  const MotionEnds ends{postureOf(a), postureOf(b)};
+  auto known = context_.cache.travels.find(ends);
+  if (known == context_.cache.travels.end()) known = context_.cache.travels.emplace(ends, planned(a, b)).first;
+  if (!known->second.apart || !roadmap_.isBridged()) return known->second;
+  auto rejoined = roadmap_.rejoined().find(ends);
+  if (rejoined == roadmap_.rejoined().end()) rejoined = roadmap_.rejoined().emplace(ends, planned(a, b)).first;
+  return rejoined->second;
+}
+
 const MotionPlan& TravelNetwork::between(Stop a, Stop b) {
   const bool is_backward = postureOf(b) < postureOf(a);
   if (is_backward) std::swap(a, b);
   const TubePosture first = postureOf(a), second = postureOf(b);
-  auto known = context_.cache.travels.find({first, second});
-  if (known == context_.cache.travels.end()) {
-    known = context_.cache.travels.emplace(MotionEnds{first, second}, planned(a, b)).first;
-  }
-  if (!is_backward) return known->second;
+  const MotionPlan& known = forward(a, b);
+  if (!is_backward) return known;
   const auto backward = backward_.find({second, first});
   if (backward != backward_.end()) return backward->second;
-  return backward_.emplace(MotionEnds{second, first}, reversed(known->second)).first->second;
+  return backward_.emplace(MotionEnds{second, first}, reversed(known)).first->second;
 }
 
 double TravelNetwork::timeOf(const MotionPlan& plan) const {

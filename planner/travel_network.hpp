@@ -25,9 +25,17 @@ class TravelRoadmap {
   explicit TravelRoadmap(const PlanContext& context) : context_(context) {}
   const Roadmap& get();
 
+  /// Searches ways between the parts that these postures lie in (Roadmap::bridge). Travels that had no way for want of
+  /// one are then planned anew, though not remembered, so that a plan that is resumed goes the same way.
+  bool bridge(const std::vector<Eigen::VectorXd>& postures);
+  [[nodiscard]] bool isBridged() const { return is_bridged_; }
+  [[nodiscard]] std::map<MotionEnds, MotionPlan>& rejoined() { return rejoined_; }
+
  private:
   const PlanContext& context_;
   std::optional<Roadmap> roadmap_;
+  bool is_bridged_ = false;
+  std::map<MotionEnds, MotionPlan> rejoined_;
 };
 
 class TravelNetwork {
@@ -45,8 +53,11 @@ class TravelNetwork {
   [[nodiscard]] MotionPlan onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
   [[nodiscard]] MotionPlan planned(Stop a, Stop b);
 
+  const MotionPlan& forward(Stop a, Stop b);
+
   const PlanContext& context_;
   const std::vector<TubeReach>& reach_;
+  TravelRoadmap& roadmap_;
   MotionProblem problem_;
   std::optional<LineTravels> lines_;           ///< where the tool is to go straight
   std::map<MotionEnds, MotionPlan> backward_;  ///< the greater end first

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -99,7 +100,14 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
   }
   const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
-  if (kept.reach.size() < choice.reach.size()) plan.lower_bound = zonedBound(route, zones);
+  // Of all branches: that those left out of the choice cannot be joined was not proved.
+  const Route whole = routeOf(allBranches(kept.reach), context.speeds, conditions);
+  const auto countOf = [](const Route& r) {
+    return std::accumulate(r.visits.begin(), r.visits.end(), std::size_t{0},
+                           [](std::size_t sum, const Visit& visit) { return sum + visit.branches.size(); });
+  };
+  if (kept.reach.size() < choice.reach.size() || countOf(route) < countOf(whole))
+    plan.lower_bound = zonedBound(whole, zones);
   plan.row_by_row_time = rowByRowTime(route, zones, rows, columns);
   plan.optimality_gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
@@ -131,14 +139,28 @@ std::string findEndProblem(const PlanContext& context) {
   return problem;
 }
 
-/// The order of visits. Where no order avoids a move that cannot be made, what cannot be joined is taken out of the
-/// choice, and the rest ordered anew.
+/// Where the visits may be approached from, in any branch that may be used.
+std::vector<Eigen::VectorXd> standoffsOf(const VisitChoice& choice, const VisitConditions& conditions) {
+  std::vector<Eigen::VectorXd> postures;
+  for (const auto& tube : choice.reach)
+    for (const auto& branch : tube.branches) postures.push_back(branch.approach.front());
+  if (conditions.start) postures.push_back(*conditions.start);
+  return postures;
+}
+
+/// The order of visits. Where no order avoids a move that cannot be made, ways between the parts are searched for; what
+/// cannot be joined even then is taken out of the choice, and the rest ordered anew.
 RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, VisitChoice& choice, VisitPlan& plan) {
   std::size_t rounds = 0;
   {
     TravelNetwork network(context, choice.reach, roadmap);
     RealOrder order = orderWithRealMoves(context, choice, network, true, rounds);
     if (!order.is_parted || context.isStopped()) return order;
+    if (roadmap.bridge(standoffsOf(choice, context.options.conditions))) {
+      TravelNetwork bridged(context, choice.reach, roadmap);
+      order = orderWithRealMoves(context, choice, bridged, true, rounds);
+      if (!order.is_parted || context.isStopped()) return order;
+    }
     const auto left_out = keepOnePart(choice, roadmap.get(), context.options.conditions, order.between);
     plan.unreachable.insert(plan.unreachable.end(), left_out.begin(), left_out.end());
   }
@@ -221,7 +243,9 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
   TravelRoadmap roadmap(context);
   const RealOrder order = orderInOnePart(context, roadmap, choice, plan);
   if (context.isStopped()) return stopped(plan);
-  if (order.stops.empty()) return withoutOrder(std::move(plan), order.reason);
+  if (order.stops.empty())
+    return withoutOrder(std::move(plan),
+                        order.reason.empty() ? "no path was found from the start posture to any tube" : order.reason);
   plan.lower_bound = order.lower_bound;
   TravelNetwork network(context, choice.reach, roadmap);
   const std::vector<Stop> stops = joinRuns(order.stops, choice, network, options.conditions, plan.unreachable);

@@ -22,6 +22,7 @@ using Eigen::VectorXd;
 
 constexpr int kMostDrawsPerPosture = 50;
 constexpr int kEnoughAttachments = 6;
+constexpr int kBridgeAttempts = 3;  // searches between two parts
 
 VectorXd randomPosture(const MotionProblem& problem, std::mt19937_64& generator) {
   VectorXd q(problem.lower.size());
@@ -158,12 +159,16 @@ std::vector<int> Roadmap::quickest(const std::vector<Edge>& from, const std::vec
   return nodes;
 }
 
-std::vector<int> Roadmap::partsOf(const std::vector<VectorXd>& postures) const {
+std::vector<std::vector<Roadmap::Edge>> Roadmap::attachAll(const std::vector<VectorXd>& postures) const {
   std::vector<std::vector<Edge>> joined(postures.size());
   oneapi::tbb::parallel_for(std::size_t{0}, postures.size(), [&](std::size_t k) {
     long checks = 0;
     joined[k] = attach(postures[k], checks);
   });
+  return joined;
+}
+
+std::vector<int> Roadmap::rootsWith(const std::vector<std::vector<Edge>>& joined) const {
   std::vector<int> root(postures_.size());
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&](int node) {
@@ -179,12 +184,98 @@ std::vector<int> Roadmap::partsOf(const std::vector<VectorXd>& postures) const {
     for (const Edge& edge : edges_[node]) unite(static_cast<int>(node), edge.to);
   for (const auto& list : joined)
     for (const Edge& edge : list) unite(list.front().to, edge.to);
+  for (int node = 0; node < postures(); ++node) root[static_cast<std::size_t>(node)] = find(node);
+  return root;
+}
+
+std::vector<int> Roadmap::partsOf(const std::vector<VectorXd>& postures) const {
+  const auto joined = attachAll(postures);
+  const std::vector<int> root = rootsWith(joined);
   std::map<int, int> numbers;
   std::vector<int> parts;
   for (const auto& list : joined)
     parts.push_back(
-        list.empty() ? -1 : numbers.emplace(find(list.front().to), static_cast<int>(numbers.size())).first->second);
+        list.empty()
+            ? -1
+            : numbers.emplace(root[static_cast<std::size_t>(list.front().to)], static_cast<int>(numbers.size()))
+                  .first->second);
   return parts;
+}
+
+/// Of the pairs of nodes nearest to each other some are tried, the nearest first; straight stretches, or none.
+std::vector<VectorXd> Roadmap::wayBetween(const std::vector<int>& from, const std::vector<int>& to,
+                                          MotionPlannerOptions options) const {
+  std::vector<Candidate> nearest;
+  for (const int a : from) {
+    Candidate best{a, -1, std::numeric_limits<double>::infinity()};
+    for (const int b : to)
+      if (const double cost =
+              problem_.cost(postures_[static_cast<std::size_t>(a)], postures_[static_cast<std::size_t>(b)]);
+          cost < best.cost)
+        best = {a, b, cost};
+    nearest.push_back(best);
+  }
+  std::ranges::sort(nearest, [](const Candidate& x, const Candidate& y) {
+    return std::tie(x.cost, x.from, x.to) < std::tie(y.cost, y.from, y.to);
+  });
+  MotionProblem straight = problem_;
+  straight.speeds.reset();
+  for (int attempt = 0; attempt < kBridgeAttempts; ++attempt) {
+    const auto& pair = nearest[nearest.size() * static_cast<std::size_t>(attempt) / kBridgeAttempts];
+    options.seed += 1;
+    const MotionPlan plan = planMotion(postures_[static_cast<std::size_t>(pair.from)],
+                                       postures_[static_cast<std::size_t>(pair.to)], straight, options);
+    if (plan.status == MotionPlanStatus::kFree) return plan.waypoints;
+  }
+  return {};
+}
+
+void Roadmap::addWay(const std::vector<VectorXd>& way) {
+  const auto join = [&](int a, int b) {
+    const double cost = problem_.cost(postures_[static_cast<std::size_t>(a)], postures_[static_cast<std::size_t>(b)]);
+    edges_[static_cast<std::size_t>(a)].push_back({b, cost});
+    edges_[static_cast<std::size_t>(b)].push_back({a, cost});
+  };
+  const auto nodeOf = [&](const VectorXd& q) {
+    const auto at = std::ranges::find(postures_, q);
+    if (at != postures_.end()) return static_cast<int>(at - postures_.begin());
+    postures_.push_back(q);
+    edges_.emplace_back();
+    return postures() - 1;
+  };
+  int before = nodeOf(way.front());
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const int node = nodeOf(way[k]);
+    join(before, node);
+    before = node;
+  }
+}
+
+bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerOptions& options) {
+  const auto joined = attachAll(postures);
+  const std::vector<int> root = rootsWith(joined);
+  std::map<int, int> asked;  // postures of each part
+  for (const auto& list : joined)
+    if (!list.empty()) ++asked[root[static_cast<std::size_t>(list.front().to)]];
+  if (asked.size() < 2) return false;
+  std::map<int, std::vector<int>> nodes;
+  for (int node = 0; node < static_cast<int>(root.size()); ++node)
+    nodes[root[static_cast<std::size_t>(node)]].push_back(node);
+  const int main =
+      std::ranges::max_element(asked, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  asked.erase(main);
+  std::vector<int> others;
+  for (const auto& [part, count] : asked) others.push_back(part);
+  std::vector<std::vector<VectorXd>> ways(others.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, others.size(),
+                            [&](std::size_t k) { ways[k] = wayBetween(nodes.at(others[k]), nodes.at(main), options); });
+  bool found = false;
+  for (const auto& way : ways) {
+    if (way.empty()) continue;
+    addWay(way);
+    found = true;
+  }
+  return found;
 }
 
 RoadmapWay Roadmap::between(const VectorXd& q0, const VectorXd& q1, long& checks) const {

@@ -44,6 +44,11 @@ class Roadmap {
   /// numbers from 0, -1 for one that is joined to nothing.
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Eigen::VectorXd>& postures) const;
 
+  /// Searches ways between the parts that these postures lie in, where no edge joins them: from each to the one with
+  /// the most of the postures, between postures that are near each other. True where one was found; it is edges from
+  /// then on.
+  bool bridge(const std::vector<Eigen::VectorXd>& postures, const MotionPlannerOptions& options);
+
   [[nodiscard]] int postures() const { return static_cast<int>(postures_.size()); }
   [[nodiscard]] int edges() const;
 
@@ -60,6 +65,12 @@ class Roadmap {
   void addRandomPostures();
   [[nodiscard]] std::vector<Candidate> candidates() const;
   void join();
+  [[nodiscard]] std::vector<std::vector<Edge>> attachAll(const std::vector<Eigen::VectorXd>& postures) const;
+  /// The lowest node of each node's part, with the parts that a list of attachments joins taken as one.
+  [[nodiscard]] std::vector<int> rootsWith(const std::vector<std::vector<Edge>>& joined) const;
+  [[nodiscard]] std::vector<Eigen::VectorXd> wayBetween(const std::vector<int>& from, const std::vector<int>& to,
+                                                        MotionPlannerOptions options) const;
+  void addWay(const std::vector<Eigen::VectorXd>& way);
   [[nodiscard]] std::vector<Edge> attach(const Eigen::VectorXd& q, long& checks) const;
   [[nodiscard]] std::vector<int> quickest(const std::vector<Edge>& from, const std::vector<Edge>& to) const;
 

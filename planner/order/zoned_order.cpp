@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "planner/order/branch_choice.hpp"
-#include "planner/order/posture_table.hpp"
 
 namespace tubeplan::planner {
 
@@ -67,19 +66,6 @@ double quickestWay(const Route& from, const Route& to) {
   return least;
 }
 
-/// The travel time of the whole order as it stands [s], extra times included.
-double timeOf(const Route& route, const VisitOrder& order) {
-  const PostureTable table(route);
-  std::vector<int> postures;
-  if (table.startNode() >= 0) postures.push_back(table.first(table.startNode()));
-  for (std::size_t k = 0; k < order.order.size(); ++k)
-    postures.push_back(table.first(order.order[k]) + order.branches[k]);
-  if (table.endNode() >= 0) postures.push_back(table.first(table.endNode()));
-  double time = 0;
-  for (std::size_t k = 1; k < postures.size(); ++k) time += table.cost(postures[k - 1], postures[k]);
-  return time;
-}
-
 }  // namespace
 
 VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const VisitOrderOptions& options) {
@@ -109,12 +95,12 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
     for (const int visit : order.order) whole.order.push_back(visits[static_cast<std::size_t>(visit)]);
     whole.branches.insert(whole.branches.end(), order.branches.begin(), order.branches.end());
   }
-  whole.travel_time = timeOf(route, whole);
-  whole.status = VisitOrderStatus::kSolved;
-  if (whole.travel_time >= kForbiddenTime) {
-    whole.status = VisitOrderStatus::kForbiddenMove;
-    whole.travel_time = std::numeric_limits<double>::infinity();
-  }
+  // Each zone chose its branches without a view of the next.
+  const BranchChoice together = bestBranches(route, whole.order);
+  whole.branches = together.branches;
+  whole.travel_time = together.travel_time;
+  whole.status = together.status == BranchChoiceStatus::kForbiddenMove ? VisitOrderStatus::kForbiddenMove
+                                                                       : VisitOrderStatus::kSolved;
   if (!options.with_bound) return whole;
   OneTreeOptions bound = options.bound;
   bound.stop = options.stop;

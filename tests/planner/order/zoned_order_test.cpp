@@ -64,6 +64,19 @@ TEST(OrderByZones, TheBoundHoldsForTheBestOrderOfAll) {
   }
 }
 
+/// Where the zones leave no choice of the order, the branches are chosen together: the first with a view of the last.
+TEST(OrderByZones, ChoosesBranchesOverAllZones) {
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 20; ++k) {
+    const Route route = randomRoute(random, 7, 3, k % 2 == 0, k % 3 == 0);
+    std::vector<int> zones(7);
+    std::iota(zones.begin(), zones.end(), 0);
+    const VisitOrder order = orderByZones(route, zones, {});
+    EXPECT_NEAR(order.travel_time, exhaustiveBranches(route, zones), 1e-9);
+    EXPECT_NEAR(order.travel_time, timeOf(route, order.order, order.branches), 1e-9);
+  }
+}
+
 TEST(OrderByZones, OneZoneIsTheOrderWithoutZones) {
   std::mt19937_64 random(3);
   const Route route = randomRoute(random, 40, 2, true, false);
