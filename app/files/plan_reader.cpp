@@ -45,7 +45,8 @@ planner::StatedTube tubeOf(const JsonValue& tube, const Cell& cell) {
           jointsOf(tube.at("joints"), cell),
           tube.at("predicted_tip").numbers(3) * length,
           tube.has("dwell_s") ? tube.at("dwell_s").number(0) : 0,
-          tube.has("zone") ? tube.at("zone").integer(0, kMost) : 0};
+          tube.has("zone") ? tube.at("zone").integer(0, kMost) : 0,
+          tube.has("centring_error") ? std::optional(tube.at("centring_error").number(0) * length) : std::nullopt};
 }
 
 void readTubesOf(const JsonValue& document, const Cell& cell, PlanFiles& files) {
@@ -70,6 +71,16 @@ void readConditionsOf(const JsonValue& document, const Cell& cell, PlanFiles& fi
   files.load = cell.units.toInternal(document.at("load").number(0), dimension::kForce);
   if (document.has("insertion"))
     files.insertion = cell.units.toInternal(document.at("insertion").number(0), dimension::kLength);
+}
+
+void readFiguresOf(const JsonValue& document, const Cell& cell, PlanFiles& files) {
+  const auto numberOf = [&](const char* key, double factor) {
+    return document.has(key) && !document.at(key).json().is_null() ? std::optional(document.at(key).number() * factor)
+                                                                   : std::nullopt;
+  };
+  files.plan.travel_time = numberOf("travel_time_s", 1);
+  files.plan.total_time = numberOf("total_time_s", 1);
+  files.plan.least_clearance = numberOf("min_clearance", cell.units.factor(dimension::kLength));
 }
 
 /// The fields of path.csv, row by row.
@@ -148,6 +159,7 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   PlanFiles files;
   readTubesOf(document, cell, files);
   readConditionsOf(document, cell, files);
+  readFiguresOf(document, cell, files);
   const JsonValue sheet = document.at("sheet");
   files.fingerprint = sheet.at("fingerprint").text();
   files.leg = sheet.at("leg").text();

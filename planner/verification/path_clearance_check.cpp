@@ -100,7 +100,10 @@ class PathClearance {
       const PathRow& row = plan_.path[k];
       const double here = marginAtRow(k, &names);
       meet(here, names);
-      if (here < 0) find_(fmt::format("path row {}: too near: {}", k + 1, names));
+      if (here < 0) {
+        find_(fmt::format("path row {}: too near: {}", k + 1, names));
+        result_.least_margin = std::min(result_.least_margin, here);
+      }
       if (k > 0 && here >= 0 && before >= 0) {
         PathRow from = plan_.path[k - 1];
         from.kind = row.kind;
@@ -109,9 +112,20 @@ class PathClearance {
       }
       before = here;
     }
+    checkStated();
   }
 
  private:
+  /// What was met at a row is a lower value of its margin, by no more than it may be off.
+  void checkStated() {
+    if (!plan_.least_clearance || plan_.path.empty()) return;
+    const double stated = *plan_.least_clearance - travel_scene_.clearance;
+    const double slack = 2 * std::max(options_.distance_accuracy, options_.distance_share * std::abs(least_met_));
+    if (stated > least_met_ + slack)
+      find_(fmt::format("the stated clearance is {:.4g} m, {:.4g} m are met at {}", *plan_.least_clearance,
+                        least_met_ + travel_scene_.clearance, result_.tightest));
+  }
+
   double marginAt(const VectorXd& q, SegmentKind kind, std::string* names) {
     return marginOf(placing_.place(q), 0, kind, names);
   }
@@ -160,6 +174,7 @@ class PathClearance {
     meet(margin, names);
     if (margin < 0 || far < options_.least_travel) {
       find_(fmt::format("path between rows {} and {}: too near: {}", row, row + 1, names));
+      result_.least_margin = std::min({result_.least_margin, margin, proved});
       return false;
     }
     return proveBetween(a, middle.q, margin_a, margin, row) && proveBetween(middle, qb, margin, margin_b, row);

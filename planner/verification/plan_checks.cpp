@@ -19,6 +19,7 @@ using Eigen::Vector3d, Eigen::VectorXd;
 constexpr std::size_t kMostFindings = 100;
 constexpr double kLimitShare = 1 + 1e-9;
 constexpr double kTimeTolerance = 1e-6;  // s
+constexpr double kSumTolerance = 1e-3;   // s, of many
 
 class Checker {
  public:
@@ -39,6 +40,7 @@ class Checker {
       checkSpeeds();
       checkApproaches();
       checkAxes();
+      checkTimes();
       checkPathClearance(
           cell_, plan_, options_, hooks_, [this](std::string what) { find(std::move(what)); }, result_);
     }
@@ -92,6 +94,8 @@ class Checker {
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
+      if (tube.centring_error && !(std::abs(*tube.centring_error - off) <= options_.stated_tolerance))
+        find(name + ": the stated centring error is not the model's");
     }
     for (const auto& [row, column] : plan_.unreachable) {
       if (!cell_.sheet.find(row, column))
@@ -183,6 +187,20 @@ class Checker {
       before = speed;
       step_before = step;
     }
+  }
+
+  /// The stated times are those of the path.
+  void checkTimes() {
+    if (plan_.path.empty()) return;
+    double travel = 0;
+    for (std::size_t k = 1; k < plan_.path.size(); ++k)
+      if (plan_.path[k].kind == SegmentKind::kTravel) travel += plan_.path[k].time - plan_.path[k - 1].time;
+    const auto compare = [&](const char* what, const std::optional<double>& stated, double found) {
+      if (stated && !(std::abs(*stated - found) <= kSumTolerance))
+        find(fmt::format("the stated {} is {:.3f} s, that of the path {:.3f} s", what, *stated, found));
+    };
+    compare("travel time", plan_.travel_time, travel);
+    compare("total time", plan_.total_time, plan_.path.back().time - plan_.path.front().time);
   }
 
   /// How long the arm rests at a row [s].

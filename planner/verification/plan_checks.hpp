@@ -16,8 +16,9 @@ struct StatedTube {
   Eigen::Vector3d hole_W = Eigen::Vector3d::Zero();
   Eigen::VectorXd q;
   Eigen::Vector3d predicted_tip_W = Eigen::Vector3d::Zero();
-  double dwell = 0;  ///< s
-  int zone = 0;      ///< never falls along the path
+  double dwell = 0;                           ///< s
+  int zone = 0;                               ///< never falls along the path
+  std::optional<double> centring_error = {};  ///< m
 };
 
 /// A plan as read from its files.
@@ -25,7 +26,9 @@ struct StatedPlan {
   std::vector<StatedTube> tubes;
   std::vector<std::pair<int, int>> unreachable;  ///< row, column
   std::vector<PathRow> path;
-  std::optional<Eigen::VectorXd> start, end;  ///< postures that the path sets out from and comes to rest in [rad]
+  std::optional<Eigen::VectorXd> start, end;      ///< postures that the path sets out from and comes to rest in [rad]
+  std::optional<double> travel_time, total_time;  ///< s
+  std::optional<double> least_clearance;          ///< m, that the arm keeps all along
 };
 
 struct PlanCheckOptions {
@@ -62,8 +65,8 @@ struct PlanCheck {
   std::string tightest;
 };
 
-/// Checks tubes, centring, order, joint limits, speeds, accelerations, approaches and retreats along the holes' axes,
-/// and clearance of the deflected arm at the path's rows and everywhere between them.
+/// Checks tubes, centring, stated times and clearance, order, joint limits, speeds, accelerations, approaches and
+/// retreats along the holes' axes, and clearance of the deflected arm at the path's rows and everywhere between them.
 [[nodiscard]] PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options = {},
                                   const PlanHooks& hooks = {});
 
