@@ -6,6 +6,7 @@
 #include <charconv>
 #include <iterator>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "tubesheets/csv_table.hpp"
@@ -169,8 +170,11 @@ TermChoice chooseRange(const Sheet& sheet, const std::vector<int>& candidates, s
 
 std::string explainMissing(const Sheet& sheet, int row, int column) {
   const auto is_in_row = [row](const Tube& tube) { return tube.row == row; };
-  std::string text = fmt::format("{} is not on this sheet: rows 1 to {}, columns 1 to {}", tubeName(row, column),
-                                 sheet.rows, sheet.columns);
+  if (sheet.tubes.empty()) return tubeName(row, column) + " is not on this sheet, which has no holes";
+  const auto [first_row, last_row] = std::ranges::minmax(sheet.tubes | std::views::transform(&Tube::row));
+  const auto [first_column, last_column] = std::ranges::minmax(sheet.tubes | std::views::transform(&Tube::column));
+  std::string text = fmt::format("{} is not on this sheet: rows {} to {}, columns {} to {}", tubeName(row, column),
+                                 first_row, last_row, first_column, last_column);
   const auto first = std::find_if(sheet.tubes.begin(), sheet.tubes.end(), is_in_row);
   if (first == sheet.tubes.end()) return text;
   const auto last = std::find_if(sheet.tubes.rbegin(), sheet.tubes.rend(), is_in_row);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
@@ -62,7 +63,9 @@ void printMap(const Cell& cell, const tubesheets::Sheet& sheet) {
   const auto box = extentsOf(sheet);
   const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
   const auto unit = cell.units.length().name;
-  fmt::print("{}: {} holes, {} rows, {} columns\n", cell.name, sheet.tubes.size(), sheet.rows, sheet.columns);
+  std::set<int> rows, columns;
+  for (const auto& tube : sheet.tubes) rows.insert(tube.row), columns.insert(tube.column);
+  fmt::print("{}: {} holes, {} rows, {} columns\n", cell.name, sheet.tubes.size(), rows.size(), columns.size());
   fmt::print("layout {}, pitch {} {}, hole diameter {} {}\n", sheet.layout_type, length(sheet.pitch), unit,
              length(sheet.hole_diameter), unit);
   fmt::print("{} leg, viewed from {}\n", tubesheets::legName(sheet.leg), tubesheets::viewedFromName(sheet.viewed_from));

@@ -121,8 +121,10 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
   const auto scores = modeScores(scored);
   fmt::print("{} tubes scored, {} unreachable\n", scores.size(), scored.tubes.size() - scores.size());
   const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
-  fmt::print("compensation   steps 0    1    2    3   mean error  worst, {0}   worst on approach, {0}\n",
-             units.length().name);
+  fmt::print("{:<14}", "compensation");
+  for (std::size_t steps = 0; steps <= cell.tool.steps.size(); ++steps)
+    fmt::print("{:>7}", steps == 0 ? "steps 0" : std::to_string(steps));
+  fmt::print("   mean error  worst, {0}   worst on approach, {0}\n", units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     double sum = 0, worst = 0, approach = 0;
     int found = 0;

@@ -18,6 +18,7 @@ using calibration::BaseCalibration;
 
 constexpr double kMostSigmas = 3;          // of where a base may well stand
 constexpr double kMostPitches = 10;        // by which people miscount
+constexpr double kOnLattice = 0.75;        // pitches; a shift beyond the sheet's size is further from all of its holes
 constexpr double kTooGood = 1e-6;          // share of calibrations that fit so well by chance
 constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can be told from a model that is
 
@@ -40,20 +41,41 @@ void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
         "the touches agree far better than their stated noise: sigma is too large, or in another unit");
 }
 
-/// Whole pitches by which every hole may have been named wrongly: those that bring the base nearer to nominal.
+/// A way from one hole of the sheet to another.
+struct HolesApart {
+  int rows = 0, columns = 0;
+  Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< m
+};
+
+/// Of all ways between holes, as seen from the middle of the sheet, the nearest to this one.
+HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
+  const auto placeOf = [](const tubesheets::Tube& tube) { return Eigen::Vector2d(tube.x, tube.y); };
+  const auto nearestTo = [&](const Eigen::Vector2d& place) {
+    return *std::ranges::min_element(
+        sheet.tubes, {}, [&](const tubesheets::Tube& tube) { return (placeOf(tube) - place).squaredNorm(); });
+  };
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const auto& tube : sheet.tubes) middle += placeOf(tube) / static_cast<double>(sheet.tubes.size());
+  const tubesheets::Tube from = nearestTo(middle), to = nearestTo(placeOf(from) + way);
+  return {to.row - from.row, to.column - from.column, placeOf(to) - placeOf(from)};
+}
+
+/// Whole rows and columns by which every hole may have been named wrongly: those that bring the base nearer to nominal.
 void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
   const Units& units = cell.units;
   const Eigen::Vector3d shift = base.from_start.head<3>();
   verdict.distance = shift.norm();
   if (cell.sheet) verdict.pitches = shift.head<2>() / cell.sheet->pitch;
-  const Eigen::Vector2d whole = verdict.pitches.array().round();
-  if (cell.sheet && whole.norm() > 0 && whole.norm() <= kMostPitches) {
+  const HolesApart apart = cell.sheet ? holesNearest(*cell.sheet, shift.head<2>()) : HolesApart{};
+  const Eigen::Vector3d left(shift.x() - apart.way.x(), shift.y() - apart.way.y(), shift.z());
+  if (apart.way.norm() > 0 && apart.way.norm() <= kMostPitches * cell.sheet->pitch &&
+      left.head<2>().norm() < kOnLattice * cell.sheet->pitch) {
     verdict.is_implausible = true;
-    const double left = (shift.head<2>() - whole * cell.sheet->pitch).norm();
     verdict.warnings.push_back(fmt::format(
         "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by "
-        "{:+.0f} and {:+.0f} holes, the touches would fit as well, and the base would stand {:.3g} {} from nominal",
-        verdict.pitches.x(), verdict.pitches.y(), whole.x(), whole.y(), lengthOf(left, units), units.length().name));
+        "{:+d} rows and {:+d} columns, the touches would fit as well, and the base would stand {:.3g} {} from nominal",
+        verdict.pitches.x(), verdict.pitches.y(), apart.rows, apart.columns, lengthOf(left.norm(), units),
+        units.length().name));
     verdict.to_do.emplace_back(
         "count the position of one touched hole again, from an edge of the sheet: a name one column off looks like "
         "this");

@@ -10,6 +10,7 @@
 #include "app/documents/pose_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/units_json.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
 
@@ -86,6 +87,14 @@ std::string numberText(const IdentifiedNumber& number, const Units& units) {
   return text;
 }
 
+std::string baseText(const calibration::BasePose& base, const Units& units) {
+  const Eigen::Vector3d at = base.X_WB.translation() / units.factor(dimension::kLength);
+  const Eigen::Vector3d rpy = deflection::fixedAnglesOf(base.X_WB.linear()) / units.factor(dimension::kAngle);
+  return fmt::format("base{}: position [{:.6g}, {:.6g}, {:.6g}] {}, rpy [{:.5g}, {:.5g}, {:.5g}] {}\n",
+                     base.setup.empty() ? "" : " of " + base.setup, at.x(), at.y(), at.z(), units.length().name,
+                     rpy.x(), rpy.y(), rpy.z(), units.angle().name);
+}
+
 }  // namespace
 
 nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
@@ -156,12 +165,15 @@ std::string identificationText(const Identification& result, const std::vector<c
   if (result.model_error > 0)
     text += fmt::format(
         "lack of fit: the model error is {} {} in each coordinate beyond the stated noise (one standard deviation); "
-        "standard deviations and intervals include it\n",
+        "standard deviations and intervals count it as noise, not as what a missing effect shifts the numbers by\n",
         lengthFigure(result.model_error, units), units.length().name);
   text += "parameters\n";
   for (const auto& number : result.numbers)
-    if (number.unknown.owner == Unknown::Owner::kArm || number.identifiable != Identifiability::kYes)
-      text += numberText(number, units);
+    if (number.unknown.owner == Unknown::Owner::kArm) text += numberText(number, units);
+  for (const auto& base : result.fitted.base_poses)
+    if (!base.is_known) text += baseText(base, units);
+  for (const auto& number : result.numbers)
+    if (number.unknown.owner == Unknown::Owner::kBase) text += numberText(number, units);
   for (const auto& dropped : result.dropped) text += "  dropped " + dropped + "\n";
   for (const auto& pair : result.correlations)
     text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);

@@ -245,14 +245,14 @@ namespace {
 
 std::string stepsHeading(const PlanOutcome& outcome) {
   std::string text = fmt::format("{:<58}", "tubes by number of inserted steps of the calibration tool");
-  for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format("{:7}", k);
+  for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format(" {:7}", k);
   return text + "\n";
 }
 
 std::string expectedText(const PlanOutcome& outcome) {
   if (outcome.chances.by_posture.empty()) return "";
   std::string text = fmt::format("  {:<56}", "as predicted, on the average");
-  for (const double count : expectedCounts(outcome.chances)) text += fmt::format("{:7.1f}", count);
+  for (const double count : expectedCounts(outcome.chances)) text += fmt::format(" {:7.1f}", count);
   return text + "\n";
 }
 
@@ -321,7 +321,7 @@ std::string trueStepsText(const PlanOutcome& outcome) {
                         "by the true arm, " + std::string(planner::nameOf(kCompensations[mode])) + " compensation");
     int scored = 0;
     for (int count : counts[mode]) {
-      text += fmt::format("{:7}", count);
+      text += fmt::format(" {:7}", count);
       scored += count;
     }
     const int missed = static_cast<int>(outcome.scores.size()) - scored;

@@ -66,6 +66,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
     const auto& ends = limits->list(2, "a list of two numbers: lowest, highest");
     joint.lower = readQuantity(ends[0], units, unit);
     joint.upper = readQuantity(ends[1], units, unit);
+    if (!(joint.lower < joint.upper)) ends[1].fail("a highest limit above the lowest, " + ends[0].scalar);
   }
   return joint;
 }

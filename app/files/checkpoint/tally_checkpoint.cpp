@@ -18,9 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file written by tubeplan campaign",
-                                        "remove it to start again"};
-
 RunSet runsFrom(const json& ranges, const fs::path& path) {
   RunSet set;
   std::uint64_t last = 0;

@@ -6,12 +6,15 @@
 #include <functional>
 #include <optional>
 
+#include "app/files/checkpoint/checkpoint_file.hpp"
 #include "app/files/checkpoint/plan_key.hpp"
 #include "app/studies/monte_carlo/run_schedule.hpp"
 
 namespace tubeplan::app {
 
 inline constexpr const char* kTallyFile = "tally.json";
+inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file written by tubeplan campaign",
+                                               "remove it to start again"};
 
 /// Which runs are done and what they come to.
 struct TallySoFar {
