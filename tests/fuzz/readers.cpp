@@ -96,9 +96,8 @@ void verifyPlanText(const std::string& text) {
 
 /// A tally's content under a first line that fits it, or a whole file that may not.
 void readTallyText(const std::string& text) {
-  constexpr CheckpointFormat kFormat{"tubeplan campaign tally 1", "", ""};
   static const PlanKey kQuestion{{"seed", "1"}};
-  fileOf(text.starts_with("{\"format") ? text : checkpointText(kFormat, kQuestion, text), kTallyFile);
+  fileOf(text.starts_with("{\"format") ? text : checkpointText(kTallyFormat, kQuestion, text), kTallyFile);
   (void)TallyCheckpoint(fuzzedFolder(), true).begin(kQuestion, 1000);
 }
 
