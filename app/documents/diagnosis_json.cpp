@@ -163,7 +163,8 @@ std::string ambiguousSentence(const Diagnosis& result) {
 }
 
 std::string inconclusiveSentence(const Diagnosis& result) {
-  if (!result.reason.empty()) return "No verdict is possible: " + result.reason + ".";
+  if (!result.reason.empty())
+    return "No verdict is possible: " + result.reason + (result.reason.ends_with('?') ? "" : ".");
   return fmt::format(
       "The readings suggest that something is missing (probability {:.0f} %), but not enough to say what.",
       100 * (1 - result.nothing_probability));

@@ -11,6 +11,7 @@
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 #include "deflection/row_numbers.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -66,7 +67,6 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
     const auto& ends = limits->list(2, "a list of two numbers: lowest, highest");
     joint.lower = readQuantity(ends[0], units, unit);
     joint.upper = readQuantity(ends[1], units, unit);
-    if (!(joint.lower < joint.upper)) ends[1].fail("a highest limit above the lowest, " + ends[0].scalar);
   }
   return joint;
 }
@@ -190,14 +190,23 @@ void readTool(const YamlNode& node, ArmSource& source) {
   if (axis) source.arm.tool_axis_L = readDirection(*axis);
 }
 
+/// The library speaks in internal units; the user's own number, or numbers, say more.
+std::string asWritten(const std::string& found, const YamlNode& at) {
+  const auto isScalar = [](const YamlNode& node) { return node.kind == YamlNode::Kind::kScalar; };
+  if (at.kind == YamlNode::Kind::kList && at.items.size() == 2 &&
+      std::all_of(at.items.begin(), at.items.end(), isScalar))
+    return at.items[0].scalar + ", " + at.items[1].scalar;
+  if (!isScalar(at)) return found;
+  if (tubesheets::parseNumber(found)) return at.scalar;
+  return found.find(at.scalar) == std::string::npos ? found + " (" + at.scalar + ")" : found;
+}
+
 void checkArm(const YamlNode& node, const Arm& arm) {
   const auto problems = deflection::findProblems(arm);
   if (problems.empty()) return;
   const deflection::ArmProblem& first = problems.front();
   const YamlNode& at = findArmNode(node, first.path);
-  // The library speaks in internal units; the user's own number says more.
-  const std::string value = at.kind == YamlNode::Kind::kScalar ? " (" + at.scalar + ")" : "";
-  throw InputError(at.where(first.path), first.found + value, first.expected);
+  throw InputError(at.where(first.path), asWritten(first.found, at), first.expected);
 }
 
 /// Among the links of the arm or of one of its side chains.

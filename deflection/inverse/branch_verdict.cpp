@@ -59,7 +59,7 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
   const bool flat = branch.smallest_singular_value < options.singular_floor;
   if (branch.status != BranchStatus::kConverged) {
     branch.status = flat ? BranchStatus::kSingular : BranchStatus::kNotConverged;
-    branch.reason = flat ? kStretched : "Newton's method did not reach the goal";
+    branch.reason = flat ? kStretched : "no posture was found that reaches it";
     return;
   }
   const std::string joint = wrapIntoLimits(arm, branch.q);

@@ -96,7 +96,9 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   expectSays(negative, "tool.joint_stiffness.z");
   expectSays(negative, "-5588");
   expectSays(refusal("a: 26.406", "a: 0"), "length zero");
-  expectSays(refusal("limits: [0, 180]", "limits: [180, 0]"), "latch-link.joint.limits");
+  const std::string reversed = refusal("limits: [0, 180]", "limits: [180, 0]");
+  expectSays(reversed, "latch-link.joint.limits");
+  expectSays(reversed, "found 180, 0,");
   expectSays(refusal("name: forearm", "name: tool"), "a second row");
   expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }

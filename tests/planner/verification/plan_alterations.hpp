@@ -308,6 +308,27 @@ inline bool driveThroughTheSheet(Work& work, Generator& generator) {
   return true;
 }
 
+inline bool stateLessTravel(Work& work, Generator&) {
+  *work.plan.travel_time -= 0.01;
+  return true;
+}
+
+inline bool stateMoreTime(Work& work, Generator&) {
+  *work.plan.total_time += 0.01;
+  return true;
+}
+
+/// By a tenth of an inch: what is met at the rows may be a twentieth less than it is.
+inline bool stateMoreClearance(Work& work, Generator&) {
+  *work.plan.least_clearance += 0.1 * kInch;
+  return true;
+}
+
+inline bool stateACentringError(Work& work, Generator& generator) {
+  *work.plan.tubes[static_cast<std::size_t>(pick(generator, work.plan.tubes.size()))].centring_error += 1e-6;
+  return true;
+}
+
 inline constexpr Alteration kAlterations[] = {
     {"a tube's joint by 0.01 deg", turnTubeJoint},
     {"a joint of the row at the hole by 0.01 deg", turnGoalRow},
@@ -342,6 +363,10 @@ inline constexpr Alteration kAlterations[] = {
     {"a visited tube called unreachable", callVisitedUnreachable},
     {"no tube called unreachable", callNoTubeUnreachable},
     {"the tip dragged through the sheet", driveThroughTheSheet},
+    {"less travel stated", stateLessTravel},
+    {"more time stated", stateMoreTime},
+    {"more clearance stated", stateMoreClearance},
+    {"a centring error stated", stateACentringError},
 };
 
 }  // namespace tubeplan::planner::testing

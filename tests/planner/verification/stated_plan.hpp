@@ -9,14 +9,18 @@ inline StatedPlan statedPlan(const Workcell& cell, const VisitPlan& plan) {
   StatedPlan stated;
   for (const auto& visit : plan.visits) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(visit.tube)];
+    const Eigen::Vector3d &tip = visit.branch.predicted_tip_W, place = visitPlace(cell, tube);
     stated.tubes.push_back(
-        {tube.row, tube.column, holeCentre(tube), visit.branch.q, visit.branch.predicted_tip_W, visit.dwell, 0});
+        {tube.row, tube.column, holeCentre(tube), visit.branch.q, tip, visit.dwell, 0, (tip - place).norm()});
   }
   for (const auto& missed : plan.unreachable) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(missed.tube)];
     stated.unreachable.emplace_back(tube.row, tube.column);
   }
   stated.path = samplePath(plan, jointSpeedsOf(cell.arm));
+  stated.travel_time = plan.travel_time;
+  stated.total_time = plan.total_time;
+  stated.least_clearance = plan.min_margin + cell.scene.clearance;
   return stated;
 }
 
