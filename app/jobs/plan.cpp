@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "app/documents/plan_outcome.hpp"
@@ -122,9 +123,20 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   return outcome;
 }
 
+/// A zone that holds none of the tubes orders nothing: it was meant for another list.
+void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitConditions& conditions,
+                           const std::vector<int>& tubes) {
+  for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
+    const auto isAsked = [&](int tube) { return std::binary_search(tubes.begin(), tubes.end(), tube); };
+    if (std::none_of(conditions.zones[k].begin(), conditions.zones[k].end(), isAsked))
+      throw InputError("--first", inQuotes(asked.first[k]), "tubes that are to be visited", "it names none of them");
+  }
+}
+
 /// What the work list says beside its tubes, and the request of the way between them.
 void addConditions(const PlanRequest& request, const tubesheets::Selection& selection, PlanOutcome& outcome) {
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
+  requireZonesOfTheList(request.conditions, outcome.conditions, selection.tube_indices);
   outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
 }
 

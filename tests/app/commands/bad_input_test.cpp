@@ -80,6 +80,11 @@ TEST_F(Program, writesACellOverItself) {
   EXPECT_EQ(run("pose bench.yaml --joints 0,30,30,30").exit_code, 0);
 }
 
+TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {
+  expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20,R10C22 --first R30 --out plan", {"--first", "R30"});
+  expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20 --out ''", {"--out", "folder"});
+}
+
 TEST_F(Program, refusesCommandLinesThatMakeNoSense) {
   expectRefused("mapp", {"'mapp'", "did you mean 'map'?"});
   expectRefused("map", {"CELL"});
