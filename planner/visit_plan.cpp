@@ -106,8 +106,10 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
     return std::accumulate(r.visits.begin(), r.visits.end(), std::size_t{0},
                            [](std::size_t sum, const Visit& visit) { return sum + visit.branches.size(); });
   };
+  OneTreeOptions bound = context.options.order.bound;
+  bound.stop = context.hooks.stop;
   if (kept.reach.size() < choice.reach.size() || countOf(route) < countOf(whole))
-    plan.lower_bound = zonedBound(whole, zones);
+    plan.lower_bound = zonedBound(whole, zones, bound);
   plan.row_by_row_time = rowByRowTime(route, zones, rows, columns);
   plan.optimality_gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
