@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "calibration/measurements/reading_prediction.hpp"
+#include "deflection/resized.hpp"
 #include "deflection/weights.hpp"
 
 namespace tubeplan::calibration {
@@ -62,7 +63,7 @@ std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
     }
     const MatrixXd before = rival.covariance;
     const double reach = deflection::reachOf(rival.model.placed.arm);
-    rival.covariance = MatrixXd::Identity(n + 6, n + 6);
+    deflection::takeSized(rival.covariance, MatrixXd::Identity(n + 6, n + 6));
     rival.covariance.block<3, 3>(n, n) *= reach * reach;
     rival.covariance.topLeftCorner(n, n) = before;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/diagnosis/model_terms.hpp"
+#include "deflection/resized.hpp"
 
 namespace tubeplan::calibration {
 
@@ -38,8 +39,8 @@ void blend(CompetingModel& model, const WeighedDiscrepancy& evidence, double log
     model.level = evidence.level;
     model.source = evidence.source;
     model.model_error = noise.model_error > 0 ? noise.model_error * evidence.noise_scale : 0;
-    model.sizes = evidence.sizes;
-    model.sigma = evidence.sigma;
+    deflection::takeSized(model.sizes, evidence.sizes);
+    deflection::takeSized(model.sigma, evidence.sigma);
   }
   model.log_evidence = after;
 }

@@ -20,6 +20,6 @@ struct PlacedModel {
 /// What a term of the fitted model became, effect by effect, into `fit.effects`; `sigma` of all sizes, in their typical
 /// ones.
 void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const PlacedModel& placed, std::size_t index,
-                  const VectorXd& sigma, std::size_t first_size, Explanation& fit);
+                  const Eigen::VectorXd& sigma, std::size_t first_size, Explanation& fit);
 
 }  // namespace tubeplan::calibration

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calibration/diagnosis/linear_evidence.hpp"
+#include "deflection/resized.hpp"
 
 namespace tubeplan::calibration {
 
@@ -56,7 +57,7 @@ SourceEvidence SingleSources::beside(const SourceView& view, const VectorXd& sca
       most = log;
       best.source = static_cast<int>(g);
       best.size = size;
-      best.weights = eigen.eigenvectors() * weights;
+      deflection::takeSized(best.weights, eigen.eigenvectors() * weights);
     }
   }
   best.log_factor -= std::log(static_cast<double>(std::max<std::size_t>(1, sources_.size() * sizes.size())));

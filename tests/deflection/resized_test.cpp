@@ -42,6 +42,14 @@ TEST(ResizeOrEmpty, KeepsItsPlaceInMemoryForAsManyNumbers) {
   EXPECT_EQ(vector.size(), 5);
 }
 
+TEST(TakeSized, KeepsWhatWasThereWithoutMemory) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Ones(6, 9);
+  EXPECT_THROW(takeSized(matrix, Eigen::MatrixXd::Constant(6, kTooMany, 2)), std::bad_alloc);
+  EXPECT_EQ(matrix, Eigen::MatrixXd::Ones(6, 9));
+  takeSized(matrix, Eigen::MatrixXd::Constant(2, 3, 2));
+  EXPECT_EQ(matrix, Eigen::MatrixXd::Constant(2, 3, 2));
+}
+
 TEST(ResizeOrEmpty, ABatchOfPosturesOutlivesASizeThatItHasNoMemoryFor) {
   PostureBatch batch;
   batch.resize(4, 9);
