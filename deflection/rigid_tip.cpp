@@ -1,6 +1,7 @@
 #include "deflection/rigid_tip.hpp"
 
 #include "deflection/flexible_kinematics.hpp"
+#include "deflection/resized.hpp"
 
 namespace tubeplan::deflection {
 
@@ -23,7 +24,7 @@ AxesAtZero axesAtZero(const Arm& arm) {
 
 void placeRigidTip(const AxesAtZero& axes, const Eigen::Ref<const VectorXd>& q, TipMotion& tip) {
   const auto n = static_cast<Eigen::Index>(axes.point.size());
-  tip.columns.resize(6, n);
+  resizeOrEmpty(tip.columns, 6, n);
   Matrix3d R = Matrix3d::Identity();
   Vector3d p = Vector3d::Zero();
   // Outwards: each joint's direction and, in the upper half for now, a point of its axis.

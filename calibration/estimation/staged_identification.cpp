@@ -4,6 +4,7 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/identification.hpp"
+#include "deflection/resized.hpp"
 
 namespace tubeplan::calibration {
 
@@ -72,7 +73,7 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   inflateCovariance(stage);
   MatrixXd whole(n + held, n + held);
   whole << stage.covariance, cross.transpose(), cross, found.covariance;
-  found.covariance = whole;
+  found.covariance = std::move(whole);
   found.unknowns = both;
 }
 
@@ -109,11 +110,11 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     carried.covariance = found.covariance(arm_numbers, arm_numbers);
     if (results.size() == 1) {
       carried.unknowns = fittedUnknowns(result);
-      carried.covariance = result.covariance;
+      deflection::takeSized(carried.covariance, result.covariance);
     } else {
       carry(fitted, carried, result);
     }
-    found = carried;
+    found = std::move(carried);
     state.arm = result.fitted.arm;
     for (const auto& base_pose : result.fitted.base_poses)
       for (auto& known : state.base_poses)

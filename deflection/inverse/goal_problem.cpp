@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "deflection/kinematics.hpp"
+#include "deflection/resized.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::deflection {
@@ -18,7 +19,7 @@ void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   const Vector3d &t = tip.axis, &h = tip.last_axis;
   out.lean.resize(1);
   out.lean[0] = h.dot(t.cross(n));
-  out.by_lean.resize(1, tip.columns.cols());
+  resizeOrEmpty(out.by_lean, 1, tip.columns.cols());
   for (Index k = 0; k < tip.columns.cols(); ++k) {
     const Vector3d w = tip.columns.col(k).tail<3>();
     out.by_lean(0, k) = w.cross(h).dot(t.cross(n)) + h.dot(w.cross(t).cross(n));
@@ -33,7 +34,7 @@ void addLean(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   const Vector3d u = sine > 1e-12 ? Vector3d(across / sine) : Vector3d(t.unitOrthogonal()), v = t.cross(u);
   out.lean.resize(2);
   out.lean << out.tilt, 0;
-  out.by_lean.resize(2, tip.columns.cols());
+  resizeOrEmpty(out.by_lean, 2, tip.columns.cols());
   out.by_lean.row(0).noalias() = -u.transpose().lazyProduct(tip.columns.bottomRows<3>());
   out.by_lean.row(1).noalias() = -v.transpose().lazyProduct(tip.columns.bottomRows<3>());
 }
@@ -79,7 +80,7 @@ PlaceTips deflectedTips(const Arm& arm, bool turret, double load, const Vector3d
       const auto X = work->tips.X_BD(k);
       out.p = X.p;
       out.axis = X.R * tool_axis_L;
-      out.columns.resize(6, q.rows());
+      resizeOrEmpty(out.columns, 6, q.rows());
       out.columns.reshaped() = work->tips.jacobian.col(k);
     }
   };

@@ -264,13 +264,10 @@ bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerO
   const int main =
       std::ranges::max_element(asked, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
   asked.erase(main);
-  std::vector<int> others;
-  for (const auto& [part, count] : asked) others.push_back(part);
-  std::vector<std::vector<VectorXd>> ways(others.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, others.size(),
-                            [&](std::size_t k) { ways[k] = wayBetween(nodes.at(others[k]), nodes.at(main), options); });
+  // One search at a time: OMPL's planners share what they know of their spaces.
   bool found = false;
-  for (const auto& way : ways) {
+  for (const auto& [part, count] : asked) {
+    const auto way = wayBetween(nodes.at(part), nodes.at(main), options);
     if (way.empty()) continue;
     addWay(way);
     found = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "deflection/resized.hpp"
 #include "planner/order/posture_table.hpp"
 
 namespace tubeplan::planner {
@@ -22,7 +23,7 @@ std::string orderProblem(const Route& route, const std::vector<int>& order) {
 // Times to reach each posture of `node` from the postures of the node before; notes where each came from.
 void extendLayer(const PostureTable& table, int before, int node, const Eigen::ArrayXd& times_before,
                  Eigen::ArrayXd& times, std::vector<int>& came_from) {
-  times.resize(table.last(node) - table.first(node));
+  deflection::resizeOrEmpty(times, table.last(node) - table.first(node), 1);
   Eigen::ArrayXd there;
   for (int p = table.first(node); p < table.last(node); ++p) {
     table.costsTo(before, p, there);

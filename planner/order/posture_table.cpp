@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "deflection/resized.hpp"
+
 namespace tubeplan::planner {
 namespace {
 
@@ -68,6 +70,7 @@ void PostureTable::greatestDifferences(const std::vector<double>& by_joint, cons
   const int count = last(node) - first(node);
   const double* here = &by_joint[static_cast<std::size_t>(first(node)) * static_cast<std::size_t>(joints_)];
   using OfJoint = Eigen::Map<const Eigen::ArrayXd>;
+  deflection::resizeOrEmpty(greatest, count, 1);
   greatest = (OfJoint(here, count) - there[0]).abs();
   for (int j = 1; j < joints_; ++j) greatest = greatest.max((OfJoint(here + j * count, count) - there[j]).abs());
 }

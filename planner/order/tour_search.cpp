@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "deflection/resized.hpp"
+
 namespace tubeplan::planner {
 namespace {
 
@@ -53,10 +55,12 @@ double TourSearch::costAt(int node_a, int posture_a, int node_b) const {
 }
 
 void TourSearch::costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const {
-  if (node_a < visits_ && node_b != free_anchor_)
+  if (node_a < visits_ && node_b != free_anchor_) {
     table_.costsTo(node_a, posture_of_node_[node_b], times);
-  else
-    times.setConstant(table_.last(node_a) - table_.first(node_a), costAt(node_a, table_.first(node_a), node_b));
+  } else {
+    deflection::resizeOrEmpty(times, table_.last(node_a) - table_.first(node_a), 1);
+    times.setConstant(costAt(node_a, table_.first(node_a), node_b));
+  }
 }
 
 void TourSearch::improve() {
