@@ -63,7 +63,7 @@ sanitize-threads: $(BUILD)/.packages-sanitize
 	cmake --build build-tsan -j $(JOBS)
 	TSAN_OPTIONS=suppressions=$(CURDIR)/tests/sanitize/thread.supp ctest --test-dir build-tsan -LE web --output-on-failure --no-tests=error -j $(JOBS) -R 'campaign|Plan|Diagnos|Workbench|Jobs|Batch'
 
-# Calls that fail on purpose (faults) would fail the counting, too.
+# Without the tests of faults: they look at which files a program leaves, and the counts are one.
 coverage: $(BUILD)/.packages-sanitize
 	cmake --preset coverage
 	cmake --build build-coverage -j $(JOBS)

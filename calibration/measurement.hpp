@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -61,5 +62,14 @@ struct Measurement {
   bool is_held_out = false;                                       ///< kept from the fit, to judge it by
   int line = 0;                                                   ///< in its file, from 1
 };
+
+/// Without those at these places, which ascend.
+[[nodiscard]] inline std::vector<Measurement> withoutReadings(std::vector<Measurement> readings,
+                                                              const std::vector<int>& places) {
+  int place = 0;
+  std::erase_if(readings,
+                [&](const Measurement&) { return std::binary_search(places.begin(), places.end(), place++); });
+  return readings;
+}
 
 }  // namespace tubeplan::calibration

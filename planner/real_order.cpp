@@ -178,6 +178,14 @@ std::vector<int> VisitChoice::tubes() const {
   return tubes;
 }
 
+std::vector<Eigen::VectorXd> standoffsOf(const VisitChoice& choice, const VisitConditions& conditions) {
+  std::vector<Eigen::VectorXd> postures;
+  for (const auto& tube : choice.reach)
+    for (const auto& branch : tube.branches) postures.push_back(branch.approach.front());
+  if (conditions.start) postures.push_back(*conditions.start);
+  return postures;
+}
+
 VisitChoice allBranches(std::vector<TubeReach> reach) {
   VisitChoice choice{std::move(reach), {}};
   for (const auto& tube : choice.reach) {
@@ -203,11 +211,7 @@ Route routeOf(const VisitChoice& choice, const JointSpeeds& speeds, const VisitC
 
 std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap, const VisitConditions& conditions,
                                          const Clearance& between) {
-  std::vector<Eigen::VectorXd> postures;
-  for (const auto& tube : choice.reach)
-    for (const auto& branch : tube.branches) postures.push_back(branch.approach.front());
-  if (conditions.start) postures.push_back(*conditions.start);
-  const std::vector<int> flat = roadmap.partsOf(postures);
+  const std::vector<int> flat = roadmap.partsOf(standoffsOf(choice, conditions));
   std::vector<std::vector<int>> parts;
   std::size_t at = 0;
   for (const auto& tube : choice.reach) {

@@ -16,6 +16,10 @@ struct VisitChoice {
   [[nodiscard]] std::vector<int> tubes() const;
 };
 
+/// Where the visits may be approached from, tube by tube in every branch of its reach; then the start posture, where
+/// there is one.
+[[nodiscard]] std::vector<Eigen::VectorXd> standoffsOf(const VisitChoice& choice, const VisitConditions& conditions);
+
 [[nodiscard]] VisitChoice allBranches(std::vector<TubeReach> reach);
 
 /// The ordering problem of that choice: branch b of a visit is the b-th that may be used.

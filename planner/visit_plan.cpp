@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -84,6 +83,12 @@ std::vector<MotionEnds> laySegments(const PlanContext& context, const std::vecto
   return ends;
 }
 
+bool hasAllBranches(const VisitChoice& choice) {
+  for (std::size_t k = 0; k < choice.reach.size(); ++k)
+    if (choice.branches[k].size() < choice.reach[k].branches.size()) return false;
+  return true;
+}
+
 /// The figures to compare with, of the visits that are in the plan.
 void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, const VisitChoice& choice,
                   VisitPlan& plan) {
@@ -100,16 +105,13 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
   }
   const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
-  // Of all branches: that those left out of the choice cannot be joined was not proved.
-  const Route whole = routeOf(allBranches(kept.reach), context.speeds, conditions);
-  const auto countOf = [](const Route& r) {
-    return std::accumulate(r.visits.begin(), r.visits.end(), std::size_t{0},
-                           [](std::size_t sum, const Visit& visit) { return sum + visit.branches.size(); });
-  };
-  OneTreeOptions bound = context.options.order.bound;
-  bound.stop = context.hooks.stop;
-  if (kept.reach.size() < choice.reach.size() || countOf(route) < countOf(whole))
-    plan.lower_bound = zonedBound(whole, zones, bound);
+  if (kept.reach.size() < choice.reach.size() || !hasAllBranches(kept)) {
+    // Of all branches: that those left out of the choice cannot be joined was not proved.
+    OneTreeOptions bound = context.options.order.bound;
+    bound.stop = context.hooks.stop;
+    plan.lower_bound =
+        zonedBound(routeOf(allBranches(std::move(kept.reach)), context.speeds, conditions), zones, bound);
+  }
   plan.row_by_row_time = rowByRowTime(route, zones, rows, columns);
   plan.optimality_gap = plan.lower_bound > 0 ? (plan.travel_time - plan.lower_bound) / plan.lower_bound : 0;
 }
@@ -139,15 +141,6 @@ std::string findEndProblem(const PlanContext& context) {
   if (start) problem = problemAt("the start posture", *start);
   if (problem.empty() && end) problem = problemAt("the end posture", *end);
   return problem;
-}
-
-/// Where the visits may be approached from, in any branch that may be used.
-std::vector<Eigen::VectorXd> standoffsOf(const VisitChoice& choice, const VisitConditions& conditions) {
-  std::vector<Eigen::VectorXd> postures;
-  for (const auto& tube : choice.reach)
-    for (const auto& branch : tube.branches) postures.push_back(branch.approach.front());
-  if (conditions.start) postures.push_back(*conditions.start);
-  return postures;
 }
 
 /// The order of visits. Where no order avoids a move that cannot be made, ways between the parts are searched for; what

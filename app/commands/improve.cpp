@@ -21,6 +21,7 @@
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_writer.hpp"
+#include "app/files/input_error.hpp"
 #include "app/jobs/improvement.hpp"
 
 namespace tubeplan::app {
@@ -47,7 +48,7 @@ class Keeper {
   Keeper(const CellReadings& input, const ImproveOptions& options) : input_(input), options_(options) {}
 
   void keep(const ImprovedModel& model) {
-    const auto used = calibration::withoutSetAside(input_.readings, model.set_aside);
+    const auto used = calibration::withoutReadings(input_.readings, model.set_aside);
     const auto files = improvedCell(input_.cell, model.cell, model.fit, used, options_.out);
     step_ = model.step;
     // A model that only fits what was there before is written at the end: the readings may allow no verdict on it.
@@ -91,9 +92,11 @@ void print(const Improvement& result, const ImproveOptions& options, const CellR
   if (result.end == ImprovementEnd::kNotFitted)
     fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
   if (result.end == ImprovementEnd::kMostSteps) fmt::print("ended after --steps {}\n", options.request.steps);
-  if (const auto ids = idsSetAside(result, input.readings); !ids.empty())
-    fmt::print("set aside as outliers, in no fit and no error: {} {}\n", ids.size() == 1 ? "reading" : "readings",
-               fmt::join(ids, ", "));
+  std::vector<std::string> aside;
+  for (const auto& id : idsSetAside(result, input.readings)) aside.push_back(nameInLine(id));
+  if (!aside.empty())
+    fmt::print("set aside as outliers, in no fit and no error: {} {}\n", aside.size() == 1 ? "reading" : "readings",
+               fmt::join(aside, ", "));
   if (!result.models.empty()) fmt::print("{}", modelComparisonText(comparisonRowsOf(result), units));
   if (!result.isUsable())
     fmt::print("nothing was written\n");

@@ -144,9 +144,8 @@ std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
   if (result.isScatterAlone())
     return fmt::format(
         "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
-        "not "
-        "repeat, something unrecorded acts on it, or it changes with a joint too fast for these readings, as with the "
-        "turns of a gear or a screw.",
+        "not repeat, something unrecorded acts on it, or it changes with a joint too fast for these readings, as with "
+        "the turns of a gear or a screw.",
         lengthText(result.remainder.size, units), kFollowsNothing);
   const std::string rest = remainderText(result, units);
   return fmt::format("Something is missing, and no known effect is certain to be part of it{}.",
@@ -199,6 +198,12 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
 }
 
 }  // namespace
+
+std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector<Measurement>& readings) {
+  std::vector<std::string> ids;
+  for (const int place : places) ids.push_back(readings.at(static_cast<std::size_t>(place)).id);
+  return ids;
+}
 
 std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
   const std::string first = result.alternatives.empty()
@@ -277,9 +282,7 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
                                   {"unit", units.nameOf(dimensionOf(entry.quantity))},
                                   {"beyond_plausible", entry.is_beyond_plausible}});
   json["not_tried"] = result.not_tried;
-  json["set_aside"] = nlohmann::json::array();
-  for (const int reading : result.set_aside)
-    json["set_aside"].push_back(readings.at(static_cast<std::size_t>(reading)).id);
+  json["set_aside"] = idsOf(result.set_aside, readings);
   json["next_readings"] = nlohmann::json::array();
   json["explanations"] = explanationsJson(result, units);
   addViews(result, readings, units, json);

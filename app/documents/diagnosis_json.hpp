@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "app/files/units.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
@@ -11,6 +12,10 @@ namespace tubeplan::app {
 
 /// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
 inline constexpr const char* kFollowsNothing = "follows no smooth function of what the readings record";
+
+/// The ids of the readings at these places.
+[[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
+                                             const std::vector<calibration::Measurement>& readings);
 
 /// The one plain sentence of a diagnosis.
 [[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);

@@ -91,8 +91,8 @@ std::string baseText(const calibration::BasePose& base, const Units& units) {
   const Eigen::Vector3d at = base.X_WB.translation() / units.factor(dimension::kLength);
   const Eigen::Vector3d rpy = deflection::fixedAnglesOf(base.X_WB.linear()) / units.factor(dimension::kAngle);
   return fmt::format("base{}: position [{:.6g}, {:.6g}, {:.6g}] {}, rpy [{:.5g}, {:.5g}, {:.5g}] {}\n",
-                     base.setup.empty() ? "" : " of " + base.setup, at.x(), at.y(), at.z(), units.length().name,
-                     rpy.x(), rpy.y(), rpy.z(), units.angle().name);
+                     base.setup.empty() ? "" : " of " + nameInLine(base.setup), at.x(), at.y(), at.z(),
+                     units.length().name, rpy.x(), rpy.y(), rpy.z(), units.angle().name);
 }
 
 }  // namespace

@@ -80,11 +80,7 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
 }
 
 std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
-  std::vector<std::string> ids;
-  if (result.models.empty()) return ids;
-  for (const int reading : result.models.back().set_aside)
-    ids.push_back(readings.at(static_cast<std::size_t>(reading)).id);
-  return ids;
+  return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
 }
 
 nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& readings,

@@ -188,10 +188,11 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
                    "the reported " + length(result.after.rms), "nothing was written; please report this");
 }
 
-/// Everything but whether it gives the reported error.
-bool isIt(const Cell& cell, const fs::path& out) {
+/// Of a cell that is written over itself this file, too, may be replaced.
+void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file) {
   std::error_code error;
-  return fs::equivalent(out, cell.path, error);
+  auto* record = InputRecord::current();
+  if (record && fs::equivalent(out, cell.path, error)) record->allowReplacing(file);
 }
 
 fs::path armBeside(const fs::path& cell) {
@@ -200,6 +201,7 @@ fs::path armBeside(const fs::path& cell) {
   return arm;
 }
 
+/// Everything but whether it gives the reported error.
 CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
   const auto rigid = givenUp(cell, result);
@@ -297,14 +299,14 @@ std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs:
 }
 
 void checkWritableCell(const Cell& cell, const fs::path& out, const std::string& option) {
-  if (auto* record = InputRecord::current(); record && isIt(cell, out)) record->allowReplacing(cell.path);
+  allowInPlace(cell, out, cell.path);
   checkWritableFile(out, option);
 }
 
 void checkWritableCellAndArm(const Cell& cell, const fs::path& out, const std::string& option) {
   checkWritableCell(cell, out, option);
   if (cell.arm_source.text.empty()) return;
-  if (auto* record = InputRecord::current(); record && isIt(cell, out)) record->allowReplacing(cell.arm_path);
+  allowInPlace(cell, out, cell.arm_path);
   checkWritableFile(armBeside(out), option);
 }
 

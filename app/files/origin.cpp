@@ -38,11 +38,6 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
 }
 
-bool isSpecial(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error) && !fs::is_regular_file(path, error);
-}
-
 }  // namespace
 
 InputRecord::InputRecord() {
@@ -61,7 +56,6 @@ void InputRecord::note(const std::string& path, std::string_view bytes) {
 }
 
 void InputRecord::claim(const fs::path& path, const std::string& option) {
-  if (isSpecial(path)) return;
   const auto isIt = [&](const std::string& file) { return isSameFile(file, path); };
   if (std::any_of(paths_.begin(), paths_.end(), isIt) && std::none_of(replaceable_.begin(), replaceable_.end(), isIt))
     throw InputError(option, fmt::format("'{}', a file that this command reads", path.string()), "a file of its own",

@@ -26,7 +26,7 @@ class InputRecord {
   void note(const std::string& path, std::string_view bytes);
 
   /// For writers: throws InputError, naming the option, for a file that was read, unless it may be replaced, and for
-  /// one that another option writes. Devices and pipes are anyone's.
+  /// one that another option writes. Not for devices and pipes, which are anyone's.
   void claim(const std::filesystem::path& path, const std::string& option);
 
   /// A file that was read and may be written: of a cell its improvement.

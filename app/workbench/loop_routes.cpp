@@ -195,7 +195,7 @@ Answer improve(Workbench& workbench, const Request& request) {
                       improved.push_back(
                           {model.name == "as given" ? "fitted" : model.name,
                            improvedCell(input.cell, model.cell, model.fit,
-                                        calibration::withoutSetAside(input.readings, model.set_aside), input.cell.path)
+                                        calibration::withoutReadings(input.readings, model.set_aside), input.cell.path)
                                .reread()});
                     finishJob(workbench, began, [&](Session& session) {
                       int id = 0;

@@ -288,7 +288,7 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
   // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before
   // setting some aside.
   const auto set_aside = withOrphans(outliers, readings);
-  Identification rest = fitBaseline(start, withoutSetAside(readings, set_aside), options);
+  Identification rest = fitBaseline(start, withoutReadings(readings, set_aside), options);
   if (rest.status == IdentificationStatus::kRefused) return concluded(std::move(whole), readings);
   Answer fewer = compareAll(std::move(rest), readings, set_aside, options);
   const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
@@ -301,11 +301,6 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
 }
 
 }  // namespace
-
-std::vector<Measurement> withoutSetAside(std::vector<Measurement> readings, const std::vector<int>& set_aside) {
-  for (auto at = set_aside.rbegin(); at != set_aside.rend(); ++at) readings.erase(readings.begin() + *at);
-  return readings;
-}
 
 Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
   try {

@@ -124,10 +124,6 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const DiagnosisOptions& options);
 
-/// The readings but for those that a diagnosis set aside.
-[[nodiscard]] std::vector<Measurement> withoutSetAside(std::vector<Measurement> readings,
-                                                       const std::vector<int>& set_aside);
-
 /// Models that compete, each fitted with everything that is free; without a verdict.
 struct CompetingExplanations {
   std::vector<Explanation> found;  ///< those that the search fitted, nothing missing among them; most probable first

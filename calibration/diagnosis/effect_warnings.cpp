@@ -302,10 +302,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
                                          const EffectWarningOptions& limits) {
   if (diagnosis.verdict == Verdict::kNotRun || diagnosis.verdict == Verdict::kStopped) return {};
   if (start.arm.effects.empty()) return {};
-  std::vector<Measurement> used;
-  for (int k = 0; k < static_cast<int>(readings.size()); ++k)
-    if (!std::binary_search(diagnosis.set_aside.begin(), diagnosis.set_aside.end(), k))
-      used.push_back(readings[static_cast<std::size_t>(k)]);
+  const auto used = withoutReadings(readings, diagnosis.set_aside);
   IdentificationOptions fit = options.baseline;
   fit.folds = options.folds;
   fit.seed = options.seed;

@@ -248,8 +248,9 @@ std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
   check.sentence = std::string(copies.size() == 1 ? "a reading is a copy" : "readings are copies") +
                    " of another in all numbers and counted once: " + copiesText(checked, copies) +
                    "; --assume as-is counts every row";
-  for (auto copy = copies.rbegin(); copy != copies.rend(); ++copy)
-    checked.readings.erase(checked.readings.begin() + static_cast<std::ptrdiff_t>(copy->reading));
+  std::vector<int> places;
+  for (const Copy& copy : copies) places.push_back(static_cast<int>(copy.reading));
+  checked.readings = withoutReadings(std::move(checked.readings), places);
   return check;
 }
 

@@ -1,21 +1,14 @@
 // A slide that a turning joint carries along its screw, as the last axes of a SCARA do on one ball screw spline.
 //
-// Law: true position of the slide = its reading + travel * reading of the turning joint.
+// Law: true position of the slide = its reading + travel * reading of the turning joint, as in joint_coupling.hpp.
 // Symbols: travel [m per rad]: the screw's lead over a turn, where the controller does not take it off.
 // Validity: readings counted from the encoders' zeros.
 // Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
 #pragma once
 
-#include "deflection/effects/places.hpp"
+#include "deflection/effects/joint_coupling.hpp"
 
 namespace tubeplan::deflection::screw_coupling {
-
-template <class S>
-void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  const int to = jointIndexOf(context.given, effect.place.row);
-  const int from = jointIndexOf(context.given, effect.place.other);
-  context.posture.q[to] += effect.values[0] * context.asked.q[from];
-}
 
 inline EffectKind kind() {
   return {.name = "screw-coupling",
@@ -31,8 +24,8 @@ inline EffectKind kind() {
           .needs = {},
           .parameters = {{"travel", Quantity::kLength, 0, -0.1, 0.1, 2e-3}},
           .places = places::ofSlidesTurned,
-          .apply = apply<double>,
-          .applyDual = apply<Dual>};
+          .apply = joint_coupling::apply<double>,
+          .applyDual = joint_coupling::apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::screw_coupling

@@ -1,7 +1,8 @@
 // Free postures joined by straight moves that were proved free: made once for an arm among its obstacles, and asked for
 // every way round (probabilistic roadmap: Kavraki, Svestka, Latombe and Overmars 1996).
 //
-// What it answers depends on the scene and its own seed alone, never on what was asked before.
+// What it answers depends on the scene, its own seed and the postures that it was bridged for, never on which ways were
+// asked for before.
 #pragma once
 
 #include <cstdint>

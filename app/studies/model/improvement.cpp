@@ -136,7 +136,7 @@ class Improver {
     options.seed = request_.seed;
     options.intervals_by_profile = false;
     options.hooks = hooks;
-    const auto used = calibration::withoutSetAside(readings_, set_aside_);
+    const auto used = calibration::withoutReadings(readings_, set_aside_);
     ImprovedModel model{name, cell, calibration::identify(startOf(cell, used), used, options), step, set_aside_};
     requireGoingOn(hooks);
     return model;
