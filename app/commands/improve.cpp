@@ -13,7 +13,6 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/documents/diagnosis_json.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/improvement_json.hpp"

@@ -14,6 +14,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/plan_files.hpp"
+#include "app/documents/plan_text.hpp"
 #include "app/documents/trajectory_yaml.hpp"
 
 namespace tubeplan::app {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/documents/diagnosis_json.hpp"
+#include "app/documents/diagnosis_text.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/model_comparison_json.hpp"
 

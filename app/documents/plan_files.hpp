@@ -24,7 +24,4 @@ namespace tubeplan::app {
 /// All files of a plan, into a folder that appears whole.
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
 
-/// The summary for one screen.
-[[nodiscard]] std::string planText(const PlanOutcome& outcome);
-
 }  // namespace tubeplan::app

@@ -234,6 +234,7 @@ json summaryData(const PlanOutcome& outcome) {
                               ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
                                             outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
                               : std::string("as given in the cell")});
+  for (const auto& warning : outcome.cell.warnings) rows.push_back({"warning", warning});
   if (outcome.calibration)
     for (const auto& warning : judgeBase(outcome.calibration->flexible, outcome.cell).warnings)
       rows.push_back({"warning", warning});

@@ -90,6 +90,18 @@ TEST_F(Commands, planKeepsItsPromisesAndVerifyProvesIt) {
   expectSays(proof.out, "proved");
 }
 
+TEST_F(Commands, bodiesThatNoPosturePartsAreNamedByThePlanItsReportAndVerify) {
+  const Outcome planned = run("plan " + shipped("puma.yaml") + " --tubes spread:12 --out made");
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  const json warnings = planJson("made")["warnings"];
+  ASSERT_EQ(warnings.size(), 1u);
+  const std::string warning = warnings[0];
+  expectSays(warning, "not checked against one another");
+  expectSays(planned.out, warning);
+  expectSays(contentOf(folder / "made/report.html"), warning);
+  expectSays(run("verify " + shipped("puma.yaml") + " made").out, warning);
+}
+
 TEST_F(Commands, theSameSeedGivesTheSameBytes) {
   ASSERT_EQ(plan("one").exit_code, 0);
   ASSERT_EQ(plan("two").exit_code, 0);

@@ -1,0 +1,33 @@
+// A diagnosis in words: its one sentence, and a screen for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/files/units.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+
+namespace tubeplan::app {
+
+/// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
+inline constexpr const char* kFollowsNothing = "follows no smooth function of what the readings record";
+
+/// The ids of the readings at these places.
+[[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
+                                             const std::vector<calibration::Measurement>& readings);
+
+/// The one plain sentence of a diagnosis.
+[[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
+
+[[nodiscard]] std::string diagnosisText(const calibration::Diagnosis& result,
+                                        const std::vector<calibration::Measurement>& readings, const Units& units);
+
+/// The command that adds the first alternative to the cell of this path; empty where there is none.
+[[nodiscard]] std::string additionCommand(const calibration::Diagnosis& result, const std::string& cell,
+                                          const Units& units);
+
+/// An effect that a diagnosis found, as AdditionRequest::causes takes it.
+[[nodiscard]] std::string additionText(const calibration::FoundEffect& found, const deflection::Arm& arm,
+                                       const Units& units);
+
+}  // namespace tubeplan::app
