@@ -16,7 +16,7 @@
 #include "app/files/touch_input.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/measurement_checks/plain_checks.hpp"
+#include "calibration/measurement_checks/copies.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/measurement_posture.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -210,6 +210,7 @@ ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& fil
 std::string nameOf(const ReadingFiles& files) { return fmt::format("{}", fmt::join(files, " + ")); }
 
 ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options) {
+  if (files.empty()) throw InputError("measurements", "no file", "one file of readings or more");
   return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
 }
 
@@ -236,6 +237,8 @@ std::vector<std::string> fitWarnings(const Identification& result, const std::ve
 InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,
                      const CellReadings& input) {
   if (problem) return inputErrorOf(*problem, input.readings, input.file);
+  if (input.cell.base_known && freeNumbersOf(input.cell).names.empty())
+    return {input.cell.path, "no free parameter", "a base to be found (base: {known: false}) or a list `identify`", ""};
   return {input.file, reason, "readings that determine the free parameters", ""};
 }
 

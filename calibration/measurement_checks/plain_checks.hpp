@@ -1,5 +1,5 @@
-// What is seen in readings without a fit: rows that stand there twice, joints that look like radians, loads beyond the
-// arm's own weight, too few numbers for those that are free, columns that are missing.
+// What is seen in readings without a fit: joints that look like radians, loads beyond the arm's own weight, too few
+// numbers for those that are free, columns that are missing.
 #pragma once
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
@@ -7,11 +7,6 @@
 namespace tubeplan::calibration {
 
 [[nodiscard]] std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings);
-
-/// Takes out the readings that are copies of an earlier one beyond doubt: all numbers are the same, and the coordinates
-/// are written so finely against their noise that two readings would differ. Counted twice they would look like noise
-/// that is too small. Nothing where there is none.
-std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked);
 
 /// Without those of a kind that is suspected already.
 [[nodiscard]] std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,

@@ -1,0 +1,112 @@
+#include "calibration/measurement_checks/copies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "calibration/measurement_checks/check_words.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+/// All numbers that two rows of one reading have alike.
+auto contentOf(const Measurement& m) {
+  const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
+  const TipWrench wrench = m.wrench.value_or(TipWrench{});
+  const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
+  return std::tuple{static_cast<int>(m.kind),
+                    m.row,
+                    m.point,
+                    m.setup,
+                    m.load,
+                    std::vector<double>(m.q.begin(), m.q.end()),
+                    std::vector<double>(m.side_q.begin(), m.side_q.end()),
+                    std::vector<double>(wrench.force_W.begin(), wrench.force_W.end()),
+                    std::vector<double>(wrench.moment_W.begin(), wrench.moment_W.end()),
+                    p.x(),
+                    p.y(),
+                    p.z(),
+                    number(m.own[0]),
+                    number(m.own[1]),
+                    number(m.own[2]),
+                    number(m.time)};
+}
+
+/// A reading all of whose numbers an earlier one has.
+struct Copy {
+  std::size_t reading = 0, of = 0;
+};
+
+std::vector<Copy> copiesIn(const std::vector<Measurement>& readings) {
+  std::map<decltype(contentOf(readings.front())), std::size_t> first;
+  std::vector<Copy> copies;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (const auto [at, is_new] = first.emplace(contentOf(readings[k]), k); !is_new) copies.push_back({k, at->second});
+  return copies;
+}
+
+/// The step in which the measured coordinates are written, in m: the largest power of ten of their unit in which all
+/// are whole.
+double stepOfCoordinates(const CheckedReadings& checked) {
+  constexpr double kCoarsest = 1, kFinest = 1e-7;
+  for (double step = kCoarsest; step > kFinest; step /= 10) {
+    const auto isWhole = [&](double metres) {
+      const double steps = metres / checked.units.coordinates.factor / step;
+      return std::abs(steps - std::round(steps)) < 1e-3;
+    };
+    const bool are_whole = std::all_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& m) {
+      return !m.p_W || !kindOf(m).has_coordinates || std::all_of(m.p_W->begin(), m.p_W->end(), isWhole);
+    });
+    if (are_whole) return step * checked.units.coordinates.factor;
+  }
+  return kFinest * checked.units.coordinates.factor;
+}
+
+std::string copiesText(const CheckedReadings& checked, const std::vector<Copy>& copies) {
+  std::vector<std::string> names;
+  for (const Copy& copy : copies)
+    names.push_back(checked.readings[copy.reading].id + " (as " + checked.readings[copy.of].id + ")");
+  return listOf(names);
+}
+
+}  // namespace
+
+std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
+  const auto copies = copiesIn(checked.readings);
+  if (copies.empty()) return std::nullopt;
+  std::vector<std::string> ids;
+  for (const Copy& copy : copies) ids.push_back(checked.readings[copy.reading].id);
+  return MeasurementCheck{"duplicates",
+                          CheckSeverity::kRemark,
+                          std::string(ids.size() == 1 ? "a reading occurs" : "readings occur") +
+                              " twice with identical numbers: " + copiesText(checked, copies),
+                          kNoFigure,
+                          kNoFigure,
+                          assumeWithout(ids),
+                          {}};
+}
+
+std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
+  constexpr double kFine = 0.1;  // of sigma: two readings with the same three coordinates are then one in 10^4
+  const double step = stepOfCoordinates(checked);
+  auto copies = copiesIn(checked.readings);
+  std::erase_if(copies, [&](const Copy& copy) {
+    const Measurement& m = checked.readings[copy.reading];
+    return !m.p_W || !kindOf(m).has_coordinates || !(step < kFine * m.sigma);
+  });
+  if (copies.empty()) return std::nullopt;
+  MeasurementCheck check;
+  check.name = "copies";
+  check.sentence = std::string(copies.size() == 1 ? "a reading is a copy" : "readings are copies") +
+                   " of another in all numbers and counted once: " + copiesText(checked, copies) +
+                   "; --assume as-is counts every row";
+  std::vector<int> places;
+  for (const Copy& copy : copies) places.push_back(static_cast<int>(copy.reading));
+  checked.readings = withoutReadings(std::move(checked.readings), places);
+  return check;
+}
+
+}  // namespace tubeplan::calibration
