@@ -159,10 +159,11 @@ struct ArmOf {
   std::vector<Row<S>> rows;
   Vector3<S> p_LT = Vector3<S>::Zero();          ///< the tip in the last row's frame
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
-  double reference_temperature = 293.15;         ///< K, where lengths are nominal
-  std::vector<EffectOf<S>> effects;              ///< what the arm does beyond the model above
-  std::vector<SideChain<S>> side_chains;         ///< what only weighs
-  std::vector<RigidMounting> mountings;          ///< one for each set-up that has rigid rows
+  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< the tool frame's axes there, in which readings state turns
+  double reference_temperature = 293.15;               ///< K, where lengths are nominal
+  std::vector<EffectOf<S>> effects;                    ///< what the arm does beyond the model above
+  std::vector<SideChain<S>> side_chains;               ///< what only weighs
+  std::vector<RigidMounting> mountings;                ///< one for each set-up that has rigid rows
   std::optional<TipLoad<S>> tip_load;
 
   /// The joints with readings of their own, revolute and prismatic, in order: the order of every joint vector.

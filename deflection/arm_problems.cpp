@@ -139,6 +139,8 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
     out.push_back({"gravity", "a direction of length zero", "three numbers, not all zero"});
   if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9)
     out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
+  if (!((arm.R_LT.transpose() * arm.R_LT - Eigen::Matrix3d::Identity()).norm() < 1e-9))
+    out.push_back({"tool.rpy", "axes that are no frame", "three finite angles"});
   for (auto& problem : findEffectProblems(arm)) out.push_back(std::move(problem));
   return out;
 }

@@ -185,6 +185,7 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   for (const auto& row : arm.rows) out.rows.push_back(castRow<To>(row));
   out.p_LT = castVector<To>(arm.p_LT);
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
+  out.R_LT = arm.R_LT;
   out.reference_temperature = arm.reference_temperature;
   for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
   for (const auto& chain : arm.side_chains) {

@@ -16,8 +16,12 @@ namespace tubeplan::app {
 
 PoseFigures poseFiguresOf(const deflection::PoseOf<double>& X) { return {X.p, deflection::fixedAnglesOf(X.R)}; }
 
-PoseFigures poseChange(const deflection::FlexibleKinematics& shape) {
-  const PoseFigures rigid = poseFiguresOf(shape.X_BT), flexible = poseFiguresOf(shape.X_BD);
+PoseFigures toolFiguresOf(const deflection::Arm& arm, const deflection::PoseOf<double>& X) {
+  return {X.p, deflection::fixedAnglesOf(X.R * arm.R_LT)};
+}
+
+PoseFigures poseChange(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape) {
+  const PoseFigures rigid = toolFiguresOf(arm, shape.X_BT), flexible = toolFiguresOf(arm, shape.X_BD);
   PoseFigures change{flexible.position - rigid.position, flexible.angles - rigid.angles};
   for (int k = 0; k < 3; ++k) change.angles[k] = std::remainder(change.angles[k], 2 * std::numbers::pi);
   return change;
@@ -28,10 +32,11 @@ nlohmann::json figuresJson(const PoseFigures& figures, const Units& units) {
           {"fixed_angles", vectorJson(figures.angles, units, dimension::kAngle)}};
 }
 
-nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units) {
-  return {{"rigid", figuresJson(poseFiguresOf(shape.X_BT), units)},
-          {"flexible", figuresJson(poseFiguresOf(shape.X_BD), units)},
-          {"change", figuresJson(poseChange(shape), units)},
+nlohmann::json poseFiguresJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
+                               const Units& units) {
+  return {{"rigid", figuresJson(toolFiguresOf(arm, shape.X_BT), units)},
+          {"flexible", figuresJson(toolFiguresOf(arm, shape.X_BD), units)},
+          {"change", figuresJson(poseChange(arm, shape), units)},
           {"iterations", shape.iterations}};
 }
 
@@ -43,7 +48,7 @@ nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell) {
 nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture,
                             const deflection::FlexibleKinematics& shape) {
   constexpr double kOfDeflection = 0.01, kOfReach = 1e-9;
-  const double sag = poseChange(shape).position.norm();
+  const double sag = (shape.X_BD.p - shape.X_BT.p).norm();
   const double allowed = std::max(kOfDeflection * sag, kOfReach * deflection::reachOf(cell.arm));
   const auto found = deflection::discretisationOf(cell.arm, posture, allowed);
   const int needed = found.factor * deflection::mostSegments(cell.arm);

@@ -10,6 +10,7 @@
 #include "app/files/suggestion.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
+#include "deflection/rotation.hpp"
 #include "deflection/row_numbers.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -183,11 +184,13 @@ deflection::SideChain<double> readSideChain(const YamlNode& node, const Units& u
 }
 
 void readTool(const YamlNode& node, ArmSource& source) {
-  node.expectKeys({"tip"}, {"axis"});
+  node.expectKeys({"tip"}, {"axis", "rpy"});
   source.arm.p_LT = readVector(node.at("tip"), source.units, dimension::kLength);
   const YamlNode* axis = node.find("axis");
   source.names_tool_axis = axis != nullptr;
   if (axis) source.arm.tool_axis_L = readDirection(*axis);
+  if (const YamlNode* rpy = node.find("rpy"))
+    source.arm.R_LT = deflection::rotationFromFixedAngles<double>(readVector(*rpy, source.units, dimension::kAngle));
 }
 
 /// The library speaks in internal units; the user's own number, or numbers, say more.

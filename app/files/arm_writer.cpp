@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/files/yaml/yaml_text.hpp"
+#include "deflection/rotation.hpp"
 #include "deflection/row_numbers.hpp"
 
 namespace tubeplan::app {
@@ -145,8 +146,10 @@ std::string armYaml(const Arm& arm, const Units& units) {
     text += fmt::format("  - on: {}\n    links:\n", yamlName(arm.rows[static_cast<std::size_t>(chain.row)].name));
     for (const auto& row : chain.rows) text += rowText(arm, row, units, "      ");
   }
-  return text + fmt::format("tool: {{tip: {}, axis: {}}}\n", map.listOf(arm.p_LT, dimension::kLength),
-                            map.listOf(arm.tool_axis_L, dimension::kNone));
+  const std::string turned =
+      arm.R_LT.isIdentity(1e-15) ? "" : ", rpy: " + map.listOf(deflection::fixedAnglesOf(arm.R_LT), dimension::kAngle);
+  return text + fmt::format("tool: {{tip: {}, axis: {}{}}}\n", map.listOf(arm.p_LT, dimension::kLength),
+                            map.listOf(arm.tool_axis_L, dimension::kNone), turned);
 }
 
 }  // namespace tubeplan::app
