@@ -29,14 +29,21 @@ struct ArmOptions {
   std::string action, file, tip, out, cell, svg, json;
 };
 
+const Units& urdfUnits() {
+  static const Units kUnits(
+      parseYaml("units: {length: m, angle: deg, force: N, temperature: degC, time: s}", "units").at("units"));
+  return kUnits;
+}
+
 /// What a file of an arm, or of a cell with one, holds.
 struct ShownArm {
   deflection::Arm arm;
   Units units;
 };
 
-ShownArm readAnyArm(const std::string& path) {
-  if (path.ends_with(".urdf") || path.ends_with(".xml")) return {parseUrdf(readTextFile(path), path).arm, Units()};
+ShownArm readAnyArm(const std::string& path, const std::string& tip) {
+  if (path.ends_with(".urdf") || path.ends_with(".xml"))
+    return {parseUrdf(readTextFile(path), path, tip).arm, urdfUnits()};
   const YamlFile file = readYamlFile(path);
   if (file.root.find("arm")) {
     const Cell cell = readCell(path);
@@ -51,7 +58,7 @@ void tellLeftOut(const std::vector<std::string>& left_out) {
 }
 
 std::string cellText(const UrdfArm& read, const std::string& arm_file) {
-  std::string text = fmt::format("name: {}\narm: {}\nbase: {{position: [0, 0, 0], rpy: [0, 0, 0], known: true}}\n",
+  std::string text = fmt::format("name: {}\narm: {}\nbase: {{position: [0, 0, 0], rpy: [0, 0, 0], known: false}}\n",
                                  yamlName(read.arm.name.empty() ? "robot" : read.arm.name), yamlName(arm_file));
   if (read.shapes.empty()) return text;
   text += "link_shapes:\n";
@@ -66,30 +73,28 @@ std::string cellText(const UrdfArm& read, const std::string& arm_file) {
 
 int import(const ArmOptions& options) {
   const UrdfArm read = parseUrdf(readTextFile(options.file), options.file, options.tip);
-  static const Units kUrdfUnits(
-      parseYaml("units: {length: m, angle: deg, force: N, temperature: degC, time: s}", "units").at("units"));
   const std::string text =
       fmt::format("# From {}: rigid; add joint_stiffness and beam where it is compliant.\n{}",
-                  std::filesystem::path(options.file).filename().string(), armYaml(read.arm, kUrdfUnits));
+                  std::filesystem::path(options.file).filename().string(), armYaml(read.arm, urdfUnits()));
   const auto folder = std::filesystem::absolute(options.cell.empty() ? "." : options.cell).parent_path();
   const auto beside = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
   std::vector<TextFile> files = {{options.out, text}};
   if (!options.cell.empty()) files.push_back({options.cell, cellText(read, beside.string())});
   writeFilesTogether(files, "--out");
   tellLeftOut(read.left_out);
-  fmt::print("{}", armText(read.arm, kUrdfUnits));
+  fmt::print("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
   return kDone;
 }
 
 int exportUrdf(const ArmOptions& options) {
-  const UrdfText urdf = urdfOf(readAnyArm(options.file).arm);
+  const UrdfText urdf = urdfOf(readAnyArm(options.file, options.tip).arm);
   writeFileAtomically(options.out, urdf.text, "--out");
   tellLeftOut(urdf.left_out);
   return kDone;
 }
 
 int show(const ArmOptions& options) {
-  const ShownArm shown = readAnyArm(options.file);
+  const ShownArm shown = readAnyArm(options.file, options.tip);
   checkJsonTarget(options.json);
   if (!options.svg.empty()) writeFileAtomically(options.svg, armDrawing(shown.arm, shown.units), "--svg");
   writeJson(options.json, armJson(shown.arm, shown.units));
@@ -113,7 +118,7 @@ Run configureArm(CLI::App& cli) {
       ->check(CLI::IsMember({"import", "export", "show"}));
   cli.add_option("FILE", options->file, "a URDF file, an arm file or a cell")->required();
   cli.add_option("--out", options->out, "the arm file that import writes, the URDF file that export writes");
-  cli.add_option("--tip", options->tip, "import: the link at the tool's tip, where the robot has several end links");
+  cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
   cli.add_option("--json", options->json, "show: write the figures as JSON to this file, or - for standard output");

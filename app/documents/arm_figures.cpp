@@ -50,7 +50,8 @@ std::string complianceOf(const deflection::Row<double>& row) {
 std::string limitsOf(const deflection::Joint<double>& joint, const Units& units) {
   if (joint.type == JointType::kPassive || !std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return "";
   const Dimension unit = joint.type == JointType::kPrismatic ? dimension::kLength : dimension::kAngle;
-  return fmt::format("{:.5g} to {:.5g}", units.toFile(joint.lower, unit), units.toFile(joint.upper, unit));
+  return fmt::format("{:.5g} to {:.5g} {}", units.toFile(joint.lower, unit), units.toFile(joint.upper, unit),
+                     units.nameOf(unit));
 }
 
 }  // namespace
@@ -87,8 +88,8 @@ std::string armText(const Arm& arm, const Units& units) {
       fmt::format("{}: {} joints, reaches {:.4g} {}, weighs {:.4g} {}\n", arm.name.empty() ? "arm" : arm.name,
                   json["joints"].get<int>(), json["reach"].get<double>(), length, json["weight"].get<double>(), force);
   text += fmt::format("  {:<22} {:<12} {:<9} {:>30} {:>20} {:>10}  {}\n", "row", "joint", "type",
-                      fmt::format("origin, joints at zero ({})", length),
-                      fmt::format("limits ({})", units.angle().name), fmt::format("weight ({})", force), "compliant");
+                      fmt::format("origin, joints at zero ({})", length), "limits", fmt::format("weight ({})", force),
+                      "compliant");
   for (const auto& row : json["rows"]) {
     const auto& p = row["position"];
     text +=

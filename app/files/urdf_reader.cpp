@@ -1,9 +1,7 @@
 #include "app/files/urdf_reader.hpp"
 
-#include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <urdf_model/model.h>
-#include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/files/units.hpp"
+#include "app/files/urdf_tree.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
@@ -22,41 +21,6 @@ using deflection::JointType;
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// Takes what the parser has to say, in place of the terminal. urdfdom gives pieces of the file to printf as its
-/// format: where they may hold a percent sign, as it stands or as a character by its number, nothing may be said at
-/// all.
-class ParserMessages : public console_bridge::OutputHandler {
- public:
-  explicit ParserMessages(const std::string& text) : level_(console_bridge::getLogLevel()) {
-    console_bridge::useOutputHandler(this);
-    const bool may_format = text.find('%') != std::string::npos || text.find("&#") != std::string::npos;
-    console_bridge::setLogLevel(may_format ? console_bridge::CONSOLE_BRIDGE_LOG_NONE
-                                           : console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
-  }
-  ~ParserMessages() override {
-    console_bridge::setLogLevel(level_);
-    console_bridge::restorePreviousOutputHandler();
-  }
-  ParserMessages(const ParserMessages&) = delete;
-  ParserMessages& operator=(const ParserMessages&) = delete;
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first.empty()) first = text;
-  }
-  std::string first;
-
- private:
-  console_bridge::LogLevel level_;
-};
-
-urdf::ModelInterfaceSharedPtr modelOf(const std::string& text, const std::string& file) {
-  ParserMessages messages(text);
-  auto model = urdf::parseURDF(text);
-  if (!model || !model->getRoot())
-    throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a URDF robot",
-                     "convert xacro files to URDF first");
-  return model;
-}
 
 Isometry3d poseOf(const urdf::Pose& pose) {
   const Eigen::Quaterniond turn(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
@@ -76,6 +40,9 @@ Isometry3d alignment(const urdf::Joint& joint) {
 }
 
 bool isMoving(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+bool isTurning(const urdf::Joint& joint) {
+  return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+}
 
 using Chain = std::vector<urdf::LinkConstSharedPtr>;
 
@@ -131,16 +98,20 @@ class ChainReader {
 
   UrdfArm read() {
     out_.arm.name = model_.getName();
+    out_.tip = links_.back()->name;
+    leaveOutStanding(*model_.getRoot());
     for (std::size_t k = 0; k < last_moving_; ++k) addRow(*links_[k]);
     for (std::size_t k = 0; k < last_moving_; ++k) addFollowing(k);
+    for (std::size_t k = 0; k < last_moving_; ++k) addAside(k, *links_[k], X_LK_[k]);
     Isometry3d X_LT = X_LK_.back();
     for (std::size_t k = last_moving_; k < links_.size(); ++k) {
       X_LT = X_LT * poseOf(links_[k]->parent_joint->parent_to_joint_origin_transform);
       addBody(last_moving_ - 1, *links_[k], X_LT);
+      addAside(last_moving_ - 1, *links_[k], X_LT);
     }
     out_.arm.p_LT = X_LT.translation();
     out_.arm.tool_axis_L = X_LT.linear().col(2);
-    for (std::size_t k = 0; k < last_moving_; ++k) addAside(k, *links_[k], X_LK_[k]);
+    out_.arm.R_LT = X_LT.linear();
     if (has_inertia_) out_.left_out.emplace_back("moments of inertia: not needed for statics");
     return std::move(out_);
   }
@@ -155,13 +126,27 @@ class ChainReader {
     const Isometry3d X_KL = alignment(joint), before = X_LK_.empty() ? Isometry3d::Identity() : X_LK_.back();
     const Isometry3d X = before * poseOf(joint.parent_to_joint_origin_transform) * X_KL;
     auto& row = out_.arm.rows.emplace_back();
-    row.name = link.name;
-    std::replace_if(
-        row.name.begin(), row.name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
+    row.name = nameOfRow(link.name);
     row.placement = deflection::Origin<double>{X.translation(), deflection::fixedAnglesOf(X.linear())};
     if (isMoving(joint)) row.joint = jointOf(joint);
     X_LK_.push_back(X_KL.inverse());
     addBody(out_.arm.rows.size() - 1, link, X_LK_.back());
+  }
+
+  /// Without the characters that paths to an arm's numbers are made of.
+  [[nodiscard]] std::string nameOfRow(std::string name) const {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
+    const auto isTaken = [&](const std::string& one) {
+      return std::any_of(out_.arm.rows.begin(), out_.arm.rows.end() - 1,
+                         [&](const auto& row) { return row.name == one; });
+    };
+    while (isTaken(name)) name += '_';
+    return name;
+  }
+
+  [[nodiscard]] std::string at(const urdf::Joint& joint) const {
+    return fmt::format("{} (joint {})", file_, nameInLine(joint.name));
   }
 
   deflection::Joint<double> jointOf(const urdf::Joint& from) {
@@ -176,15 +161,52 @@ class ChainReader {
         joint.type = JointType::kPrismatic;
         break;
       default:
-        throw InputError(fmt::format("{} (joint {})", file_, from.name), "a floating or planar joint",
-                         "joints that turn about or slide along one axis");
+        throw InputError(at(from), "a floating or planar joint", "joints that turn about or slide along one axis");
     }
-    if (from.limits && from.type != urdf::Joint::CONTINUOUS && from.limits->lower < from.limits->upper) {
-      joint.lower = from.limits->lower;
-      joint.upper = from.limits->upper;
-    }
+    if (Vector3d(from.axis.x, from.axis.y, from.axis.z).isZero())
+      throw InputError(at(from), "an axis of length zero", "a direction");
+    if (from.limits && from.type != urdf::Joint::CONTINUOUS) setLimits(from, joint);
     if (from.limits && from.limits->velocity > 0) joint.max_speed = from.limits->velocity;
     return joint;
+  }
+
+  /// Two zeros are what URDF has where no limits are written.
+  void setLimits(const urdf::Joint& from, deflection::Joint<double>& joint) {
+    const double lower = from.limits->lower, upper = from.limits->upper;
+    if (lower == 0 && upper == 0) {
+      out_.left_out.push_back(
+          fmt::format("limits of joint {}: lower and upper are both 0, so it has none", nameInLine(from.name)));
+      return;
+    }
+    if (!(lower < upper))
+      throw InputError(at(from), fmt::format("limits from {} to {}", formatNumber(lower), formatNumber(upper)),
+                       "lower below upper", "one that is not written is 0; a joint that stands still is of type fixed");
+    joint.lower = lower;
+    joint.upper = upper;
+  }
+
+  /// How a joint follows one that has a reading of its own, through those between.
+  struct Following {
+    std::size_t leader;  ///< of links_
+    double ratio, offset;
+  };
+
+  [[nodiscard]] Following followingOf(const urdf::Joint& from) const {
+    const urdf::Joint* at_joint = &from;
+    Following found{0, 1, 0};
+    for (std::size_t steps = 0; at_joint->mimic; ++steps) {
+      const auto& mimic = *at_joint->mimic;
+      const auto leader = std::find_if(links_.begin(), links_.end(),
+                                       [&](const auto& link) { return link->parent_joint->name == mimic.joint_name; });
+      found = {static_cast<std::size_t>(leader - links_.begin()), found.ratio * mimic.multiplier,
+               found.offset + found.ratio * mimic.offset};
+      if (found.leader >= last_moving_ || steps > links_.size())
+        throw InputError(
+            at(from), "a joint that mimics " + inQuotes(mimic.joint_name),
+            leader == links_.end() ? "a joint on the way to the tip" : "a moving joint of its own reading");
+      at_joint = links_[found.leader]->parent_joint.get();
+    }
+    return found;
   }
 
   /// A joint that mimics another: a passive row that follows it.
@@ -192,16 +214,11 @@ class ChainReader {
     const urdf::Joint& from = *links_[k]->parent_joint;
     if (!from.mimic) return;
     auto& joint = out_.arm.rows[k].joint;
-    const auto leader = std::find_if(links_.begin(), links_.end(), [&](const auto& link) {
-      return link->parent_joint->name == from.mimic->joint_name;
-    });
-    const auto row = static_cast<std::size_t>(leader - links_.begin());
-    if (row >= last_moving_ || joint.type != JointType::kRevolute ||
-        out_.arm.rows[row].joint.type != JointType::kRevolute)
-      throw InputError(fmt::format("{} (joint {})", file_, from.name),
-                       "a joint that mimics " + inQuotes(from.mimic->joint_name), "turning joints of the same chain");
-    joint = {.name = joint.name, .type = JointType::kPassive, .offset = from.mimic->offset};
-    joint.follows = {{static_cast<int>(row), from.mimic->multiplier}};
+    const Following following = followingOf(from);
+    if (joint.type != JointType::kRevolute || !isTurning(*links_[following.leader]->parent_joint))
+      throw InputError(at(from), "a joint that mimics " + inQuotes(from.mimic->joint_name), "turning joints");
+    joint = {.name = joint.name, .type = JointType::kPassive, .offset = following.offset};
+    joint.follows = {{static_cast<int>(following.leader), following.ratio}};
   }
 
   void addBody(std::size_t row, const urdf::Link& link, const Isometry3d& X_LK) {
@@ -219,14 +236,32 @@ class ChainReader {
     for (const auto& child : link.child_links) {
       if (isOnChain(*child)) continue;
       if (isMoving(*child->parent_joint)) {
-        out_.left_out.push_back(fmt::format("link {} and what it carries: joint {} is not on the way to the tip",
-                                            child->name, child->parent_joint->name));
+        out_.left_out.push_back(sideBranch(*child));
         continue;
       }
       const Isometry3d X = X_LK * poseOf(child->parent_joint->parent_to_joint_origin_transform);
       addBody(row, *child, X);
       addAside(row, *child, X);
     }
+  }
+
+  /// Solids of what stands with the root do not move with a row.
+  void leaveOutStanding(const urdf::Link& link) {
+    if (!link.collision_array.empty())
+      out_.left_out.push_back(
+          fmt::format("the solids of link {}, which stands still: write them into the cell's scene", link.name));
+    for (const auto& child : link.child_links) {
+      if (isOnChain(*child)) continue;
+      if (isMoving(*child->parent_joint))
+        out_.left_out.push_back(sideBranch(*child));
+      else
+        leaveOutStanding(*child);
+    }
+  }
+
+  static std::string sideBranch(const urdf::Link& link) {
+    return fmt::format("link {} and what it carries: joint {} is not on the way to the tip", link.name,
+                       link.parent_joint->name);
   }
 
   void addShape(const std::string& row, const urdf::Collision& collision, const Isometry3d& X_LK) {
@@ -265,8 +300,9 @@ class ChainReader {
 }  // namespace
 
 UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
-  const auto model = modelOf(text, file);
-  UrdfArm read = ChainReader(*model, findTip(*model, tip, file), file).read();
+  const UrdfTree tree = readUrdfTree(text, file);
+  UrdfArm read = ChainReader(*tree.model, findTip(*tree.model, tip, file), file).read();
+  read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
   const auto problems = deflection::findProblems(read.arm);
   if (!problems.empty())
     throw InputError(fmt::format("{} ({})", file, problems.front().path), problems.front().found,

@@ -16,15 +16,17 @@ struct UrdfShape {
 
 struct UrdfArm {
   deflection::Arm arm;  ///< rigid: URDF states no stiffness
+  std::string tip;      ///< the link at the end of the chain
   std::vector<UrdfShape> shapes;
   std::vector<std::string> left_out;  ///< what the file says and an arm does not take, a sentence each
 };
 
 /// The chain from the root of a robot to its link `tip`; empty: to the only leaf that the longest chain ends at. Every
 /// joint on the way is a row, named as the link that it carries and placed as the file has it, turned so that the
-/// joint's axis is its z; fixed joints behind the last moving one are the tool. Masses become lumps (m g, at the centre
-/// of mass), those of what is fixed beside the chain too; joints with `mimic` follow. Throws InputError for what is no
-/// URDF, for a link that is not there, for an arm that the program cannot take (floating and planar joints).
+/// joint's axis is its z; fixed joints behind the last moving one are the tool, whose frame is the tip link's. Masses
+/// become lumps (m g, at the centre of mass), those of what is fixed beside the chain too; joints with `mimic` follow,
+/// also through others that do. Throws InputError for what is no URDF, for a link that is not there, for an arm that
+/// the program cannot take (floating and planar joints).
 [[nodiscard]] UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip = "");
 
 }  // namespace tubeplan::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "app/files/units.hpp"
@@ -41,16 +42,16 @@ class UrdfWriter {
   explicit UrdfWriter(const Arm& arm) : arm_(arm) {}
 
   UrdfText write() {
-    text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"base\"/>\n",
-                        escaped(arm_.name.empty() ? "arm" : arm_.name));
-    std::string parent = "base";
+    const std::string base = unusedName("base"), tip = unusedName("tip");
+    text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
+                        escaped(arm_.name.empty() ? "arm" : arm_.name), base);
+    std::string parent = base;
     for (std::size_t k = 0; k < arm_.rows.size(); ++k) {
       addRow(k, parent);
       parent = arm_.rows[k].name;
     }
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), arm_.tool_axis_L).toRotationMatrix();
-    text_ += "  <link name=\"tip\"/>\n";
-    addJoint("tip", "fixed", parent, "tip", arm_.p_LT, turn, "");
+    text_ += fmt::format("  <link name=\"{}\"/>\n", tip);
+    addJoint(unusedJoint("tip"), "fixed", parent, tip, arm_.p_LT, toolTurn(), "");
     text_ += "</robot>\n";
     if (has_stiffness_) left_out_.emplace_back("stiffnesses and beams: URDF's links are rigid");
     if (!arm_.side_chains.empty()) left_out_.emplace_back("side chains: only a serial chain can be imported again");
@@ -59,6 +60,23 @@ class UrdfWriter {
   }
 
  private:
+  /// Beside the rows' names.
+  [[nodiscard]] std::string unusedName(std::string name) const {
+    while (deflection::findRow(arm_, name)) name += '_';
+    return name;
+  }
+  [[nodiscard]] std::string unusedJoint(std::string name) const {
+    const auto isTaken = [&](const ArmRow& row) { return row.joint.name == name; };
+    while (std::any_of(arm_.rows.begin(), arm_.rows.end(), isTaken)) name += '_';
+    return name;
+  }
+
+  /// The tool frame, if its z is the tool's axis; else one whose z is.
+  [[nodiscard]] Eigen::Matrix3d toolTurn() const {
+    if (arm_.R_LT.col(2).isApprox(arm_.tool_axis_L, 1e-12)) return arm_.R_LT;
+    return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), arm_.tool_axis_L).toRotationMatrix();
+  }
+
   void addRow(std::size_t k, const std::string& parent) {
     const ArmRow& row = arm_.rows[k];
     has_stiffness_ = has_stiffness_ || row.beam || std::isfinite(row.joint_stiffness.minCoeff());

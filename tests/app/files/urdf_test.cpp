@@ -170,5 +170,135 @@ TEST(Urdf, RefusesWhatIsNoArm) {
   EXPECT_EQ(parseUrdf(changed(good, "</robot>", fork), "p.urdf", "tool0").arm.rows.size(), 5u);
 }
 
+/// A turning joint in the middle, a flange behind it, and what a test puts between.
+std::string flangeUrdf(const std::string& link = "", const std::string& more = "",
+                       const std::string& joint = "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/>") {
+  return "<robot name=\"r\"><link name=\"base\"/><link name=\"arm\">" + link +
+         "</link><link name=\"flange\"/><joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child "
+         "link=\"arm\"/>"
+         "<axis xyz=\"0 0 1\"/>" +
+         joint +
+         "</joint><joint name=\"f\" type=\"fixed\"><origin xyz=\"1 0 0\" rpy=\"0 1.5 0.5\"/><parent "
+         "link=\"arm\"/><child "
+         "link=\"flange\"/></joint>" +
+         more + "</robot>";
+}
+
+constexpr const char* kMass = "<inertial><mass value=\"2\"/></inertial>";
+constexpr const char* kBox = "<collision><geometry><box size=\"1 1 1\"/></geometry></collision>";
+
+std::string refusalOf(const std::string& text, const std::string& tip = "") {
+  return messageOf([&] { (void)parseUrdf(text, "r.urdf", tip); });
+}
+
+TEST(Urdf, WhatIsFixedBesideTheToolWeighsAndIsSolid) {
+  const std::string camera =
+      std::string("<link name=\"camera\">") + kMass + kBox +
+      "</link><link name=\"tip\"/><joint name=\"c\" type=\"fixed\"><origin xyz=\"0 0 1\"/><parent "
+      "link=\"flange\"/><child link=\"camera\"/></joint><joint name=\"t\" "
+      "type=\"fixed\"><parent link=\"flange\"/><child link=\"tip\"/></joint>";
+  const UrdfArm read = parseUrdf(flangeUrdf("", camera), "r.urdf", "tip");
+  ASSERT_EQ(read.shapes.size(), 1u);
+  ASSERT_EQ(read.arm.rows.back().weight.lumps.size(), 1u);
+  EXPECT_NEAR(read.arm.rows.back().weight.lumps.front().weight, 2 * 9.80665, 1e-9);
+  const Eigen::Vector3d expected = read.arm.p_LT + read.arm.R_LT.col(2);
+  EXPECT_LE((read.arm.rows.back().weight.lumps.front().at - expected).norm(), 1e-12);
+  EXPECT_EQ(read.tip, "tip");
+}
+
+TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
+  const std::string text =
+      changed(flangeUrdf(), "<link name=\"base\"/>", std::string("<link name=\"base\">") + kBox + "</link>");
+  const UrdfArm read = parseUrdf(text, "r.urdf");
+  EXPECT_TRUE(read.shapes.empty());
+  ASSERT_EQ(read.left_out.size(), 1u);
+  expectSays(read.left_out[0], "base, which stands still");
+}
+
+// urdfdom leaves a link at the first thing that it cannot read.
+TEST(Urdf, NothingOfALinkIsLostUnsaid) {
+  for (const std::string& harmless :
+       {std::string(kMass) + kBox,
+        std::string("<visual><geometry><capsule radius=\"1\"/></geometry></visual>") + kMass + kBox,
+        std::string("<visual/>") + kMass + kBox,
+        std::string("<inertial><mass value=\"2\"/><inertia ixx=\"1\"/></inertial>") + kBox}) {
+    const UrdfArm read = parseUrdf(flangeUrdf(harmless), "r.urdf");
+    EXPECT_EQ(read.shapes.size(), 1u) << harmless;
+    EXPECT_EQ(read.arm.rows.front().weight.lumps.size(), 1u) << harmless;
+  }
+  const UrdfArm capsule = parseUrdf(
+      flangeUrdf(std::string("<collision><geometry><capsule radius=\"1\" length=\"2\"/></geometry></collision>") +
+                 kBox),
+      "r.urdf");
+  EXPECT_EQ(capsule.shapes.size(), 1u);
+  expectSays(capsule.left_out.at(0), "the capsule of link arm");
+  for (const char* wrong :
+       {"<inertial><inertia ixx=\"1\"/></inertial>", "<inertial><mass value=\"-1\"/></inertial>",
+        "<inertial><mass value=\"nan\"/></inertial>", "<inertial><origin xyz=\"a b c\"/><mass value=\"1\"/></inertial>",
+        "<collision><geometry><box size=\"1 1\"/></geometry></collision>",
+        "<collision name=\"50%\"><origin xyz=\"1\"/><geometry><box size=\"1 1 1\"/></geometry></collision>"})
+    EXPECT_NE(refusalOf(flangeUrdf(wrong)), "") << wrong;
+}
+
+TEST(Urdf, ClosedChainsAreRefused) {
+  const std::string second = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"flange\"/></joint>";
+  expectSays(refusalOf(flangeUrdf("", second)), "'flange' behind the joint");
+  expectSays(refusalOf(flangeUrdf("", "<link name=\"alone\"/>")), "behind no joint");
+}
+
+TEST(Urdf, LimitsAndAxesAreReadOrRefused) {
+  const auto limits = [](const char* text) { return parseUrdf(flangeUrdf("", "", text), "r.urdf"); };
+  EXPECT_EQ(limits("<limit lower=\"-2\" upper=\"1\" effort=\"0\" velocity=\"3\"/>").arm.joint(0).upper, 1);
+  EXPECT_EQ(limits("<limit lower=\"-2\"\n upper=\"1\"/>").arm.joint(0).lower, -2);
+  const UrdfArm none = limits("<limit effort=\"1\" velocity=\"1\"/>");
+  EXPECT_FALSE(std::isfinite(none.arm.joint(0).upper));
+  expectSays(none.left_out.at(0), "limits of joint j");
+  for (const char* wrong :
+       {"<limit lower=\"0.5\" upper=\"-0.5\"/>", "<limit lower=\"0.3\" upper=\"0.3\"/>", "<limit lower=\"0.5\"/>", ""})
+    EXPECT_NE(refusalOf(flangeUrdf("", "", wrong)), "") << wrong;
+  expectSays(refusalOf(changed(flangeUrdf(), "0 0 1\"/>", "0 0 0\"/>")), "length zero");
+  EXPECT_EQ(parseUrdf(changed(flangeUrdf(), "0 0 1\"/>", "0\n0\t1\"/>"), "r.urdf").arm.jointCount(), 1);
+  expectSays(refusalOf(changed(flangeUrdf(), "rpy=\"0 1.5 0.5\"", "quat_xyzw=\"0 0 0 1\"")), "quat_xyzw");
+}
+
+TEST(Urdf, TheToolFrameIsTheTipLinks) {
+  const UrdfArm read = parseUrdf(flangeUrdf(), "r.urdf");
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.5, Vector3d::UnitZ()) * Eigen::AngleAxisd(1.5, Vector3d::UnitY())).toRotationMatrix();
+  EXPECT_LE((read.arm.R_LT - turn).norm(), 1e-12);
+  const auto again = readArm(parseYaml(armYaml(read.arm, metres()), "arm")).arm;
+  EXPECT_LE((again.R_LT - turn).norm(), 1e-11);  // angles are written with twelve digits
+  EXPECT_LE((parseUrdf(urdfOf(read.arm).text, "r.urdf").arm.R_LT - turn).norm(), 1e-12);
+}
+
+TEST(Urdf, AFollowerMayFollowAFollower) {
+  const auto joint = [](const char* name, const char* parent, const char* child, const char* mimic) {
+    return fmt::format(
+        "<link name=\"{2}\"/><joint name=\"{0}\" type=\"continuous\"><parent link=\"{1}\"/><child "
+        "link=\"{2}\"/><axis xyz=\"0 0 1\"/>{3}</joint>",
+        name, parent, child, mimic);
+  };
+  const std::string text =
+      changed(flangeUrdf(), "</robot>",
+              joint("b", "flange", "two", "<mimic joint=\"j\" multiplier=\"2\" offset=\"0.25\"/>") +
+                  joint("c", "two", "three", "<mimic joint=\"b\" multiplier=\"3\" offset=\"0.5\"/>") + "</robot>");
+  const UrdfArm read = parseUrdf(text, "r.urdf");
+  const auto& third = read.arm.rows.back().joint;
+  ASSERT_EQ(third.follows.size(), 1u);
+  EXPECT_EQ(third.follows.front().row, 0);
+  EXPECT_EQ(third.follows.front().ratio, 6);
+  EXPECT_DOUBLE_EQ(third.offset, 1.25);
+  expectSays(refusalOf(changed(text, "mimic joint=\"j\"", "mimic joint=\"c\"")), "mimics");
+}
+
+TEST(Urdf, RowsMayHaveTheNamesThatAnExportGives) {
+  deflection::Arm arm = parseUrdf(flangeUrdf(), "r.urdf").arm;
+  arm.rows.front().name = "tip";
+  arm.rows.front().joint.name = "tip";
+  EXPECT_EQ(parseUrdf(urdfOf(arm).text, "r.urdf").arm.rows.front().name, "tip");
+  arm.rows.front().name = "base";
+  EXPECT_EQ(parseUrdf(urdfOf(arm).text, "r.urdf").arm.rows.front().name, "base");
+}
+
 }  // namespace
 }  // namespace tubeplan::app

@@ -1,0 +1,236 @@
+#include "app/files/urdf_tree.hpp"
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <tinyxml2.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using tinyxml2::XMLDocument, tinyxml2::XMLElement;
+
+/// Takes what the parser has to say, in place of the terminal. urdfdom gives pieces of the file to printf as its
+/// format: where they may hold a percent sign, as it stands or as a character by its number, nothing may be said at
+/// all.
+class ParserMessages : public console_bridge::OutputHandler {
+ public:
+  explicit ParserMessages(const std::string& text) : level_(console_bridge::getLogLevel()) {
+    console_bridge::useOutputHandler(this);
+    const bool may_format = text.find('%') != std::string::npos || text.find("&#") != std::string::npos;
+    console_bridge::setLogLevel(may_format ? console_bridge::CONSOLE_BRIDGE_LOG_NONE
+                                           : console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
+  }
+  ~ParserMessages() override {
+    console_bridge::setLogLevel(level_);
+    console_bridge::restorePreviousOutputHandler();
+  }
+  ParserMessages(const ParserMessages&) = delete;
+  ParserMessages& operator=(const ParserMessages&) = delete;
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first.empty()) first = text;
+  }
+  std::string first;
+
+ private:
+  console_bridge::LogLevel level_;
+};
+
+/// The child elements of this name.
+std::vector<XMLElement*> childrenOf(XMLElement& element, const char* name) {
+  std::vector<XMLElement*> children;
+  for (auto* child = element.FirstChildElement(name); child; child = child->NextSiblingElement(name))
+    children.push_back(child);
+  return children;
+}
+
+void forget(XMLElement& element, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    for (XMLElement* child : childrenOf(element, name)) element.DeleteChild(child);
+}
+
+std::string attributeOf(const XMLElement* element, const char* name) {
+  const char* value = element ? element->Attribute(name) : nullptr;
+  return value ? value : "";
+}
+
+std::string linkNamedBy(XMLElement& joint, const char* element) {
+  return attributeOf(joint.FirstChildElement(element), "link");
+}
+
+/// XML lets the numbers of an attribute stand on several lines, urdfdom does not.
+void joinLines(XMLElement& element) {
+  for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
+    std::string value = attribute->Value();
+    const auto isBreak = [](char c) { return c == '\n' || c == '\r' || c == '\t'; };
+    if (std::none_of(value.begin(), value.end(), isBreak)) continue;
+    std::replace_if(value.begin(), value.end(), isBreak, ' ');
+    element.SetAttribute(attribute->Name(), value.c_str());
+  }
+  for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) joinLines(*child);
+}
+
+/// Of one link, as it is written.
+struct LinkContent {
+  std::size_t solids = 0;
+  bool has_inertial = false;
+};
+
+/// What urdfdom is given, and what each link has there.
+class Preparation {
+ public:
+  Preparation(const std::string& text, const std::string& file) : file_(file) {
+    if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
+      throw InputError(fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())), "no XML", "a URDF robot");
+    robot_ = document_.FirstChildElement("robot");
+    if (!robot_)
+      throw InputError(file_, "no robot", "a URDF robot", "a file with another root, as SDF, is to be converted first");
+    refuseXacro(*robot_);
+    joinLines(*robot_);
+    forget(*robot_, {"material", "gazebo", "transmission"});
+    checkTree();
+    for (XMLElement* link : childrenOf(*robot_, "link")) prepareLink(*link);
+    for (XMLElement* joint : childrenOf(*robot_, "joint")) prepareJoint(*joint);
+  }
+
+  [[nodiscard]] std::string text() const {
+    tinyxml2::XMLPrinter printer(nullptr, true);
+    document_.Print(&printer);
+    return printer.CStr();
+  }
+  [[nodiscard]] const std::map<std::string, LinkContent>& links() const { return links_; }
+  [[nodiscard]] std::vector<std::string>& leftOut() { return left_out_; }
+
+ private:
+  [[nodiscard]] std::string at(const char* what, const std::string& name) const {
+    return fmt::format("{} ({} {})", file_, what, nameInLine(name));
+  }
+
+  void refuseXacro(const XMLElement& element) const {
+    if (std::string_view(element.Name()).starts_with("xacro:"))
+      throw InputError(fmt::format("{}:{}", file_, element.GetLineNum()), inQuotes(element.Name()), "plain URDF",
+                       "convert xacro files first: xacro FILE > robot.urdf");
+    for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) refuseXacro(*child);
+  }
+
+  /// One root, and every other link behind one joint.
+  void checkTree() const {
+    std::vector<std::string> links;
+    for (XMLElement* link : childrenOf(*robot_, "link")) links.push_back(attributeOf(link, "name"));
+    std::map<std::string, std::string> carrier;
+    for (XMLElement* joint : childrenOf(*robot_, "joint")) {
+      const std::string name = attributeOf(joint, "name"), child = linkNamedBy(*joint, "child");
+      for (const auto& link : {linkNamedBy(*joint, "parent"), child})
+        if (std::find(links.begin(), links.end(), link) == links.end())
+          throw InputError(at("joint", name), "no link " + inQuotes(link), "links of the robot as parent and child",
+                           suggestion(link, links));
+      if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)
+        throw InputError(at("joint", name),
+                         fmt::format("the link {} behind the joint {} too", inQuotes(child), inQuotes(first->second)),
+                         "a tree: each link behind one joint", "closed chains cannot be taken");
+    }
+    std::vector<std::string> roots;
+    for (const auto& link : links)
+      if (!carrier.contains(link)) roots.push_back(link);
+    if (roots.size() > 1)
+      throw InputError(file_, fmt::format("{} links behind no joint: {}", roots.size(), alternatives(roots)),
+                       "one root, with all other links behind it");
+  }
+
+  void prepareOrigin(XMLElement* origin, const std::string& where) const {
+    if (origin && origin->Attribute("quat_xyzw"))
+      throw InputError(where, "an origin turned by quat_xyzw", "rpy, its three angles");
+  }
+
+  void prepareLink(XMLElement& link) {
+    forget(link, {"visual", "sensor"});
+    const std::string name = attributeOf(&link, "name");
+    for (XMLElement* inertial : childrenOf(link, "inertial")) prepareInertial(*inertial, at("link", name));
+    for (XMLElement* collision : childrenOf(link, "collision")) {
+      prepareOrigin(collision->FirstChildElement("origin"), at("link", name));
+      XMLElement* geometry = collision->FirstChildElement("geometry");
+      const XMLElement* solid = geometry ? geometry->FirstChildElement() : nullptr;
+      if (solid && std::set<std::string_view>{"box", "cylinder", "sphere", "mesh"}.contains(solid->Name())) continue;
+      left_out_.push_back(solid ? fmt::format("the {} of link {}: write it into the cell's link_shapes",
+                                              nameInLine(solid->Name()), name)
+                                : fmt::format("a collision of link {}: it has no solid", name));
+      link.DeleteChild(collision);
+    }
+    links_[name] = {childrenOf(link, "collision").size(), link.FirstChildElement("inertial") != nullptr};
+  }
+
+  /// Masses count, and where they are; what turns them does not, and need not be there.
+  void prepareInertial(XMLElement& inertial, const std::string& where) const {
+    prepareOrigin(inertial.FirstChildElement("origin"), where);
+    const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
+    const auto number = tubesheets::parseNumber(mass);
+    if (!number || !(*number >= 0))
+      throw InputError(where, mass.empty() ? "an inertial without mass" : "the mass " + inQuotes(mass),
+                       "<mass value=\"...\"/>, 0 kg or more");
+    XMLElement* inertia = inertial.FirstChildElement("inertia");
+    if (!inertia) inertia = inertial.InsertNewChildElement("inertia");
+    for (const char* moment : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"})
+      if (!tubesheets::parseNumber(attributeOf(inertia, moment))) inertia->SetAttribute(moment, "0");
+  }
+
+  void prepareJoint(XMLElement& joint) const {
+    forget(joint, {"safety_controller", "calibration", "dynamics"});
+    const std::string name = attributeOf(&joint, "name"), type = attributeOf(&joint, "type");
+    prepareOrigin(joint.FirstChildElement("origin"), at("joint", name));
+    XMLElement* limit = joint.FirstChildElement("limit");
+    if (!limit && (type == "revolute" || type == "prismatic"))
+      throw InputError(at("joint", name), "no <limit>", "the limits of a " + type + " joint",
+                       type == "revolute" ? "a joint that turns without end is continuous" : "");
+    if (!limit) return;
+    for (const char* number : {"effort", "velocity"})
+      if (!limit->Attribute(number)) limit->SetAttribute(number, "0");
+  }
+
+  const std::string& file_;
+  XMLDocument document_;
+  XMLElement* robot_ = nullptr;
+  std::map<std::string, LinkContent> links_;
+  std::vector<std::string> left_out_;
+};
+
+/// The parser leaves a link at the first thing that it cannot read.
+void refuseLost(const urdf::ModelInterface& model, const Preparation& prepared, const std::string& file,
+                const std::string& message) {
+  const auto refuse = [&](const std::string& where) {
+    throw InputError(where, message.empty() ? "something that cannot be read" : inQuotes(message), "a URDF robot");
+  };
+  for (const auto& [name, link] : model.links_) {
+    const auto written = prepared.links().find(name);
+    if (written == prepared.links().end() || written->second.solids != link->collision_array.size() ||
+        written->second.has_inertial != (link->inertial != nullptr))
+      refuse(fmt::format("{} (link {})", file, nameInLine(name)));
+  }
+  if (!message.empty()) refuse(file);
+}
+
+}  // namespace
+
+UrdfTree readUrdfTree(const std::string& text, const std::string& file) {
+  Preparation prepared(text, file);
+  const std::string readable = prepared.text();
+  ParserMessages messages(readable);
+  UrdfTree tree{urdf::parseURDF(readable), std::move(prepared.leftOut())};
+  if (!tree.model || !tree.model->getRoot())
+    throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a URDF robot");
+  refuseLost(*tree.model, prepared, file, messages.first);
+  return tree;
+}
+
+}  // namespace tubeplan::app

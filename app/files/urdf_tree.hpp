@@ -1,0 +1,21 @@
+// The links and joints of a URDF file, read whole or refused.
+#pragma once
+
+#include <urdf_world/types.h>
+
+#include <string>
+#include <vector>
+
+namespace tubeplan::app {
+
+struct UrdfTree {
+  urdf::ModelInterfaceSharedPtr model;  ///< one root, every link behind it once
+  std::vector<std::string> left_out;    ///< what the file says and the tree has not, a sentence each
+};
+
+/// What a description of an arm needs of a URDF: pictures, materials and a controller's numbers are passed over,
+/// however they are written. urdfdom itself leaves a link where it meets the first thing that it cannot read and says
+/// so to a log; here that is refused. Throws InputError.
+[[nodiscard]] UrdfTree readUrdfTree(const std::string& text, const std::string& file);
+
+}  // namespace tubeplan::app
