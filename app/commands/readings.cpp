@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include "app/cli/command.hpp"
@@ -45,6 +47,19 @@ void write(const ReadingsOptions& options, const std::string& text) {
     writeFileAtomically(options.out, text, "--out");
 }
 
+/// Reads what was written, so that nothing is that cannot be read. Its lines are nobody's: errors name the tables'.
+std::size_t countOf(const ForeignReadings& readings, const Cell& cell) {
+  const std::string name = "the readings";
+  try {
+    return parseMeasurementTable(readings.text, name, cell.arm, cell.sheet ? &*cell.sheet : nullptr).readings.size();
+  } catch (const InputError& error) {
+    const std::string line = error.where().substr(std::min(name.size() + 1, error.where().size()));
+    const std::size_t row = std::strtoul(line.c_str(), nullptr, 10);
+    if (!error.where().starts_with(name + ":") || row < 2 || row - 2 >= readings.origins.size()) throw;
+    throw InputError(readings.origins[row - 2], error.found(), error.expected(), error.advice());
+  }
+}
+
 int run(const ReadingsOptions& options) {
   const Cell cell = readCell(options.cell);
   if (options.is_template) {
@@ -56,13 +71,11 @@ int run(const ReadingsOptions& options) {
   for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   const ForeignReadings readings = readForeign(request, cell.arm);
-  const auto table =
-      parseMeasurementTable(readings.text, "the readings", cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  const std::size_t count = countOf(readings, cell);
   write(options, readings.text);
   std::string said;
   for (const auto& taken : readings.taken) said += fmt::format("  {}\n", taken);
   for (const auto& left : readings.left_out) said += fmt::format("  left out: {}\n", left);
-  const std::size_t count = table.readings.size();
   fmt::print(stderr, "{} reading{}\n{}", count, count == 1 ? "" : "s", said);
   return kDone;
 }

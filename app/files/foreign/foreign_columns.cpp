@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 
+#include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
 #include "app/files/measurement_columns.hpp"
 #include "app/files/suggestion.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -19,13 +22,15 @@ namespace tubeplan::app {
 
 namespace {
 
+/// Before a joint's number.
+constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta", "encoder"};
+
 void addJoints(const deflection::Arm& arm, std::vector<ColumnTarget>& targets) {
   int number = 0;
   for (const auto& joint : arm.joints()) {
     ++number;
     std::vector<std::string> aliases = {parseHeading(joint.name).name};
-    for (const char* name : {"j", "joint", "axis", "a", "q", "theta", "encoder"})
-      aliases.push_back(fmt::format("{}{}", name, number));
+    for (const char* name : kJointWords) aliases.push_back(fmt::format("{}{}", name, number));
     targets.push_back(
         {.quantity = joint.name, .unit = unitKindOf(joint), .is_joint = true, .aliases = std::move(aliases)});
   }
@@ -35,7 +40,7 @@ void addJoints(const deflection::Arm& arm, std::vector<ColumnTarget>& targets) {
                        .is_joint = true,
                        .aliases = {parseHeading(joint->name).name}});
   for (const auto& joint : arm.joints()) {
-    const std::string name = joint.name + "_dir";
+    const std::string name = jointColumnName(joint) + "_dir";
     targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {parseHeading(name).name}});
   }
 }
@@ -88,11 +93,31 @@ std::vector<ForeignHeading> headingsOf(const ForeignTable& table, const std::vec
   return headings;
 }
 
+/// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
+void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
+  const auto find = [&](const std::string& name) -> ForeignHeading* {
+    for (auto& headings : tables)
+      for (auto& heading : headings)
+        if (heading.name == name) return &heading;
+    return nullptr;
+  };
+  for (const char* word : kJointWords) {
+    std::vector<ForeignHeading*> counted;
+    for (std::size_t k = 0; k < joints; ++k) counted.push_back(find(fmt::format("{}{}", word, k)));
+    const bool are_all = std::all_of(counted.begin(), counted.end(), [](const auto* heading) { return heading; });
+    if (!are_all || find(fmt::format("{}{}", word, joints))) continue;
+    for (std::size_t k = 0; k < joints; ++k) counted[k]->name = fmt::format("{}{}", word, k + 1);
+  }
+}
+
 /// Of every table.
 std::vector<std::vector<ForeignHeading>> allHeadings(const std::vector<ForeignTable>& tables,
                                                      const std::vector<ColumnTarget>& targets) {
   std::vector<std::vector<ForeignHeading>> headings;
   for (const auto& table : tables) headings.push_back(headingsOf(table, targets));
+  const auto isNumbered = [](const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; };
+  const auto joints = std::count_if(targets.begin(), targets.end(), isNumbered);
+  countFromOne(headings, static_cast<std::size_t>(joints));
   return headings;
 }
 
@@ -167,7 +192,7 @@ class ColumnTaker {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (std::size_t t = 0; t < tables_.size(); ++t)
       for (std::size_t c = 0; c < headings_[t].size(); ++c)
-        if (free_[t][c] && fits(targets_[k], headings_[t][c])) found.emplace_back(t, c);
+        if (free_[t][c] && fits(targets_[k], headings_[t][c]) && !isOtherTime(k, t, c)) found.emplace_back(t, c);
     if (found.empty()) return;
     if (found.size() > 1 && targets_[k].is_number) {
       std::vector<std::string> names;
@@ -197,7 +222,21 @@ class ColumnTaker {
     taken_.push_back({std::move(name), target, table, column});
   }
 
+  [[nodiscard]] const std::string& firstField(std::size_t table, std::size_t column) const {
+    return tables_[table].rows.front().fields[column];
+  }
+  [[nodiscard]] bool isClock(std::size_t table, std::size_t column) const {
+    return clockSeconds(firstField(table, column)).has_value();
+  }
+  /// A time that is written in some way of its own is left out, as a date is.
+  [[nodiscard]] bool isOtherTime(std::size_t target, std::size_t table, std::size_t column) const {
+    const std::string& field = firstField(table, column);
+    return targets_[target].unit == UnitKind::kTime && !field.empty() && !tubesheets::parseNumber(field) &&
+           !isClock(table, column);
+  }
+
   [[nodiscard]] const Unit* unitOf(UnitKind kind, std::size_t table, std::size_t column) const {
+    if (kind == UnitKind::kTime && isClock(table, column)) return findUnit(kind, "s");
     const Unit* stated = headings_[table][column].unit;
     if (stated && stated->kind == kind) return stated;
     const auto usual = choice_.units.find(kind);
@@ -212,7 +251,7 @@ class ColumnTaker {
     const std::string& name = targets_[k].quantity;
     throw InputError("the columns", "none for the joint " + name,
                      left.empty() ? "one for every joint" : "one of " + alternatives(left),
-                     fmt::format("say which: --column {}={}", name, left.empty() ? "COLUMN" : left.front()));
+                     fmt::format("say which: --column {}=COLUMN", name));
   }
 
   const std::vector<ForeignTable>& tables_;

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 
+#include "app/files/foreign/clock_time.hpp"
 #include "app/files/input_error.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -47,8 +49,9 @@ class ForeignReader {
     for (const auto& column : taken_)
       if (column.name != "id") names.push_back(csvField(column.name));
     out_.text = fmt::format("{}\n", fmt::join(names, ","));
-    out_.count = rows_[lead_].size();
-    for (std::size_t k = 0; k < out_.count; ++k) addRow(k);
+    std::size_t lost = 0;
+    for (std::size_t k = 0; k < rows_[lead_].size(); ++k) isLost(k) ? void(++lost) : addRow(k);
+    if (lost > 0) out_.left_out.push_back(fmt::format("{} rows without coordinates", lost));
     return std::move(out_);
   }
 
@@ -102,8 +105,20 @@ class ForeignReader {
       auto partners = partnersByName(t, *ours, *theirs);
       if (std::any_of(partners.begin(), partners.end(), [](const auto& partner) { return partner.has_value(); }))
         return partners;
+      refuseOtherNames(t, *ours, *theirs);
     }
     return partnersByOrder(t);
+  }
+
+  /// Running numbers may count anything; names of points are names of points.
+  void refuseOtherNames(std::size_t t, std::size_t ours, std::size_t theirs) const {
+    const auto areNames = [](const ForeignTable& table, std::size_t column) {
+      return std::none_of(table.rows.begin(), table.rows.end(),
+                          [&](const auto& row) { return parseNumber(row.fields[column]).has_value(); });
+    };
+    if (areNames(table(lead_), ours) && areNames(table(t), theirs))
+      throw InputError(table(t).file, fmt::format("names of which {} has none", table(lead_).file),
+                       "the same names in both", "give the points the same names, or remove them to match by order");
   }
 
   std::vector<std::optional<std::size_t>> partnersByName(std::size_t t, std::size_t ours, std::size_t theirs) {
@@ -185,7 +200,24 @@ class ForeignReader {
                      "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
   }
 
+  [[nodiscard]] bool isLost(std::size_t k) const {
+    if (isTaken("kind") || !request_.kind.empty() || kindOf() != "position") return false;
+    return std::ranges::all_of(std::array{"x", "y", "z"}, [&](const char* axis) {
+      const TakenColumn* column = find(axis);
+      return !column || isBlank(fieldOf(*column, k));
+    });
+  }
+
+  [[nodiscard]] std::string originOf(std::size_t k) const {
+    std::string text;
+    for (std::size_t t = 0; t < request_.tables.size(); ++t)
+      if (isUsed(t))
+        text += fmt::format("{}{}:{}", text.empty() ? "" : " and ", table(t).file, table(t).rows[rows_[t][k]].line);
+    return text;
+  }
+
   void addRow(std::size_t k) {
+    out_.origins.push_back(originOf(k));
     std::vector<std::string> fields = {csvField(ids_[k])};
     if (!isTaken("kind")) fields.push_back(kindOf());
     for (const auto& column : taken_) {
@@ -203,10 +235,17 @@ class ForeignReader {
     if (isBlank(field)) return "";
     const std::string number = field.starts_with('+') ? field.substr(1) : field;
     if (parseNumber(number)) return number;
+    if (targets_[column.target].unit == UnitKind::kTime)
+      if (const auto seconds = clockSeconds(field)) return formatNumber(*seconds - firstTime(column));
     throw InputError(fmt::format("{}:{} (column {})", table(column.table).file,
                                  table(column.table).rows[rows_[column.table][k]].line,
                                  inQuotes(table(column.table).columns[column.column])),
                      inQuotes(field), "a finite number", "");
+  }
+
+  /// Of a clock, in seconds; times count from the first reading's.
+  [[nodiscard]] double firstTime(const TakenColumn& column) const {
+    return clockSeconds(fieldOf(column, 0)).value_or(0);
   }
 
   const ForeignRequest& request_;

@@ -24,9 +24,9 @@ struct ForeignTable {
 
 /// Fields apart by tab, semicolon, comma or blanks, whichever makes a table of the text; with a decimal point or, where
 /// fields are not apart by commas, a decimal comma. The table begins with the first line from which all have as many
-/// fields, its heading is the line before where that has as many and no numbers. Empty lines and lines that begin with
-/// #, // or % are no rows. Throws InputError for text without a table, for a row that is longer or shorter than the
-/// others and for a quote that is not closed.
+/// fields, its heading is the line before where that has as many and no numbers, with the units of a line between; else
+/// the last comment that has as many. Empty lines and lines that begin with #, // or % are no rows. Throws InputError
+/// for text without a table, for a row that is longer or shorter than the others and for a quote that is not closed.
 [[nodiscard]] ForeignTable parseForeignTable(std::string_view text, const std::string& file);
 
 }  // namespace tubeplan::app

@@ -60,7 +60,33 @@ TEST(ForeignTable, beginsWhereTheRowsDo) {
   EXPECT_EQ(table.lines_before, (std::vector<std::string>{"// exported", "Job 7", "Units: mm"}));
   EXPECT_TRUE(table.has_heading);
   EXPECT_EQ(table.heading_line, 5);
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.columns.back(), "Z");
+  EXPECT_EQ(table.rows[0].fields.back(), "3");
+}
+
+TEST(ForeignTable, takesUnitsBelowTheHeadings) {
+  const auto table = parseForeignTable("Name;X;Y;J1\n;mm;[mm];deg\nP1;1,5;2;3\nP2;4;5;6\n", "t");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"Name", "X [mm]", "Y [mm]", "J1 [deg]"}));
   EXPECT_EQ(table.rows.size(), 2u);
+  const auto other = parseForeignTable("A;B\nX;Y\n1;2\n3;4\n", "t");
+  EXPECT_EQ(other.columns, (std::vector<std::string>{"X", "Y"}));
+}
+
+TEST(ForeignTable, takesHeadingsOutOfTheCommentAboveTheRows) {
+  for (const char* text : {"# made by hand\n# x_mm,y_mm,q0\n1,2,3\n4,5,6\n", "%x_mm,y_mm,q0\n1,2,3\n4,5,6\n"}) {
+    const auto table = parseForeignTable(text, "t");
+    EXPECT_TRUE(table.has_heading) << text;
+    EXPECT_EQ(table.columns, (std::vector<std::string>{"x_mm", "y_mm", "q0"})) << text;
+  }
+  EXPECT_FALSE(parseForeignTable("# one, two\n1,2,3\n4,5,6\n", "t").has_heading);
+}
+
+TEST(ForeignTable, refusesThousandsThatCouldBeDecimals) {
+  for (const char* text : {"a;b\n1.190;12,5\n297;3\n", "a;b\n1,190;12.5\n297;3\n", "a\tb\n-1.190\t12,55\n2\t3\n"})
+    EXPECT_NE(messageOf([&] { (void)parseForeignTable(text, "t"); }).find("t:2"), std::string::npos) << text;
+  for (const char* text : {"a;b\n1,190;12,5\n297;3\n", "a;b\n1.190;12.5\n297;3\n", "a;b\n1.190;2\n297;3\n"})
+    EXPECT_EQ(parseForeignTable(text, "t").rows[0].fields[0], "1.190") << text;
 }
 
 TEST(ForeignTable, refusesWhatIsNoTable) {
@@ -80,7 +106,7 @@ TEST_F(ForeignReadingsTest, takesOneTableWithJointsAndPlaces) {
   EXPECT_EQ(readings.text,
             "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_mm,y_mm,z_mm\n"
             "1,position,10,45,-35,12.5,1.5,2,3\n2,position,20,45,-35,12,4,5,6\n");
-  EXPECT_EQ(readings.count, 2u);
+  EXPECT_EQ(readings.origins, (std::vector<std::string>{"log.csv:2", "log.csv:3"}));
   ASSERT_EQ(readings.left_out.size(), 1u);
   EXPECT_NE(readings.left_out[0].find("Remark 1"), std::string::npos);
   EXPECT_EQ(parseMeasurementTable(readings.text, "r", cell.arm).readings.size(), 2u);
@@ -158,6 +184,45 @@ TEST_F(ForeignReadingsTest, withoutCoordinatesReadingsAreTouches) {
   EXPECT_EQ(readings.text,
             "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C1,10,45,-35,12\n"
             "2,touch,R1C1,11,45,-35,12\n");
+}
+
+TEST_F(ForeignReadingsTest, JointsMayBeCountedFromZero) {
+  const auto readings =
+      read({{"log.csv", "q3,q2,q1,q0,x,y,z\n12,-35,45,10,1,2,3\n12,-35,45,20,4,5,6\n"}}, {}, {"mm", "deg"});
+  EXPECT_NE(readings.text.find("\n1,position,10,45,-35,12,1,2,3\n"), std::string::npos) << readings.text;
+  // Of four joints q1 to q3 alone are neither.
+  EXPECT_NE(refusal({{"log.csv", "q1,q2,q3,x,y,z\n1,2,3,4,5,6\n1,2,3,4,5,6\n"}}, {}, {"mm", "deg"}), "");
+}
+
+TEST_F(ForeignReadingsTest, TablesWithOtherNamesAreNotMatchedByOrder) {
+  const std::string log = "Name,A1,A2,A3,A4\nP24,10,45,-35,12\nP23,20,45,-35,12\n";
+  EXPECT_NE(refusal({{"log.csv", log}, {"points.csv", "Name,X,Y,Z\np1,1,2,3\np2,4,5,6\n"}}, {}, {"mm", "deg"})
+                .find("same names"),
+            std::string::npos);
+  const auto numbered = read({{"log.csv", log}, {"points.csv", "Name,X,Y,Z\n1,1,2,3\n2,4,5,6\n"}}, {}, {"mm", "deg"});
+  EXPECT_NE(numbered.text.find("12,1,2,3"), std::string::npos) << numbered.text;
+}
+
+TEST_F(ForeignReadingsTest, ClockTimesAreSecondsFromTheFirst) {
+  const auto with = [&](const std::string& first, const std::string& second) {
+    return read({{"log.csv", "J1,J2,J3,J4,x,y,z,Timestamp\n10,45,-35,12,1,2,3," + first + "\n10,45,-35,12,1,2,3," +
+                                 second + "\n"}},
+                {}, {"mm", "deg"});
+  };
+  EXPECT_NE(with("2026-11-01 23:59:58.5", "2026-11-02T00:00:03").text.find(",4.5\n"), std::string::npos);
+  EXPECT_NE(with("10:00:00", "10:01:00").text.find(",60\n"), std::string::npos);
+  const auto unknown = with("about ten", "later");
+  EXPECT_EQ(unknown.text.find("time"), std::string::npos) << unknown.text;
+  EXPECT_NE(unknown.left_out.at(0).find("Timestamp"), std::string::npos);
+  EXPECT_NE(messageOf([&] { (void)with("10:00:00", "noon"); }).find("noon"), std::string::npos);
+}
+
+TEST_F(ForeignReadingsTest, LostPointsAreLeftOut) {
+  const auto readings =
+      read({{"log.csv", "J1,J2,J3,J4,x,y,z\n10,45,-35,12,1,2,3\n20,45,-35,12,,,\n30,45,-35,12,-,N/A,\n"}}, {},
+           {"mm", "deg"});
+  EXPECT_EQ(readings.origins, (std::vector<std::string>{"log.csv:2"}));
+  EXPECT_EQ(readings.left_out, (std::vector<std::string>{"2 rows without coordinates"}));
 }
 
 }  // namespace
