@@ -12,7 +12,8 @@ using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
 
 namespace {
 
-constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawings seldom state them well
+constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawings seldom state them well; of all
+                                     // zeros of joints that follow others too, which no reading has
 constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
 constexpr double kAlikeShare = 0.3;  // of a kind's odds: that it acts at all joints rather than at one
 
@@ -149,7 +150,8 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
   return std::any_of(free.begin(), free.end(), [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
-/// Numbers of the arm's file that the fit holds: each stiffness, and the drawing's geometry as a whole.
+/// Numbers of the arm's file that the fit holds: each stiffness, each zero of a joint that follows others, and the
+/// drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
   Cause geometry{kFreedNumbers, "geometry", {}, {}};
@@ -161,8 +163,17 @@ void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, C
     else if (std::find(of_geometry.begin(), of_geometry.end(), parameter.name) != of_geometry.end())
       geometry.frees.push_back(parameter.name);
   }
-  for (Cause& cause : stiffnesses) cause.prior = kFreedOdds / static_cast<double>(stiffnesses.size());
-  list.causes.insert(list.causes.end(), stiffnesses.begin(), stiffnesses.end());
+  std::vector<Cause> zeros;
+  for (const auto& row : placed.arm.rows) {
+    const std::string name = row.name + ".joint.offset";
+    if (!row.joint.follows.empty() && !isFree(free, name)) zeros.push_back({kFreedNumbers, name, {}, {name}});
+  }
+  const auto addAll = [&](std::vector<Cause>& causes) {
+    for (Cause& cause : causes) cause.prior = kFreedOdds / static_cast<double>(causes.size());
+    list.causes.insert(list.causes.end(), causes.begin(), causes.end());
+  };
+  addAll(stiffnesses);
+  addAll(zeros);
   if (geometry.frees.size() < 2) return;
   geometry.prior = kGeometryOdds;
   list.causes.push_back(std::move(geometry));

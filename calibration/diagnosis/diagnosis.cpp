@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "calibration/diagnosis/decision.hpp"
 #include "calibration/diagnosis/indistinguishable.hpp"
@@ -12,9 +12,9 @@
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/diagnosis/ranking.hpp"
 #include "calibration/diagnosis/remainder.hpp"
+#include "calibration/diagnosis/set_aside.hpp"
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/held_out.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostClosest = 8;
 constexpr std::size_t kMostJudged = 3;
-constexpr std::size_t kFewOutliers = 20;     // one reading in that many, at most
+constexpr std::size_t kFewOutliers = 10;     // one reading in that many, at most
 constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again about it
 constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
@@ -220,37 +220,6 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-/// How many touches each unknown point is left without these readings.
-std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
-  std::map<std::string, int> left;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (!readings[k].is_held_out && touchesUnknownPoint(readings[k]))
-      left[readings[k].point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
-  return left;
-}
-
-/// With the touches that are then left alone at a point of unknown place: they determine nothing.
-std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
-  const auto isLeft = [&](std::size_t k) {
-    return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
-  };
-  const auto touches = touchesLeft(outliers, readings);
-  std::vector<int> all = outliers;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && touchesUnknownPoint(readings[k]) && touches.at(readings[k].point) == 1)
-      all.push_back(static_cast<int>(k));
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-/// How many of these readings must be outliers: of the touches of one unknown point that are all set aside, one is left
-/// alone or is as good as the others.
-double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
-  const auto left = touchesLeft(set_aside, readings);
-  const auto gone = std::count_if(left.begin(), left.end(), [](const auto& point) { return point.second == 0; });
-  return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
-}
-
 /// Log of the best model's weight; the readings that were set aside count as outliers, each at its odds.
 double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
@@ -276,21 +245,86 @@ Diagnosis concluded(Answer found, const std::vector<Measurement>& all) {
   return completed(std::move(found), all);
 }
 
+/// The fit of the readings that are left.
+struct WithoutOutliers {
+  std::vector<int> set_aside;
+  Identification fit;
+};
+
+/// The places of a fit's outliers; of one that weighs readings down, where the other fails and names none: several at
+/// once draw the fit to themselves.
+std::vector<int> outliersOf(const PlacedArm& start, const std::vector<Measurement>& readings,
+                            const Identification& baseline, const DiagnosisOptions& options) {
+  std::vector<int> places;
+  const auto add = [&](const Identification& fit) {
+    for (const auto& outlier : fit.outliers) places.push_back(outlier.reading);
+  };
+  add(baseline);
+  if (places.empty() && baseline.p_value < kLackOfFit) {
+    IdentificationOptions robust = baselineOptions(options);
+    robust.loss = RobustLoss::kHuber;
+    add(identify(start, readings, robust));
+    goOn(options.hooks.stop);
+  }
+  return places;
+}
+
+/// Those of them that the fit of the others misses by more than their noise; a fit that weighs readings down names some
+/// that are none. Only of kinds that state a place: others are taken as they were found.
+std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
+                          const std::vector<Measurement>& readings, double level) {
+  std::vector<int> missed;
+  for (const int k : set_aside) {
+    const Measurement& reading = readings[static_cast<std::size_t>(k)];
+    const auto rows = rowsOf(reading);
+    if (!statesPlace(reading) || rows != 3) {
+      missed.push_back(k);
+      continue;
+    }
+    const auto& X_WB = fit.fitted.base_poses[static_cast<std::size_t>(basePoseOf(fit.fitted, reading))].X_WB;
+    const auto predicted = predictReading(fit.fitted.arm, X_WB, reading);
+    const double limit = chiSquareQuantile(level / static_cast<double>(readings.size()), rows);
+    const double sigma = std::hypot(reading.sigma, fit.model_error);
+    if (!predicted.ok || (predicted.value - *reading.p_W).squaredNorm() > limit * sigma * sigma) missed.push_back(k);
+  }
+  return missed;
+}
+
+/// Looked for again in what is left: a large outlier hides a smaller one. Nothing where there are none, or too many.
+std::optional<WithoutOutliers> withoutOutliers(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                               const Identification& baseline, const DiagnosisOptions& options) {
+  std::optional<WithoutOutliers> found;
+  std::vector<int> all = outliersOf(start, readings, baseline, options);
+  while (found ? all.size() > found->set_aside.size() : !all.empty()) {
+    std::sort(all.begin(), all.end());
+    if (all.size() > readings.size() / kFewOutliers) return std::nullopt;
+    const std::vector<int> set_aside = withOrphans(all, readings);
+    Identification fit = fitBaseline(start, withoutReadings(readings, set_aside), options);
+    if (fit.status == IdentificationStatus::kRefused) return found;
+    if (!found) {
+      const auto missed = missedBy(fit, all, readings, options.baseline.outlier_level);
+      if (missed.size() < all.size()) {
+        all = missed;
+        continue;
+      }
+    }
+    const std::vector<int> left = othersThan(set_aside, readings.size());
+    all = set_aside;
+    for (const auto& outlier : fit.outliers) all.push_back(left.at(static_cast<std::size_t>(outlier.reading)));
+    found = WithoutOutliers{set_aside, std::move(fit)};
+  }
+  return found;
+}
+
 Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
                                 const DiagnosisOptions& options) {
   Identification baseline = fitBaseline(start, readings, options);
-  std::vector<int> outliers;
-  for (const auto& outlier : baseline.outliers) outliers.push_back(outlier.reading);
-  std::sort(outliers.begin(), outliers.end());
-  const bool are_few = outliers.size() <= readings.size() / kFewOutliers;
+  std::optional<WithoutOutliers> without = withoutOutliers(start, readings, baseline, options);
   Answer whole = compareAll(std::move(baseline), readings, {}, options);
-  if (outliers.empty() || !are_few || !whole.is_found) return concluded(std::move(whole), readings);
+  if (!without || !whole.is_found) return concluded(std::move(whole), readings);
   // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before
   // setting some aside.
-  const auto set_aside = withOrphans(outliers, readings);
-  Identification rest = fitBaseline(start, withoutReadings(readings, set_aside), options);
-  if (rest.status == IdentificationStatus::kRefused) return concluded(std::move(whole), readings);
-  Answer fewer = compareAll(std::move(rest), readings, set_aside, options);
+  Answer fewer = compareAll(std::move(without->fit), readings, without->set_aside, options);
   const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))
     return concluded(after > before ? std::move(fewer) : std::move(whole), readings);

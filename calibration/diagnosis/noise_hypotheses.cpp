@@ -217,7 +217,7 @@ bool linearize(DiagnosisWork& work) {
 
 double errorBeyondBest(const DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
-  if (!best.is_fitted || best.discrepancy_probability > 0.5) return 0;
+  if (!best.is_fitted) return 0;
   double numbers = 0;
   for (const ModelTerm& term : best.terms) numbers += static_cast<double>(term.numbers.size());
   return errorBeyondNoise(work, best.fit.chi2, work.noise.front().options.noise_rows - numbers);

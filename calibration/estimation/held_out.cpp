@@ -51,10 +51,11 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
   std::map<std::string, int> index;
   std::vector<int> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    const std::string& point = readings[k].point;
-    const std::string key = point.empty()
-                                ? "posture " + std::to_string(postures.leaderOf(readings, static_cast<int>(k)))
-                                : "point " + point;
+    // What states its own place may name the reflector that was seen: one name at every posture.
+    const bool is_touch = touchesKnownPoint(readings[k]) || touchesUnknownPoint(readings[k]);
+    const std::string key = is_touch && !readings[k].point.empty()
+                                ? "point " + readings[k].point
+                                : "posture " + std::to_string(postures.leaderOf(readings, static_cast<int>(k)));
     groups.push_back(index.emplace(key, static_cast<int>(index.size())).first->second);
   }
   return groups;

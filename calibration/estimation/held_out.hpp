@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration {
 
-/// Number of the group each reading belongs to: those of one point's or pose's name, or at one posture, go together.
+/// Number of the group each reading belongs to: touches of one point, and readings at one posture, go together.
 [[nodiscard]] std::vector<int> groupByPose(const std::vector<Measurement>& readings);
 
 /// Fold of each reading, 0 to folds - 1, whole groups drawn by the seed; fewer folds where there are fewer groups.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSharpened = 0.5;   // of what a number may be off by: the most that its sigma may be
 constexpr double kCorrelated = 0.3;  // correlation from which a number is named as a partner
+constexpr double kOneWithIt = 0.95;  // correlation from which a number is known as well as its partner is
 constexpr std::size_t kMostPartners = 4;
 constexpr double kSeen = 2;  // sigmas that a compliance must be from none: else its stiffness has no upper end
 
@@ -50,6 +51,17 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     if (!isSharp(unknown, alone, at[k])) continue;
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
+  }
+  // As sharp as the prior of one that the readings cannot tell from it.
+  for (std::size_t n = 0; n < unknowns.size(); ++n) {
+    if (numbers[n].verdict != Identifiability::kYes) continue;
+    const auto k = static_cast<Index>(n);
+    std::vector<int> partners = partnersOf(k, covariance);
+    std::erase_if(partners, [&](int other) {
+      return std::abs(covariance(k, other)) < kOneWithIt * std::sqrt(covariance(k, k) * covariance(other, other)) ||
+             isSharp(unknowns[static_cast<std::size_t>(other)], std::sqrt(covariance(other, other)), at[other]);
+    });
+    if (!partners.empty()) numbers[n] = {Identifiability::kInCombination, std::move(partners)};
   }
   return numbers;
 }

@@ -167,6 +167,18 @@ TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
 }
 
+// An unknown function of the joints could follow the noise of so few readings: the evidence of both is weighed.
+TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
+  const auto cell = shippedBench();
+  for (const std::uint64_t seed : {4, 5, 6}) {
+    auto readings = benchReadings(cell, "", "", {}, 40, seed);
+    for (auto& reading : readings) reading.sigma /= 2;
+    const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+    EXPECT_TRUE(found.alternatives.empty()) << seed;
+    EXPECT_GT(found.scatter_probability, 0.5) << seed;
+  }
+}
+
 // Three waves to a turn of a joint: no catalogue has it, and a pair of known effects comes near it.
 TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
   const auto cell = shippedBench();
@@ -186,6 +198,27 @@ TEST(Diagnosis, SetsGrossOutliersAsideAndSaysSo) {
   const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
   EXPECT_EQ(found.set_aside, (std::vector<int>{17, 60}));
   EXPECT_TRUE(found.alternatives.empty());
+}
+
+TEST(Diagnosis, SetsSeveralOutliersAsideAlsoWhereOneHidesAnother) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 40, 8);
+  readings[7].p_W->x() += 0.05;
+  readings[17].p_W->z() -= 0.05;
+  readings[30].p_W->y() += 0.003;
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.set_aside, (std::vector<int>{7, 17, 30}));
+  EXPECT_TRUE(found.alternatives.empty());
+  EXPECT_NE(found.verdict, Verdict::kUnexplained);
+}
+
+/// One reflector at all postures is no one point.
+TEST(Diagnosis, AReadingsOwnPlaceMayHaveTheReflectorsName) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "joint-offset", "theta4", {0.002}, 60, 5);
+  for (auto& reading : readings) reading.point = "SMR1";
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_TRUE(holds(found, "joint-offset", "theta4")) << found.reason;
 }
 
 TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {

@@ -229,5 +229,23 @@ TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
   EXPECT_GE(result.singular_values[0], result.singular_values[1]);
 }
 
+/// Of twins with priors of one and ten the second is known within one: only as well as the first is.
+TEST(Identifiability, WhatOnlyATwinsPriorDeterminesIsNotYes) {
+  std::vector<Unknown> unknowns(3);
+  for (auto& unknown : unknowns) unknown.typical = unknown.prior_sigma = 10;
+  unknowns[0].typical = unknowns[0].prior_sigma = 1;
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(4, 3);
+  jacobian.col(0).setConstant(1e3);
+  jacobian.col(1).setConstant(1e3);
+  jacobian(3, 2) = 1e3;
+  const auto found =
+      judgeIdentifiability(jacobian, posteriorCovariance(jacobian, unknowns), unknowns, Eigen::VectorXd::Zero(3));
+  for (const int twin : {0, 1}) {
+    EXPECT_EQ(found[static_cast<std::size_t>(twin)].verdict, kInCombination) << twin;
+    EXPECT_EQ(found[static_cast<std::size_t>(twin)].with, (std::vector<int>{1 - twin})) << twin;
+  }
+  EXPECT_EQ(found[2].verdict, kYes);
+}
+
 }  // namespace
 }  // namespace tubeplan::calibration
