@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "calibration/measurement_checks/mistake.hpp"
 
@@ -16,16 +17,25 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return {"R+1", "R-1", "C+1", "C-1"};
 }
 
-inline void move(const CheckedReadings& checked, int rows, int columns, std::vector<Measurement>& readings) {
-  std::erase_if(readings, [&](Measurement& reading) {
-    if (!isPlacedBySheet(checked, reading)) return false;
-    const auto hole = tubesheets::parseTubeName(reading.point);
-    const auto* tube = checked.sheet->find(hole->row + rows, hole->column + columns);
-    if (!tube) return true;
-    reading.point = "R" + std::to_string(tube->row) + "C" + std::to_string(tube->column);
-    reading.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
-    return false;
+/// The hole that a reading is of if it is not the one it names; null where the sheet has none there.
+using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAndColumn& named)>;
+
+/// A tip cannot have touched a hole that is not there: one such reading, and the names are not wrong in that way.
+inline bool areAllThere(const CheckedReadings& checked, const OtherHole& other) {
+  return std::all_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& reading) {
+    return !isPlacedBySheet(checked, reading) || other(*tubesheets::parseTubeName(reading.point)) != nullptr;
   });
+}
+
+/// Every touch of a named hole as one of the other.
+inline void rename(const CheckedReadings& checked, const OtherHole& other, std::vector<Measurement>& readings) {
+  for (Measurement& reading : readings) {
+    if (!isPlacedBySheet(checked, reading)) continue;
+    const auto* tube = other(*tubesheets::parseTubeName(reading.point));
+    if (!tube) continue;
+    reading.point = tubesheets::tubeName(tube->row, tube->column);
+    reading.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
+  }
 }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
@@ -35,18 +45,20 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
       std::sscanf(value.c_str(), "%c%d%n", &way, &by, &used) == 2 && used == static_cast<int>(value.size());
   if (!is_read || (way != 'R' && way != 'C') || by == 0 || std::abs(by) > 1000 || !checked.sheet) return std::nullopt;
   const int rows = way == 'R' ? by : 0, columns = way == 'C' ? by : 0;
+  const OtherHole other = [sheet = checked.sheet, rows, columns](const auto& named) {
+    return sheet->find(named.row + rows, named.column + columns);
+  };
+  if (!areAllThere(checked, other)) return std::nullopt;
   Mend mend{"holes", value,
             "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
                 (by > 0 ? " too low" : " too high")};
-  mend.change = [checked = &checked, rows, columns](std::vector<Measurement>& readings) {
-    move(*checked, rows, columns, readings);
-  };
+  mend.change = [checked = &checked, other](std::vector<Measurement>& readings) { rename(*checked, other, readings); };
   return mend;
 }
 
 inline MistakeKind kind() {
   return {"holes", "R+1|C-1|...",
-          "offset to add to the rows or columns of the holes' names, in a cell with a tube sheet", values, mend};
+          "offset to add to the rows or columns of the holes' names, so that the sheet has them all", values, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::holes_off

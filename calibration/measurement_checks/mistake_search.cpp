@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "calibration/measurement_checks/joint_zero.hpp"
+#include "calibration/measurements/reading_problems.hpp"
 
 namespace tubeplan::calibration {
 
@@ -44,7 +45,7 @@ class MistakeSearch {
     MeasurementCheck check;
     check.name = best.mend.mistake;
     const bool is_of_error = explainsError(best);
-    check.severity = is_of_error ? CheckSeverity::kMistake : CheckSeverity::kRemark;
+    check.severity = is_of_error && isDetermined(best.mend) ? CheckSeverity::kMistake : CheckSeverity::kRemark;
     check.sentence = best.mend.sentence +
                      (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
     stateErrors(best, check);
@@ -155,6 +156,19 @@ class MistakeSearch {
 
   /// Whether a mend has numbers that are fitted: what others take off the error is no fit.
   static bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.zero_of >= 0; }
+
+  /// Whether so many readings could contradict a mend that is fitted to them, or that leaves some of them out.
+  [[nodiscard]] bool isDetermined(const Mend& mend) const {
+    constexpr int kLeastFreedom = 6;
+    auto readings = trials_.pool().readings;
+    const std::size_t all = readings.size();
+    mend.apply(readings);
+    if (!hasNumbers(mend) && readings.size() == all) return true;
+    const auto start = trials_.startOf(mend);
+    const auto bases = std::count_if(start.base_poses.begin(), start.base_poses.end(),
+                                     [](const auto& base_pose) { return !base_pose.is_known; });
+    return numbersMeasured(readings) - 6 * static_cast<int>(bases) - (mend.zero_of >= 0 ? 1 : 0) >= kLeastFreedom;
+  }
 
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
     constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are

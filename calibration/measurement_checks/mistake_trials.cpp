@@ -129,10 +129,13 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
   as_is_ = tried({}, TrialDepth::kOpen);
   const Trial drawn = tried({}, TrialDepth::kDrawn);
   as_is_.error = drawn.error;
-  // What is open besides would share the base's way: by the drawing it has all of it.
-  as_is_.base_shift = drawn.base_shift;
-  as_is_.base_turn = drawn.base_turn;
-  as_is_.held_error = tried({}, TrialDepth::kHeld).error;
+  const Trial held = tried({}, TrialDepth::kHeld);
+  as_is_.held_error = held.error;
+  // What is open besides would share the base's way, and of few readings so would the tip: by the drawing it has all of
+  // it. A tip that is not as drawn sends the base off, and the two together are nearer to the truth.
+  const Trial& nearer = held.ok && (!drawn.ok || held.base_shift < drawn.base_shift) ? held : drawn;
+  as_is_.base_shift = nearer.base_shift;
+  as_is_.base_turn = nearer.base_turn;
 }
 
 /// The drawing with the base free where it is not known, with the tip besides, or with all that is open.

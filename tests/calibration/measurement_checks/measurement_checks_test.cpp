@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibration/measurement_checks/plain_checks.hpp"
+#include "calibration/measurement_checks/copies.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
@@ -165,6 +165,30 @@ TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
   const auto checks = checksOf(*set);
   ASSERT_NE(grossMistake(checks), nullptr);
   EXPECT_EQ(grossMistake(checks)->name, "joint-sign");
+}
+
+// A touch of a hole that would not be there was left out, and the others fitted the better.
+TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
+  const app::Cell cell = shippedCell("mockup.yaml");
+  CheckedReadings checked;
+  checked.sheet = &*cell.sheet;
+  for (const auto& [row, column] : {std::pair{1, 40}, std::pair{20, 40}}) {
+    const auto& tube = *cell.sheet->find(row, column);
+    Measurement touch;
+    touch.kind = MeasurementKind::kTouch;
+    touch.point = tubesheets::tubeName(row, column);
+    touch.p_W = Eigen::Vector3d(tube.x, tube.y, 0);
+    checked.readings.push_back(touch);
+  }
+  const MistakeKind& holes = *findMistakeKind("holes");
+  EXPECT_FALSE(holes.mend(checked, "R-1"));
+  const auto mend = holes.mend(checked, "R+1");
+  ASSERT_TRUE(mend);
+  auto readings = checked.readings;
+  mend->apply(readings);
+  ASSERT_EQ(readings.size(), 2U);
+  EXPECT_EQ(readings[0].point, "R2C40");
+  EXPECT_EQ(readings[1].p_W->y(), cell.sheet->find(21, 40)->y);
 }
 
 }  // namespace
