@@ -58,6 +58,10 @@ void addLine(CsvTable& table, std::string_view text, int line) {
     table.columns = std::move(*fields);
     table.header_line = line;
     table.problem = findHeaderProblem(table.columns, line);
+    for (const auto& [mark, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
+      if (table.columns.size() == 1 && table.columns.front().find(mark) != std::string::npos)
+        table.problem = Problem{"header", fmt::format("columns apart by {}", name), "commas between the columns",
+                                "save the table as comma-separated", line};
   } else if (fields->size() != table.columns.size()) {
     table.problem = Problem{"row", fmt::format("{} fields", fields->size()),
                             fmt::format("{}, as in the header", table.columns.size()), "", line};

@@ -82,6 +82,12 @@ void findOverlaps(const Sheet& sheet, std::vector<Problem>& problems) {
   }
 }
 
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 std::optional<double> findMedianSpacing(const Sheet& sheet) {
   std::vector<double> spacings;
   for (std::size_t i = 1; i < sheet.tubes.size(); ++i) {
@@ -90,9 +96,7 @@ std::optional<double> findMedianSpacing(const Sheet& sheet) {
     if (are_adjacent) spacings.push_back(std::hypot(tube.x - before.x, tube.y - before.y));
   }
   if (spacings.empty()) return std::nullopt;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return medianOf(std::move(spacings));
 }
 
 void findSpacingProblems(const Sheet& sheet, std::vector<Problem>& problems) {
@@ -101,6 +105,60 @@ void findSpacingProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   problems.insert(problems.begin(), {"spacing", fmt::format("holes {:.6g} m apart along a row", *spacing),
                                      fmt::format("about the pitch, {:.6g} m", sheet.pitch),
                                      "check the unit in the column's name, and the pitch"});
+}
+
+// To the nearest other hole; of holes that have one within so many pitches.
+std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
+  const HoleGrid grid(sheet.tubes, reach);
+  std::vector<double> distances;
+  for (int i = 0; i < static_cast<int>(sheet.tubes.size()); ++i) {
+    const Tube& tube = sheet.tubes[i];
+    double nearest = reach;
+    for (const int other : grid.findWithin(tube.x, tube.y, reach))
+      if (other != i)
+        nearest = std::min(nearest, std::hypot(sheet.tubes[other].x - tube.x, sheet.tubes[other].y - tube.y));
+    if (nearest < reach) distances.push_back(nearest);
+  }
+  return distances;
+}
+
+// Neighbours are told by the pitch: with a wrong one the outermost holes would be all of them.
+void findPitchProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  constexpr double kNear = 1.6, kAsDrawn = 0.02;  // pitches; of a pitch
+  auto distances = nearestWithin(sheet, kNear * sheet.pitch);
+  std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // overlaps
+  if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;              // a list of a few holes
+  const double distance = medianOf(distances);
+  if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
+  problems.insert(
+      problems.begin(),
+      {"pitch", fmt::format("{:.6g} m, where most holes are {:.6g} m from the nearest", sheet.pitch, distance),
+       "the distance of neighbouring holes", "correct the pitch, or the unit in the column's name"});
+}
+
+// Holes that are far apart on a grid of millimetres read as inches.
+void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  constexpr double kExact = 1e-3, kFar = 300;  // of a distance; pitches
+  constexpr std::size_t kMostLooked = 500;
+  if (sheet.tubes.size() < 4 || !nearestWithin(sheet, kMostSpacing * sheet.pitch).empty()) return;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < std::min(sheet.tubes.size(), kMostLooked); ++i) {
+    double nearest = kFar * sheet.pitch;
+    for (std::size_t k = 0; k < sheet.tubes.size(); ++k)
+      if (k != i)
+        nearest =
+            std::min(nearest, std::hypot(sheet.tubes[k].x - sheet.tubes[i].x, sheet.tubes[k].y - sheet.tubes[i].y));
+    distances.push_back(nearest / sheet.pitch);
+  }
+  const double pitches = medianOf(distances);
+  const auto isMultipleOf = [&](double unit) {
+    const double times = pitches / unit;
+    return times > 0.5 && std::abs(times - std::round(times)) < kExact * times;
+  };
+  if (pitches >= kFar || isMultipleOf(1) || !isMultipleOf(25.4)) return;
+  problems.insert(problems.begin(),
+                  {"spacing", fmt::format("holes {:.6g} m apart, {:.4g} pitches", pitches * sheet.pitch, pitches),
+                   "whole pitches", "they would be in millimetres: check the unit in the column's name"});
 }
 
 }  // namespace
@@ -113,6 +171,8 @@ std::vector<Problem> findSheetProblems(const Sheet& sheet) {
   findOrderProblems(sheet, problems);
   if (!problems.empty()) return problems;
   findSpacingProblems(sheet, problems);
+  if (problems.empty()) findPitchProblems(sheet, problems);
+  if (problems.empty()) findUnitProblems(sheet, problems);
   findLegProblems(sheet, problems);
   findOverlaps(sheet, problems);
   if (sheet.manway)

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "tubesheets/csv_table.hpp"
@@ -144,7 +145,15 @@ std::string besides(const Sheet& sheet, const Selection& selection) {
 std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
   if (item.leg && *item.leg != sheet.leg)
     return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
-  if (!sheet.indexOf(item.row, item.column)) return explainMissing(sheet, item.row, item.column);
+  const auto index = sheet.indexOf(item.row, item.column);
+  if (!index) return explainMissing(sheet, item.row, item.column);
+  const Tube& tube = sheet.tubes[static_cast<std::size_t>(*index)];
+  const double off = std::hypot(item.x.value_or(tube.x) - tube.x, item.y.value_or(tube.y) - tube.y);
+  if (!(off <= sheet.hole_diameter / 2))
+    return fmt::format(
+        "its coordinates are not those of {}, which is {:.4g} m from there: correct the name or the coordinates, or "
+        "remove their columns",
+        tubeName(item.row, item.column), off);
   return "";
 }
 

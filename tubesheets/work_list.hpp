@@ -51,6 +51,8 @@ struct WorkListItem {
   std::string sheet;               ///< fingerprint; empty = any
   std::optional<double> dwell;     ///< s to stay
   std::optional<TubeState> state;  ///< of the tube, as the list has it
+  std::optional<double> x, y;      ///< m, where the list has the hole
+  std::string steam_generator;
 };
 
 enum class WorkListStatus { kNotRun, kRead, kRefused };
@@ -62,13 +64,15 @@ struct WorkList {
 };
 
 /// A table with columns row, column and, where wanted, leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s
-/// (seconds to stay, from 0 to a day; empty: not said) and state (a tube state; empty: as the sheet has it); the
-/// columns sg, zone, tool, priority, comment and x, y with a unit are allowed and ignored. Refused: the same tube
-/// twice, two legs or sheets in one list, missing or other columns, anything malformed, no tubes.
+/// (seconds to stay, from 0 to a day; empty: not said), state (a tube state; empty: as the sheet has it), x, y with a
+/// unit (where the hole is) and sg (the steam generator); the columns zone, tool, priority and comment are allowed and
+/// ignored. Refused: the same tube twice, two legs, sheets or steam generators in one list, missing or other columns,
+/// anything malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// The tubes of such a list, but for those that are plugged or stabilised by the list's word or, where it says nothing,
-/// by the sheet's. Refused: a refused list, another leg or sheet, tubes that are not on the sheet, none left.
+/// by the sheet's. Refused: a refused list, another leg or sheet, tubes that are not on the sheet or not where the list
+/// has them, none left.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const WorkList& list);
 
 }  // namespace tubeplan::tubesheets

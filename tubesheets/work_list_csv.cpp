@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tubesheets/csv_table.hpp"
+#include "tubesheets/length_unit.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::tubesheets {
@@ -35,6 +36,23 @@ std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem
   if (item.sheet != first.sheet)
     return Problem{"sheet", describeSheet(item.sheet), describeSheet(first.sheet) + ", as on the lines above",
                    "keep one list for each sheet", item.line};
+  if (item.steam_generator != first.steam_generator)
+    return Problem{"sg", "\"" + item.steam_generator + "\"", "\"" + first.steam_generator + "\", as on the lines above",
+                   "keep one list for each steam generator", item.line};
+  return std::nullopt;
+}
+
+// The length in a column x_in, x_mm or x_m; not said where there is none or it is empty.
+std::optional<Problem> readLength(const CsvTable& table, const CsvRow& row, const char* axis,
+                                  std::optional<double>& metres) {
+  for (const LengthUnit& unit : lengthUnits()) {
+    const std::string column = fmt::format("{}_{}", axis, unit.suffix);
+    const std::string field = fieldOf(table, row, column);
+    if (field.empty()) continue;
+    const auto number = parseNumber(field);
+    if (!number) return Problem{column, "\"" + field + "\"", "a finite number", "", row.line};
+    metres = *number * unit.metres;
+  }
   return std::nullopt;
 }
 
@@ -50,7 +68,11 @@ WorkList parseWorkListCsv(std::string_view text) {
     const TubeNumbers numbers = parseTubeNumbers(table, row);
     if (numbers.problem) return refusedList(*numbers.problem);
     const std::string leg = fieldOf(table, row, "leg");
-    WorkListItem item{numbers.row, numbers.column, row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}, {}};
+    WorkListItem item{
+        numbers.row, numbers.column,           row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}, {}, {},
+        {},          fieldOf(table, row, "sg")};
+    if (auto problem = readLength(table, row, "x", item.x)) return refusedList(std::move(*problem));
+    if (auto problem = readLength(table, row, "y", item.y)) return refusedList(std::move(*problem));
     if (const std::string dwell = fieldOf(table, row, "dwell_s"); !dwell.empty()) {
       item.dwell = parseNumber(dwell);
       if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -40,7 +41,11 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
   return q;
 }
 
-bool namesCsvFile(const std::string& request) { return std::filesystem::path(request).extension() == ".csv"; }
+bool namesCsvFile(const std::string& request) {
+  std::string extension = std::filesystem::path(request).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".csv";
+}
 
 }  // namespace
 

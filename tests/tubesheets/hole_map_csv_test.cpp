@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "ELF\x02\x01\n",
                             1, "no column for x"},
                     BadText{"ZeroByte", kHeader + std::string("1,1,0,\0,open\n", 13), 2, "zero byte"},
-                    BadText{"Semicolons", "row;column;x_in;y_in\n1;1;1;1\n", 1, "x_in, x_mm or x_m"},
+                    BadText{"Semicolons", "row;column;x_in;y_in\n1;1;1;1\n", 1, "semicolons"},
                     BadText{"UnknownLeg", "row,column,x_in,y_in,leg\n1,1,1,1,warm\n", 2, "\"warm\""},
                     BadText{"TwoLegs", "row,column,x_in,y_in,leg\n1,1,1,1,hot\n1,2,1,1,cold\n", 3, "keep one map"}),
     [](const auto& sheet) { return sheet.param.name; });

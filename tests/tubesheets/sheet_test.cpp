@@ -245,5 +245,29 @@ TEST(SheetProblems, AHoleOfTheLargestSheetIsCheckedAtTheCostOfAnyOther) {
   EXPECT_LT(secondsPerHole(exampleSheets()[6].description, 1), 20 * secondsPerHole(smallDescription(), 500));
 }
 
+TEST(SheetProblems, APitchThatTheHolesDoNotHave) {
+  for (const double off : {0.95, 1.05}) {
+    Sheet sheet = makeSheet(mockupDescription());
+    sheet.pitch *= off;
+    EXPECT_TRUE(mentions(findSheetProblems(sheet), "pitch")) << off;
+  }
+  Sheet rounded = makeSheet(mockupDescription());
+  rounded.pitch *= 1.005;
+  EXPECT_TRUE(findSheetProblems(rounded).empty());
+}
+
+TEST(SheetProblems, MillimetresReadAsInchesOfHolesFarApart) {
+  const auto withEvery = [](int step, double unit) {
+    Sheet sheet = makeSheet(mockupDescription());
+    std::erase_if(sheet.tubes, [&](const Tube& tube) { return tube.row % step != 0 || tube.column % step != 0; });
+    for (Tube& tube : sheet.tubes) tube.x *= unit, tube.y *= unit;
+    return findSheetProblems(sheet);
+  };
+  for (const int step : {3, 5}) {
+    EXPECT_TRUE(withEvery(step, 1).empty()) << step;
+    EXPECT_FALSE(withEvery(step, 25.4).empty()) << step;
+  }
+}
+
 }  // namespace
 }  // namespace tubeplan::tubesheets

@@ -101,5 +101,27 @@ INSTANTIATE_TEST_SUITE_P(
                     BadList{"MissingField", "row,column\n1\n", 2, "1 fields"}),
     [](const auto& sheet) { return sheet.param.name; });
 
+TEST(WorkListCsv, RefusesCoordinatesOfAnotherHole) {
+  const Sheet sheet = smallSheet();
+  const Tube& tube = *sheet.find(2, 3);
+  const auto select = [&](double x, double y) {
+    return selectTubes(sheet, parseWorkListCsv("row,column,x_mm,y_mm\n2,3," + std::to_string(1000 * x) + "," +
+                                               std::to_string(1000 * y) + "\n"));
+  };
+  EXPECT_EQ(select(tube.x, tube.y).status, SelectionStatus::kSelected);
+  EXPECT_EQ(select(tube.x + 0.4 * sheet.hole_diameter, tube.y).status, SelectionStatus::kSelected);
+  const Selection other = select(sheet.find(2, 4)->x, sheet.find(2, 4)->y);
+  EXPECT_EQ(other.status, SelectionStatus::kRefused);
+  EXPECT_NE(other.reason.find("line 2"), std::string::npos) << other.reason;
+  EXPECT_NE(other.reason.find("R2C3"), std::string::npos) << other.reason;
+  EXPECT_EQ(select(-tube.x, tube.y).status, SelectionStatus::kRefused) << "seen from the other side";
+  EXPECT_EQ(parseWorkListCsv("row,column,x_in\n2,3,abc\n").problem->what, "x_in");
+}
+
+TEST(WorkListCsv, RefusesTwoSteamGenerators) {
+  EXPECT_EQ(parseWorkListCsv("row,column,sg\n1,1,A\n1,2,A\n").status, WorkListStatus::kRead);
+  EXPECT_EQ(parseWorkListCsv("row,column,sg\n1,1,A\n1,2,B\n").problem->what, "sg");
+}
+
 }  // namespace
 }  // namespace tubeplan::tubesheets
