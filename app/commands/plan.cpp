@@ -65,6 +65,7 @@ std::string keptText(const std::string& from, const PlanOutcome& outcome) {
 }
 
 int run(const PlanOptions& options) {
+  if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);

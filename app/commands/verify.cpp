@@ -84,10 +84,14 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
                check.worst_statics / length, units.length().name);
   if (std::isfinite(check.least_play))
     fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
-  fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}; {} {:.4f} {}\n", check.worst_speed_share,
-             check.worst_acceleration_share,
-             check.least_margin < 0 ? "the clearance is missed by" : "margin beyond the clearance at least",
-             std::abs(check.least_margin) / length, units.length().name);
+  const std::string margin =
+      std::isfinite(check.least_margin)
+          ? fmt::format("; {} {:.4f} {}",
+                        check.least_margin < 0 ? "the clearance is missed by" : "margin beyond the clearance at least",
+                        std::abs(check.least_margin) / length, units.length().name)
+          : "";
+  fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}{}\n", check.worst_speed_share,
+             check.worst_acceleration_share, margin);
   if (!check.deflection_travel_sampled.empty())
     fmt::print("between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n",
                check.deflection_travel_sampled);

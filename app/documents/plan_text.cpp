@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/figures.hpp"
@@ -78,12 +79,13 @@ std::string plannedWayText(const PlanOutcome& outcome) {
   if (plan.lines > 0)
     text += fmt::format("{} travels with the tip on a straight line, within {} of it\n", plan.lines,
                         lengthText(plan.line_deviation, units));
-  text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n", minClearance(outcome) / unit,
-                      units.length().name, outcome.model.scene.clearance / unit,
-                      outcome.padding > 0
-                          ? fmt::format(", beyond the uncertainty of the base: {:.3f} at a tip", outcome.padding / unit)
-                          : "",
-                      tightestText(outcome));
+  if (std::isfinite(minClearance(outcome)))
+    text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
+                        minClearance(outcome) / unit, units.length().name, outcome.model.scene.clearance / unit,
+                        outcome.padding > 0 ? fmt::format(", beyond the uncertainty of the base: {:.3f} at a tip",
+                                                          outcome.padding / unit)
+                                            : "",
+                        tightestText(outcome));
   if (!outcome.play.empty())
     text += fmt::format("{} past the face; the tool's play in a tube at least {}\n",
                         lengthText(outcome.model.insertion, units), lengthText(std::ranges::min(outcome.play), units));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/files/input_error.hpp"
 #include "planner/trajectory.hpp"
 
 namespace tubeplan::app {
@@ -25,8 +26,17 @@ std::string timeOf(double seconds) {
 
 }  // namespace
 
+void requireAccelerations(const deflection::Arm& arm) {
+  for (const auto& joint : arm.joints())
+    if (!std::isfinite(joint.max_acceleration))
+      throw InputError(kTrajectoryFile, "no max_acceleration of joint " + inQuotes(joint.name),
+                       "one of every joint, so that no speed jumps",
+                       "state it in the arm file, or leave out the trajectory");
+}
+
 std::string trajectoryYaml(const PlanOutcome& outcome) {
   const auto& arm = outcome.model.arm;
+  requireAccelerations(arm);
   std::string text =
       fmt::format("header: {{stamp: {{sec: 0, nanosec: 0}}, frame_id: \"\"}}\njoint_names: [{}]\npoints:\n",
                   fmt::join(deflection::jointNames(arm), ", "));

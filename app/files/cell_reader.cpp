@@ -195,6 +195,8 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.scene = std::move(scene.scene);
   cell.meshes = std::move(scene.meshes);
   cell.warnings = sceneWarnings(cell.scene, cell.meshes, cell.arm, cell.X_WB);
+  if (cell.sheet && cell.scene.bodies.empty())
+    cell.warnings.emplace_back("the cell has no link_shapes: the arm is not checked against anything");
   const auto stated_by_scene = findToolAxis(cell.scene);
   if (!source.names_tool_axis) cell.arm.tool_axis_L = stated_by_scene.value_or(cell.arm.tool_axis_L);
   cell.tool_axis_stated = source.names_tool_axis || stated_by_scene.has_value();

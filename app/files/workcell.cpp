@@ -46,4 +46,12 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
   return work;
 }
 
+void requireSpeeds(const Cell& cell) {
+  for (const auto& joint : cell.arm.joints())
+    if (!std::isfinite(joint.max_speed) && !std::isfinite(joint.max_acceleration))
+      throw InputError(cell.path, "neither max_speed nor max_acceleration of joint " + inQuotes(joint.name),
+                       "one of them at least: a plan's times follow from them",
+                       "state it in the arm file; a URDF's velocity=\"0\" is none");
+}
+
 }  // namespace tubeplan::app

@@ -10,4 +10,7 @@ namespace tubeplan::app {
 /// `purpose` continues "needed to ...".
 [[nodiscard]] planner::Workcell workcellOf(const Cell& cell, const std::string& purpose);
 
+/// Refuses an arm with a joint that nothing slows: its moves would take no time.
+void requireSpeeds(const Cell& cell);
+
 }  // namespace tubeplan::app

@@ -13,6 +13,9 @@ namespace {
 
 using Eigen::VectorXd;
 constexpr const char* kStretched = "the arm is stretched or folded: smallest singular value below the floor";
+constexpr const char* kNextToSingular =
+    "reached only next to a singular posture, stretched, folded or over an axis: smallest singular value below the "
+    "floor";
 
 std::string degrees(double angle) {
   std::ostringstream text;
@@ -20,20 +23,22 @@ std::string degrees(double angle) {
   return text.str();
 }
 
-int severity(BranchStatus status) {
-  switch (status) {
+/// How far from a posture that can be used: first those that reach the place within the joints' limits.
+int severity(const Branch& branch) {
+  if (branch.status == BranchStatus::kSingular && branch.reason == kNextToSingular) return 1;
+  switch (branch.status) {
     case BranchStatus::kConverged:
       return 0;
-    case BranchStatus::kPastJointLimit:
-      return 1;
     case BranchStatus::kTiltTooLarge:
       return 2;
-    case BranchStatus::kSingular:
+    case BranchStatus::kPastJointLimit:
       return 3;
-    case BranchStatus::kNotConverged:
+    case BranchStatus::kSingular:
       return 4;
-    default:
+    case BranchStatus::kNotConverged:
       return 5;
+    default:
+      return 6;
   }
 }
 
@@ -68,7 +73,7 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
     branch.reason = "past the limit of joint " + joint;
   } else if (flat) {
     branch.status = BranchStatus::kSingular;
-    branch.reason = kStretched;
+    branch.reason = kNextToSingular;
   } else if (branch.tilt > options.max_tilt) {
     branch.status = BranchStatus::kTiltTooLarge;
     branch.reason = "the tool leans by " + degrees(branch.tilt) + " deg at the least, more than the " +
@@ -84,7 +89,7 @@ bool isSameBranch(const VectorXd& a, const VectorXd& b) {
 
 void summarise(InverseKinematics& result) {
   std::stable_sort(result.branches.begin(), result.branches.end(),
-                   [](const Branch& a, const Branch& b) { return severity(a.status) < severity(b.status); });
+                   [](const Branch& a, const Branch& b) { return severity(a) < severity(b); });
   if (result.branches.empty()) {
     result.status = BranchStatus::kOutOfReach;
     result.reason = "the place is out of the arm's reach";

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <numeric>
+#include <limits>
+#include <map>
 
 namespace tubeplan::planner {
 namespace {
@@ -14,20 +17,31 @@ using Triangle = std::array<int, 3>;
 
 constexpr double kFarthest = 1e6;
 
-bool isBefore(const Vector3d& a, const Vector3d& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
-/// The same number for corners in the same place: files of some kinds repeat a corner for every triangle.
+/// The same number for corners in the same place, within what writing and reading numbers does to them: files of some
+/// kinds repeat a corner for every triangle.
 std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
-  std::vector<int> order(vertices.size()), place(vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto at = [&](int k) -> const Vector3d& { return vertices[static_cast<std::size_t>(k)]; };
-  std::ranges::sort(order, [&](int a, int b) { return isBefore(at(a), at(b)); });
-  int next = -1;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k == 0 || at(order[k - 1]) != at(order[k])) ++next;
-    place[static_cast<std::size_t>(order[k])] = next;
+  constexpr double kSame = 1e-6;  // of the mesh's extent
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : vertices) box.extend(vertex);
+  const double side = std::max(kSame * box.sizes().maxCoeff(), std::numeric_limits<double>::min());
+  using Cell = std::array<std::int64_t, 3>;
+  const auto cellOf = [&](const Vector3d& p) {
+    const Vector3d cells = (p - box.min()) / side;
+    return Cell{static_cast<std::int64_t>(cells[0]), static_cast<std::int64_t>(cells[1]),
+                static_cast<std::int64_t>(cells[2])};
+  };
+  std::map<Cell, int> first;  // corner that stands for its cell
+  std::vector<int> place;
+  for (int k = 0; k < static_cast<int>(vertices.size()); ++k) {
+    const Vector3d& p = vertices[static_cast<std::size_t>(k)];
+    const Cell own = cellOf(p);
+    int found = k;
+    for (int near = 0; near < 27 && found == k; ++near) {
+      const auto at = first.find({own[0] + near % 3 - 1, own[1] + near / 3 % 3 - 1, own[2] + near / 9 - 1});
+      if (at != first.end() && (vertices[static_cast<std::size_t>(at->second)] - p).norm() <= side) found = at->second;
+    }
+    if (found == k) first.emplace(own, k);
+    place.push_back(found);
   }
   return place;
 }

@@ -60,8 +60,8 @@ std::vector<std::string> differencesIn(const PlanKey& before, const PlanKey& now
   std::vector<std::string> differences;
   for (const auto& [name, value] : now)
     if (const std::string was = partOf(before, name); counts(name) && was != value)
-      differences.push_back(
-          fmt::format("another {} ({}, now {})", name, was.empty() ? "none" : was, value.empty() ? "none" : value));
+      differences.push_back(fmt::format("{}{} ({}, now {})", name.starts_with("other ") ? "" : "another ", name,
+                                        was.empty() ? "none" : was, value.empty() ? "none" : value));
   return differences;
 }
 
