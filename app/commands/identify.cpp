@@ -94,7 +94,7 @@ Run configureIdentify(CLI::App& cli) {
                  "number of initial values; all but the first are drawn around the given one")
       ->check(CLI::Range(1, 1000));
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
-      ->check(CLI::Range(0, 100));
+      ->check(CLI::Range(0, kMostFolds));
   cli.add_option("--drop", options->request.drop, "drop parameters that are not significant at this level (0.05)")
       ->check(CLI::Range(0., 0.5));
   cli.add_option("--seed", options->request.seed, "seed of the initial values and the folds");

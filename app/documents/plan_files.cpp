@@ -19,6 +19,7 @@
 #include "app/files/units_json.hpp"
 #include "app/report/plan_report.hpp"
 #include "app/version.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -205,7 +206,7 @@ std::string pathCsv(const PlanOutcome& outcome) {
   const Cell& cell = outcome.cell;
   const Eigen::VectorXd factors = jointFactors(cell.arm, cell.units);
   std::string text = "time_s,segment,kind";
-  for (const auto& joint : cell.arm.joints()) text += "," + jointColumn(joint, cell.units);
+  for (const auto& joint : cell.arm.joints()) text += "," + tubesheets::csvField(jointColumn(joint, cell.units));
   text += ",leg,row,column\n";
   for (const auto& row : planner::samplePath(outcome.plan, planner::jointSpeedsOf(outcome.model.arm))) {
     text += fmt::format("{},{},{}", row.time, row.segment + 1, planner::nameOf(row.kind));

@@ -13,6 +13,7 @@
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -252,7 +253,7 @@ std::string proposalsCsv(const TouchOutcome& outcome) {
   const Units& units = outcome.cell.units;
   std::string text =
       "id,kind,point," + std::string(outcome.setup.empty() ? "" : "setup,") + "load_" + std::string(units.force().name);
-  for (const auto& joint : outcome.cell.arm.joints()) text += "," + jointColumn(joint, units);
+  for (const auto& joint : outcome.cell.arm.joints()) text += "," + tubesheets::csvField(jointColumn(joint, units));
   text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", units.length().name);
   if (outcome.base) appendRows(outcome, *outcome.base, 'T', text);
   if (outcome.parameters) appendRows(outcome, *outcome.parameters, 'N', text);

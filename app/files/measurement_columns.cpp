@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
 #include "app/files/suggestion.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/side_chains.hpp"
@@ -101,14 +102,14 @@ class Header {
 };
 
 NumberColumn takeJoint(Header& header, const deflection::Joint<double>& joint) {
-  return header.takeRequiredNumber(joint.name, unitKindOf(joint));
+  return header.takeRequiredNumber(jointColumnName(joint), unitKindOf(joint));
 }
 
 void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& columns) {
   for (const auto& joint : arm.joints()) columns.joints.push_back(takeJoint(header, joint));
   for (const auto* joint : deflection::sideJoints(arm)) columns.side_joints.push_back(takeJoint(header, *joint));
   for (const auto& joint : arm.joints())
-    if (const auto approach_direction = header.take(joint.name + "_dir"))
+    if (const auto approach_direction = header.take(jointColumnName(joint) + "_dir"))
       columns.approach_directions.push_back(*approach_direction);
   if (!columns.approach_directions.empty() && columns.approach_directions.size() != columns.joints.size())
     header.fail(fmt::format("{} columns <joint>_dir", columns.approach_directions.size()),

@@ -57,7 +57,7 @@ class Table {
       });
     addConditions();
     std::vector<std::string> names;
-    for (const Column& column : columns_) names.push_back(column.name);
+    for (const Column& column : columns_) names.push_back(tubesheets::csvField(column.name));
     std::string text = fmt::format("{}\n", fmt::join(names, ","));
     for (const Measurement& reading : readings_) {
       std::vector<std::string> fields;
@@ -159,7 +159,7 @@ class Table {
   void addConditions() {
     if (anyHas(readings_, [](const auto& m) { return !m.approach_directions.empty(); }))
       for (std::size_t k = 0; const auto& joint : arm_.joints()) {
-        add(joint.name + "_dir", [k](const auto& m) {
+        add(jointColumnName(joint) + "_dir", [k](const auto& m) {
           return std::to_string(m.approach_directions.empty() ? 0 : m.approach_directions[k]);
         });
         ++k;

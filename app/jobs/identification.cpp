@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -19,8 +21,12 @@ namespace {
 using calibration::Identification, calibration::IdentificationOptions, calibration::IdentificationStatus;
 
 calibration::RobustLoss lossOf(const std::string& name) {
-  if (name == "huber") return calibration::RobustLoss::kHuber;
-  return name == "cauchy" ? calibration::RobustLoss::kCauchy : calibration::RobustLoss::kNone;
+  using calibration::RobustLoss;
+  static const std::map<std::string, RobustLoss> kLosses{
+      {"none", RobustLoss::kNone}, {"huber", RobustLoss::kHuber}, {"cauchy", RobustLoss::kCauchy}};
+  const auto loss = kLosses.find(name);
+  if (loss == kLosses.end()) throw InputError("robust", inQuotes(name), "none, huber or cauchy");
+  return loss->second;
 }
 
 IdentificationOptions identificationOptions(const IdentificationRequest& request, const Cell& cell,
@@ -30,6 +36,8 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   if (!request.free.empty()) result.free.names = request.free;
   result.loss = lossOf(request.robust);
   result.starts = request.starts;
+  if (request.folds < 0 || request.folds > kMostFolds)
+    throw InputError("folds", std::to_string(request.folds), fmt::format("from 0 to {}", kMostFolds));
   result.folds = request.folds;
   result.seed = request.seed;
   result.drop_level = request.drop;

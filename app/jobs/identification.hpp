@@ -16,6 +16,8 @@
 
 namespace tubeplan::app {
 
+inline constexpr int kMostFolds = 100;
+
 struct IdentificationRequest {
   std::string method = "in-turn", robust = "none";
   std::vector<std::string> free;    ///< instead of the cell's `identify`

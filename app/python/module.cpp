@@ -5,8 +5,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,6 +28,7 @@
 #include "app/studies/job_steps.hpp"
 #include "app/version.hpp"
 #include "deflection/kinematics.hpp"
+#include "deflection/side_chains.hpp"
 
 namespace tubeplan::app {
 
@@ -70,7 +73,9 @@ py::array_t<double> stacked(const std::vector<Eigen::Matrix3d>& rotations) {
 
 class PythonCell {
  public:
-  explicit PythonCell(const std::string& path) : path_(path), cell_(readCell(path)) {}
+  /// The whole path is kept: a program may change its folder.
+  explicit PythonCell(const std::filesystem::path& path)
+      : path_(path.empty() ? "" : std::filesystem::absolute(path).string()), cell_(readCell(path.string())) {}
 
   [[nodiscard]] std::string name() const { return cell_.name; }
   [[nodiscard]] Eigen::Matrix4d base() const { return cell_.X_WB.matrix(); }
@@ -91,7 +96,10 @@ class PythonCell {
     const auto joints = cell_.arm.jointCount();
     if (q.cols() != joints)
       throw py::value_error("q has " + std::to_string(q.cols()) + " columns, expected one for each of the " +
-                            std::to_string(joints) + " joints");
+                            std::to_string(joints) + " joints, and a row for each posture: q[None, :] of a single one");
+    if (!(load >= 0)) throw py::value_error("load is " + std::to_string(load) + ", expected 0 N or more");
+    if (!deflection::sideJoints(cell_.arm).empty())
+      throw py::value_error("the arm has side chains with joints of their own, which poses() does not take");
     deflection::PostureBatch postures;
     postures.resize(joints, q.rows(), load, deflection::gravityInBase(cell_.arm, cell_.X_WB));
     postures.q = q.transpose();
@@ -103,7 +111,7 @@ class PythonCell {
     for (Eigen::Index k = 0; k < q.rows(); ++k) {
       const auto X_BD = tips.X_BD(k);
       places.row(k) = (cell_.X_WB * X_BD.p).transpose();
-      turns.emplace_back(cell_.X_WB.linear() * X_BD.R);
+      turns.emplace_back(cell_.X_WB.linear() * X_BD.R * cell_.arm.R_LT);
       converged.push_back(tips.status[static_cast<std::size_t>(k)] == deflection::KinematicsStatus::kConverged);
     }
     return py::make_tuple(places, stacked(turns), py::array(py::cast(converged)));
@@ -193,7 +201,7 @@ PYBIND11_MODULE(tubeplan, module) {
     }
   });
   py::class_<PythonCell>(module, "Cell", "A cell's file and the arm's beside it. A wrong file raises ValueError.")
-      .def(py::init<const std::string&>(), py::arg("path"))
+      .def(py::init<const std::filesystem::path&>(), py::arg("path"))
       .def_property_readonly("name", &PythonCell::name)
       .def_property_readonly("joints", &PythonCell::joints, "Names of the joints, in the order of every q.")
       .def_property_readonly("limits", &PythonCell::limits, "Lowest and highest reading of each joint [rad, m].")
@@ -209,5 +217,6 @@ PYBIND11_MODULE(tubeplan, module) {
       .def("compare", &PythonCell::compare, py::arg("measurements"), py::arg("seed") = 1,
            "Where the model fails, and what its error follows.")
       .def("plan", &PythonCell::plan, py::arg("tubes") = "all", py::arg("compensation") = "via-point",
-           py::arg("load") = 0.0, py::arg("seed") = 1, "Plans the visits of tubes, the base where the cell has it.");
+           py::arg("load") = 0.0, py::arg("seed") = 1,
+           "Plans the visits of tubes under a load in the cell's unit, the base where the cell has it.");
 }

@@ -1,4 +1,5 @@
 """Flexible robot arms under tube sheets: posed, identified, diagnosed, planned."""
+import os
 from typing import Any, Sequence
 
 import numpy as np
@@ -9,7 +10,7 @@ __version__: str
 class Cell:
     """A cell's file and the arm's beside it. A wrong file raises ValueError."""
 
-    def __init__(self, path: str) -> None: ...
+    def __init__(self, path: str | os.PathLike[str]) -> None: ...
     @property
     def name(self) -> str: ...
     @property

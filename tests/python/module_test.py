@@ -2,6 +2,7 @@
 import importlib.util
 import json
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -49,8 +50,22 @@ class Poses(unittest.TestCase):
             tubeplan.Cell('nowhere.yaml')
         with self.assertRaisesRegex(ValueError, '4 joints'):
             self.cell.poses(np.zeros((2, 3)))
+        with self.assertRaisesRegex(ValueError, 'row for each posture'):
+            self.cell.poses(np.zeros(4))
+        with self.assertRaisesRegex(ValueError, 'load is -20'):
+            self.cell.poses(np.zeros((2, 4)), load=-20)
         with self.assertRaisesRegex(ValueError, 'no such file'):
             self.cell.identify(['nowhere.csv'])
+
+    def test_a_path_is_kept_where_the_program_goes(self):
+        before = os.getcwd()
+        os.chdir(os.path.dirname(BENCH))
+        try:
+            cell = tubeplan.Cell(pathlib.Path('bench.yaml'))
+        finally:
+            os.chdir(before)
+        with self.assertRaisesRegex(ValueError, 'robust: found .Huber., expected none, huber or cauchy'):
+            cell.identify([os.path.join(SOURCE, 'tests/fuzz/corpus/measurements/all.csv')], robust='Huber')
 
 
 class Readings(unittest.TestCase):
