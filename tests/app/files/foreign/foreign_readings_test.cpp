@@ -160,7 +160,7 @@ TEST_F(ForeignReadingsTest, neverGuessesAUnit) {
   EXPECT_NE(refusal({{"log.csv", log}}).find("no unit"), std::string::npos);
   EXPECT_NE(refusal({{"log.csv", log}}, {}, {"deg"}).find("'X'"), std::string::npos)
       << refusal({{"log.csv", log}}, {}, {"deg"});
-  EXPECT_EQ(read({{"log.csv", log}}, {}, {"deg", "mm"}).count, 1u);
+  EXPECT_EQ(read({{"log.csv", log}}, {}, {"deg", "mm"}).origins.size(), 1u);
 }
 
 TEST_F(ForeignReadingsTest, neverGuessesBetweenTwoColumns) {
