@@ -18,6 +18,7 @@
 #include "app/files/text_file.hpp"
 #include "app/files/urdf_reader.hpp"
 #include "app/files/urdf_writer.hpp"
+#include "app/files/utf8.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_text.hpp"
 
@@ -54,7 +55,8 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 }
 
 void tellLeftOut(const std::vector<std::string>& left_out) {
-  for (const auto& what : left_out) fmt::print(stderr, "left out: {}\n", what);
+  constexpr std::size_t kLongest = 500;  // of names out of a file
+  for (const auto& what : left_out) fmt::print(stderr, "left out: {}\n", printable(what, kLongest));
 }
 
 std::string cellText(const UrdfArm& read, const std::string& arm_file) {

@@ -129,11 +129,12 @@ class Preparation {
   void checkTree() const {
     std::vector<std::string> links;
     for (XMLElement* link : childrenOf(*robot_, "link")) links.push_back(attributeOf(link, "name"));
+    const std::set<std::string> known(links.begin(), links.end());
     std::map<std::string, std::string> carrier;
     for (XMLElement* joint : childrenOf(*robot_, "joint")) {
       const std::string name = attributeOf(joint, "name"), child = linkNamedBy(*joint, "child");
       for (const auto& link : {linkNamedBy(*joint, "parent"), child})
-        if (std::find(links.begin(), links.end(), link) == links.end())
+        if (!known.contains(link))
           throw InputError(at("joint", name), "no link " + inQuotes(link), "links of the robot as parent and child",
                            suggestion(link, links));
       if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)

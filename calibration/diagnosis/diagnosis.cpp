@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::size_t kMostClosest = 8;
 constexpr std::size_t kMostJudged = 3;
-constexpr std::size_t kFewOutliers = 10;     // one reading in that many, at most
 constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again about it
 constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
@@ -39,9 +38,11 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
 }
 
 Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& readings,
-                           const DiagnosisOptions& options) {
+                           const DiagnosisOptions& options, RobustLoss loss = RobustLoss::kNone) {
   tell(options.hooks, "fit");
-  Identification baseline = identify(start, readings, baselineOptions(options));
+  IdentificationOptions how = baselineOptions(options);
+  if (loss != RobustLoss::kNone) how.loss = loss;
+  Identification baseline = identify(start, readings, how);
   goOn(options.hooks.stop);
   return baseline;
 }
@@ -245,81 +246,13 @@ Diagnosis concluded(Answer found, const std::vector<Measurement>& all) {
   return completed(std::move(found), all);
 }
 
-/// The fit of the readings that are left.
-struct WithoutOutliers {
-  std::vector<int> set_aside;
-  Identification fit;
-};
-
-/// The places of a fit's outliers; of one that weighs readings down, where the other fails and names none: several at
-/// once draw the fit to themselves.
-std::vector<int> outliersOf(const PlacedArm& start, const std::vector<Measurement>& readings,
-                            const Identification& baseline, const DiagnosisOptions& options) {
-  std::vector<int> places;
-  const auto add = [&](const Identification& fit) {
-    for (const auto& outlier : fit.outliers) places.push_back(outlier.reading);
-  };
-  add(baseline);
-  if (places.empty() && baseline.p_value < kLackOfFit) {
-    IdentificationOptions robust = baselineOptions(options);
-    robust.loss = RobustLoss::kHuber;
-    add(identify(start, readings, robust));
-    goOn(options.hooks.stop);
-  }
-  return places;
-}
-
-/// Those of them that the fit of the others misses by more than their noise; a fit that weighs readings down names some
-/// that are none. Only of kinds that state a place: others are taken as they were found.
-std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
-                          const std::vector<Measurement>& readings, double level) {
-  std::vector<int> missed;
-  for (const int k : set_aside) {
-    const Measurement& reading = readings[static_cast<std::size_t>(k)];
-    const auto rows = rowsOf(reading);
-    if (!statesPlace(reading) || rows != 3) {
-      missed.push_back(k);
-      continue;
-    }
-    const auto& X_WB = fit.fitted.base_poses[static_cast<std::size_t>(basePoseOf(fit.fitted, reading))].X_WB;
-    const auto predicted = predictReading(fit.fitted.arm, X_WB, reading);
-    const double limit = chiSquareQuantile(level / static_cast<double>(readings.size()), rows);
-    const double sigma = std::hypot(reading.sigma, fit.model_error);
-    if (!predicted.ok || (predicted.value - *reading.p_W).squaredNorm() > limit * sigma * sigma) missed.push_back(k);
-  }
-  return missed;
-}
-
-/// Looked for again in what is left: a large outlier hides a smaller one. Nothing where there are none, or too many.
-std::optional<WithoutOutliers> withoutOutliers(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                               const Identification& baseline, const DiagnosisOptions& options) {
-  std::optional<WithoutOutliers> found;
-  std::vector<int> all = outliersOf(start, readings, baseline, options);
-  while (found ? all.size() > found->set_aside.size() : !all.empty()) {
-    std::sort(all.begin(), all.end());
-    if (all.size() > readings.size() / kFewOutliers) return std::nullopt;
-    const std::vector<int> set_aside = withOrphans(all, readings);
-    Identification fit = fitBaseline(start, withoutReadings(readings, set_aside), options);
-    if (fit.status == IdentificationStatus::kRefused) return found;
-    if (!found) {
-      const auto missed = missedBy(fit, all, readings, options.baseline.outlier_level);
-      if (missed.size() < all.size()) {
-        all = missed;
-        continue;
-      }
-    }
-    const std::vector<int> left = othersThan(set_aside, readings.size());
-    all = set_aside;
-    for (const auto& outlier : fit.outliers) all.push_back(left.at(static_cast<std::size_t>(outlier.reading)));
-    found = WithoutOutliers{set_aside, std::move(fit)};
-  }
-  return found;
-}
-
 Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
                                 const DiagnosisOptions& options) {
   Identification baseline = fitBaseline(start, readings, options);
-  std::optional<WithoutOutliers> without = withoutOutliers(start, readings, baseline, options);
+  const BaselineFit fit = [&](const std::vector<Measurement>& some, RobustLoss loss) {
+    return fitBaseline(start, some, options, loss);
+  };
+  std::optional<WithoutOutliers> without = withoutOutliers(readings, baseline, options.baseline.outlier_level, fit);
   Answer whole = compareAll(std::move(baseline), readings, {}, options);
   if (!without || !whole.is_found) return concluded(std::move(whole), readings);
   // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before

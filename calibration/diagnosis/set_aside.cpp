@@ -1,13 +1,19 @@
 #include "calibration/diagnosis/set_aside.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
 namespace {
+
+constexpr std::size_t kFewOutliers = 10;  // one reading in that many, at most
 
 /// How many touches each unknown point is left without these readings.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
@@ -16,6 +22,40 @@ std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const 
     if (!readings[k].is_held_out && touchesUnknownPoint(readings[k]))
       left[readings[k].point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
   return left;
+}
+
+std::vector<int> othersThan(const std::vector<int>& set_aside, std::size_t readings) {
+  std::vector<int> others;
+  for (int k = 0; k < static_cast<int>(readings); ++k)
+    if (!std::binary_search(set_aside.begin(), set_aside.end(), k)) others.push_back(k);
+  return others;
+}
+
+std::vector<int> outliersOf(const Identification& fit) {
+  std::vector<int> places;
+  for (const auto& outlier : fit.outliers) places.push_back(outlier.reading);
+  return places;
+}
+
+/// Those of them that the fit of the others misses by more than their noise; a fit that weighs readings down names some
+/// that are none. Only of kinds that state a place: others are taken as they were found.
+std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
+                          const std::vector<Measurement>& readings, double level) {
+  std::vector<int> missed;
+  for (const int k : set_aside) {
+    const Measurement& reading = readings[static_cast<std::size_t>(k)];
+    const auto rows = rowsOf(reading);
+    if (!statesPlace(reading) || rows != 3) {
+      missed.push_back(k);
+      continue;
+    }
+    const auto& X_WB = fit.fitted.base_poses[static_cast<std::size_t>(basePoseOf(fit.fitted, reading))].X_WB;
+    const auto predicted = predictReading(fit.fitted.arm, X_WB, reading);
+    const double limit = chiSquareQuantile(level / static_cast<double>(readings.size()), rows);
+    const double sigma = std::hypot(reading.sigma, fit.model_error);
+    if (!predicted.ok || (predicted.value - *reading.p_W).squaredNorm() > limit * sigma * sigma) missed.push_back(k);
+  }
+  return missed;
 }
 
 }  // namespace
@@ -39,11 +79,28 @@ double countOutliers(const std::vector<int>& set_aside, const std::vector<Measur
   return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
 }
 
-std::vector<int> othersThan(const std::vector<int>& set_aside, std::size_t readings) {
-  std::vector<int> others;
-  for (int k = 0; k < static_cast<int>(readings); ++k)
-    if (!std::binary_search(set_aside.begin(), set_aside.end(), k)) others.push_back(k);
-  return others;
+std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings, const Identification& baseline,
+                                               double level, const BaselineFit& fit) {
+  std::optional<WithoutOutliers> found;
+  std::vector<int> outliers = outliersOf(baseline);
+  if (outliers.empty() && baseline.p_value < kLackOfFit) outliers = outliersOf(fit(readings, RobustLoss::kHuber));
+  while (found ? outliers.size() > found->set_aside.size() : !outliers.empty()) {
+    std::sort(outliers.begin(), outliers.end());
+    if (outliers.size() > readings.size() / kFewOutliers) return std::nullopt;
+    const std::vector<int> set_aside = withOrphans(outliers, readings);
+    Identification rest = fit(withoutReadings(readings, set_aside), RobustLoss::kNone);
+    if (rest.status == IdentificationStatus::kRefused) return found;
+    if (!found)
+      if (auto missed = missedBy(rest, outliers, readings, level); missed.size() < outliers.size()) {
+        outliers = std::move(missed);
+        continue;
+      }
+    outliers = set_aside;
+    const std::vector<int> left = othersThan(set_aside, readings.size());
+    for (const int place : outliersOf(rest)) outliers.push_back(left.at(static_cast<std::size_t>(place)));
+    found = WithoutOutliers{set_aside, std::move(rest)};
+  }
+  return found;
 }
 
 }  // namespace tubeplan::calibration

@@ -1,9 +1,11 @@
 // Readings that a diagnosis sets aside as outliers, by their places in ascending order.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
-#include "calibration/measurement.hpp"
+#include "calibration/estimation/identification.hpp"
 
 namespace tubeplan::calibration {
 
@@ -14,7 +16,20 @@ namespace tubeplan::calibration {
 /// alone or is as good as the others.
 [[nodiscard]] double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings);
 
-/// The places of those that are left, out of so many.
-[[nodiscard]] std::vector<int> othersThan(const std::vector<int>& set_aside, std::size_t readings);
+/// The fit of the readings that are left.
+struct WithoutOutliers {
+  std::vector<int> set_aside;
+  Identification fit;
+};
+
+/// Fits the model as it stands to some of the readings.
+using BaselineFit = std::function<Identification(const std::vector<Measurement>& readings, RobustLoss loss)>;
+
+/// Outliers are looked for again in what is left, since a large one hides a smaller one, and by a fit that weighs
+/// readings down where the baseline fails and names none: several at once draw it to themselves. `level` is
+/// IdentificationOptions::outlier_level. Nothing where there are none, or more than one reading in ten.
+[[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings,
+                                                             const Identification& baseline, double level,
+                                                             const BaselineFit& fit);
 
 }  // namespace tubeplan::calibration
