@@ -1,5 +1,6 @@
 #include "calibration/diagnosis/noise_hypotheses.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -158,6 +159,25 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   noise.sources = std::make_unique<SingleSources>(std::move(all), work.discrepancy->sources(), shares);
 }
 
+/// The error of a coordinate that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
+double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
+  if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
+  return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
+}
+
+/// Sizes of more noise, as factors to that of this error: down to less, and up to what the model alone leaves. Of few
+/// readings an unknown function takes much of any noise, and what it leaves is less than there is.
+std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
+  constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
+  const double alone = errorBeyondNoise(work, work.noise.front().evidence->chi2(), degreesLeft(work));
+  const double up = std::hypot(per_coordinate, alone) / std::hypot(per_coordinate, model_error);
+  std::vector<double> scales;
+  for (double scale = kLeast; scale < kMost * std::clamp(up, 1., kFarthest); scale *= kStep) scales.push_back(scale);
+  return scales;
+}
+
 /// Evidence under a noise; false where the model cannot be evaluated.
 bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   NoiseHypothesis noise;
@@ -175,20 +195,12 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   noise.options.discrepancies = discrepancySizes(std::hypot(floor, std::sqrt(3.) * model_error));
   noise.options.discrepancy_prior = kDiscrepancy;
   noise.options.source_prior = kSingleSource;
-  if (model_error > 0)
-    for (double scale = 0.7; scale < 1.5; scale *= 1.08) noise.options.noise_scales.push_back(scale);
+  if (model_error > 0) noise.options.noise_scales = noiseScales(work, model_error);
   noise.options.noise_rows = degreesLeft(work);
   noise.evidence = std::make_unique<LinearEvidence>(gram, work.basis.unknowns, noise.options);
   keepDiscrepancy(work, noise);
   work.noise.push_back(std::move(noise));
   return true;
-}
-
-/// The coordinate's error that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
-double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
-  if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
-  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
-  return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }
 
 /// That even an unknown function of the readings leaves.
@@ -216,11 +228,14 @@ bool linearize(DiagnosisWork& work) {
 }
 
 double errorBeyondBest(const DiagnosisWork& work) {
-  const CompetingModel& best = work.models.front();
-  if (!best.is_fitted) return 0;
+  // That of nothing missing is always among them.
+  const auto best = std::find_if(work.models.begin(), work.models.end(), [](const CompetingModel& model) {
+    return model.is_fitted && std::isfinite(model.log_evidence);
+  });
+  if (best == work.models.end()) return 0;
   double numbers = 0;
-  for (const ModelTerm& term : best.terms) numbers += static_cast<double>(term.numbers.size());
-  return errorBeyondNoise(work, best.fit.chi2, work.noise.front().options.noise_rows - numbers);
+  for (const ModelTerm& term : best->terms) numbers += static_cast<double>(term.numbers.size());
+  return errorBeyondNoise(work, best->fit.chi2, work.noise.front().options.noise_rows - numbers);
 }
 
 bool doubtNoise(DiagnosisWork& work, double model_error) {

@@ -13,8 +13,9 @@ namespace tubeplan::calibration {
 /// Linearises every cause about the baseline. False where the model cannot be evaluated. Unwinds where it was stopped.
 bool linearize(DiagnosisWork& work);
 
-/// The error of a coordinate [m] that the best model leaves beyond the stated noise; 0 where the noise is enough. Of few
-/// readings an unknown discrepancy takes whatever noise there is: whether it is one, the evidence of both has to say.
+/// The error of a coordinate [m] that the best fitted model leaves beyond the stated noise; 0 where the noise is
+/// enough. Of few readings an unknown discrepancy takes whatever noise there is: whether it is one, the evidence of
+/// both has to say.
 [[nodiscard]] double errorBeyondBest(const DiagnosisWork& work);
 
 /// Takes in that the noise may be larger than stated, by this error of each coordinate [m]. False where the model
