@@ -20,7 +20,7 @@ constexpr double kFarthest = 1e6;
 /// The same number for corners in the same place, within what writing and reading numbers does to them: files of some
 /// kinds repeat a corner for every triangle.
 std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
-  constexpr double kSame = 1e-6;  // of the mesh's extent
+  constexpr double kSame = 1e-6;  // of the mesh's extent; two corners of one cell are always the same
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : vertices) box.extend(vertex);
   const double side = std::max(kSame * box.sizes().maxCoeff(), std::numeric_limits<double>::min());
@@ -38,7 +38,8 @@ std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
     int found = k;
     for (int near = 0; near < 27 && found == k; ++near) {
       const auto at = first.find({own[0] + near % 3 - 1, own[1] + near / 3 % 3 - 1, own[2] + near / 9 - 1});
-      if (at != first.end() && (vertices[static_cast<std::size_t>(at->second)] - p).norm() <= side) found = at->second;
+      if (at != first.end() && (vertices[static_cast<std::size_t>(at->second)] - p).norm() <= 2 * side)
+        found = at->second;
     }
     if (found == k) first.emplace(own, k);
     place.push_back(found);

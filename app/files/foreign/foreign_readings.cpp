@@ -50,7 +50,12 @@ class ForeignReader {
       if (column.name != "id") names.push_back(csvField(column.name));
     out_.text = fmt::format("{}\n", fmt::join(names, ","));
     std::size_t lost = 0;
-    for (std::size_t k = 0; k < rows_[lead_].size(); ++k) isLost(k) ? void(++lost) : addRow(k);
+    for (std::size_t k = 0; k < rows_[lead_].size(); ++k) {
+      if (isLost(k))
+        ++lost;
+      else
+        addRow(k);
+    }
     if (lost > 0) out_.left_out.push_back(fmt::format("{} rows without coordinates", lost));
     return std::move(out_);
   }
