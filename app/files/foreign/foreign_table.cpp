@@ -191,7 +191,8 @@ std::vector<std::string> namesInComment(const std::vector<Line>& comments, int f
   for (const Line& comment : comments)
     if (comment.number < first_line) last = &comment;
   if (!last) return {};
-  const std::string_view text = tubesheets::trimBlanks(last->text.substr(last->text.find_first_not_of("#%/")));
+  const std::size_t begin = std::min(last->text.find_first_not_of("#%/"), last->text.size());
+  const std::string_view text = tubesheets::trimBlanks(last->text.substr(begin));
   const auto fields = fieldsOf(text, separator);
   const bool are_names = fields && fields->size() == width && !hasNumbers(*fields, separator);
   return are_names ? *fields : std::vector<std::string>{};

@@ -50,6 +50,13 @@ TEST_F(PlanConditions, AWorkListWithStaysAndAZoneFromParkAndBackIsPlannedAndProv
   }
 }
 
+TEST_F(PlanConditions, AWrittenWorkListKeepsItsStays) {
+  write("list.csv", "row,column,dwell_s\n20,40,\n30,70,12.5\n");
+  ASSERT_EQ(run("plan " + shipped("mockup.yaml") + " --tubes list.csv --dwell 4 --out plan").exit_code, 0);
+  ASSERT_EQ(run("plan " + shipped("mockup.yaml") + " --tubes plan/worklist.csv --out again").exit_code, 0);
+  EXPECT_EQ(planOf("again")["total_time_s"], planOf("plan")["total_time_s"]);
+}
+
 TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   const std::string question =
       "plan " + shipped("mockup.yaml") + " --tubes spread:6 --touches auto --truth " + shipped("mockup.yaml");

@@ -80,6 +80,7 @@ TEST(ForeignTable, takesHeadingsOutOfTheCommentAboveTheRows) {
     EXPECT_EQ(table.columns, (std::vector<std::string>{"x_mm", "y_mm", "q0"})) << text;
   }
   EXPECT_FALSE(parseForeignTable("# one, two\n1,2,3\n4,5,6\n", "t").has_heading);
+  EXPECT_FALSE(parseForeignTable("#\n1,2,3\n4,5,6\n", "t").has_heading);
 }
 
 TEST(ForeignTable, refusesThousandsThatCouldBeDecimals) {
