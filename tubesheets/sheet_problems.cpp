@@ -123,9 +123,8 @@ std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
 }
 
 // Neighbours are told by the pitch: with a wrong one the outermost holes would be all of them.
-void findPitchProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kNear = 1.6, kAsDrawn = 0.02;  // pitches; of a pitch
-  auto distances = nearestWithin(sheet, kNear * sheet.pitch);
+void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::vector<Problem>& problems) {
+  constexpr double kAsDrawn = 0.02;                                                           // of a pitch
   std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // overlaps
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;              // a list of a few holes
   const double distance = medianOf(distances);
@@ -140,7 +139,7 @@ void findPitchProblems(const Sheet& sheet, std::vector<Problem>& problems) {
 void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   constexpr double kExact = 1e-3, kFar = 300;  // of a distance; pitches
   constexpr std::size_t kMostLooked = 500;
-  if (sheet.tubes.size() < 4 || !nearestWithin(sheet, kMostSpacing * sheet.pitch).empty()) return;
+  if (sheet.tubes.size() < 4) return;
   std::vector<double> distances;
   for (std::size_t i = 0; i < std::min(sheet.tubes.size(), kMostLooked); ++i) {
     double nearest = kFar * sheet.pitch;
@@ -161,6 +160,18 @@ void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
                    "whole pitches", "they would be in millimetres: check the unit in the column's name"});
 }
 
+// By the nearest hole of each, near or far.
+void findNeighbourProblems(const Sheet& sheet, std::vector<Problem>& problems) {
+  constexpr double kNear = 1.6;  // pitches
+  auto distances = nearestWithin(sheet, kMostSpacing * sheet.pitch);
+  if (distances.empty()) {
+    findUnitProblems(sheet, problems);
+    return;
+  }
+  std::erase_if(distances, [&](double distance) { return !(distance < kNear * sheet.pitch); });
+  findPitchProblems(sheet, std::move(distances), problems);
+}
+
 }  // namespace
 
 std::vector<Problem> findSheetProblems(const Sheet& sheet) {
@@ -171,8 +182,7 @@ std::vector<Problem> findSheetProblems(const Sheet& sheet) {
   findOrderProblems(sheet, problems);
   if (!problems.empty()) return problems;
   findSpacingProblems(sheet, problems);
-  if (problems.empty()) findPitchProblems(sheet, problems);
-  if (problems.empty()) findUnitProblems(sheet, problems);
+  if (problems.empty()) findNeighbourProblems(sheet, problems);
   findLegProblems(sheet, problems);
   findOverlaps(sheet, problems);
   if (sheet.manway)

@@ -1,9 +1,9 @@
 #include "app/files/joint_units.hpp"
 
 #include <set>
-#include <string_view>
+#include <string>
 
-#include "calibration/measurements/measurement_kinds.hpp"
+#include "app/files/foreign/foreign_columns.hpp"
 
 namespace tubeplan::app {
 
@@ -12,13 +12,10 @@ Dimension jointDimension(const deflection::Joint<double>& joint) {
 }
 
 std::string jointColumnName(const deflection::Joint<double>& joint) {
-  static const std::set<std::string_view> kTaken = [] {
-    std::set<std::string_view> taken{
-        "id",      "kind",    "point",    "setup",    "split",    "from",    "row",        "load",        "force_x",
-        "force_y", "force_z", "moment_x", "moment_y", "moment_z", "x",       "y",          "z",           "tool_x",
-        "tool_y",  "tool_z",  "sigma",    "sigma_x",  "sigma_y",  "sigma_z", "turn_sigma", "temperature", "time"};
-    for (const auto& kind : calibration::measurementKinds())
-      for (const auto& column : kind.columns) taken.insert(column.name);
+  static const std::set<std::string> kTaken = [] {
+    std::set<std::string> taken;
+    for (const ColumnTarget& target : columnTargets({}))
+      if (target.unit) taken.insert(target.quantity);
     return taken;
   }();
   return kTaken.contains(joint.name) ? "joint_" + joint.name : joint.name;
