@@ -38,17 +38,17 @@ Answer propose(Workbench& workbench, const Request& request) {
   if (cell.sheet && body.contains("tubes")) asked.tubes = tubesText(body, *cell.sheet, "spread:60");
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.seed = seedOf(body);
-  return beginResultJob(
-      workbench, "touches", "what to touch or read next", [asked](const Session& began, JobContext& context) {
-        beginStage(context, "proposals");
-        const auto outcome =
-            proposeTouches(asked, currentModel(began).cell,
-                           began.readings ? readingsInUse(*began.readings) : std::vector<calibration::Measurement>());
-        nlohmann::json figures = proposalsJson(outcome);
-        figures["seed"] = asked.seed;
-        figures["optimality"] = "D";
-        return figures;
-      });
+  return beginResultJob(workbench, "touches", "what to touch or read next", JobInput::kModelAndReadings,
+                        [asked](const Session& began, JobContext& context) {
+                          beginStage(context, "proposals");
+                          const auto outcome = proposeTouches(asked, currentModel(began).cell,
+                                                              began.readings ? readingsInUse(*began.readings)
+                                                                             : std::vector<calibration::Measurement>());
+                          nlohmann::json figures = proposalsJson(outcome);
+                          figures["seed"] = asked.seed;
+                          figures["optimality"] = "D";
+                          return figures;
+                        });
 }
 
 /// A posture under the hole, by the model.
@@ -149,7 +149,7 @@ Answer calibrate(Workbench& workbench, const Request& request) {
     if (result.status != calibration::CalibrationStatus::kDone)
       throw InputError("touches", result.reason, "touches that place the base");
     const Cell calibrated = rereadCell(cell, calibratedCellText(cell, outcome, cell.path));
-    finishJob(workbench, began, [&, &document = outcome.figures](Session& session) {
+    finishJob(workbench, began, JobInput::kModel, [&, &document = outcome.figures](Session& session) {
       const int id = pushModel(session, "base calibrated", "calibration", calibrated);
       putResult(session, "calibrate", id, document);
     });

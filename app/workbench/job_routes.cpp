@@ -13,11 +13,13 @@ Answer beginJob(Workbench& workbench, const std::string& kind, const std::string
   return answerOf(begun.job, 202);
 }
 
-Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label, ResultWork work) {
-  return beginJob(workbench, kind, label, [&workbench, kind, work = std::move(work)](JobContext& context) {
+Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label, JobInput input,
+                      ResultWork work) {
+  return beginJob(workbench, kind, label, [&workbench, kind, input, work = std::move(work)](JobContext& context) {
     const Session began = workbench.session();
     const nlohmann::json document = work(began, context);
-    finishJob(workbench, began, [&](Session& session) { putResult(session, kind, currentModel(began).id, document); });
+    finishJob(workbench, began, input,
+              [&](Session& session) { putResult(session, kind, currentModel(began).id, document); });
     return kind;
   });
 }
@@ -45,16 +47,18 @@ CellReadings inputOf(const Session& session) {
   return input;
 }
 
-void finishJob(Workbench& workbench, const Session& began, const std::function<void(Session&)>& step) {
+void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step) {
+  bool has_other_readings = false;
   const bool is_same = workbench.change([&](Session& session) {
-    if (session.readings != began.readings || currentModel(session).id != currentModel(began).id ||
+    has_other_readings = input == JobInput::kModelAndReadings && session.readings != began.readings;
+    if (has_other_readings || currentModel(session).id != currentModel(began).id ||
         session.models.front() != began.models.front())
       return false;
     step(session);
     return true;
   });
-  if (!is_same)
-    throw InputError("models and readings", "changed since the job started", "unchanged until it is done", "ask again");
+  if (has_other_readings) throw JobStopped{};
+  if (!is_same) throw InputError("models", "changed since the job started", "unchanged until it is done", "ask again");
 }
 
 Cell rereadCell(const Cell& cell, const std::string& text) {

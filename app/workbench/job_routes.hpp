@@ -18,10 +18,13 @@ namespace tubeplan::app {
 /// 202 with the job, or 409.
 [[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
 
+/// What a job's answer is found from: an answer from others is not wanted any more.
+enum class JobInput { kModel, kModelAndReadings };
+
 /// A job whose document becomes the result of its own kind, of the model that it began with.
 using ResultWork = std::function<nlohmann::json(const Session& began, JobContext&)>;
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
-                                    ResultWork work);
+                                    JobInput input, ResultWork work);
 
 /// The comparison of what is there as a job; with the ladder over the stack, which is told as soon as it is there: the
 /// current model is fitted once for both.
@@ -39,9 +42,9 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 /// The current model with the readings, checked against its formulas. Throws InputError where there are no readings.
 [[nodiscard]] CellReadings inputOf(const Session& session);
 
-/// Changes the situation at the end of a job, unless the readings or the current model are others than those that the
-/// job began with: InputError then.
-void finishJob(Workbench& workbench, const Session& began, const std::function<void(Session&)>& step);
+/// Changes the situation at the end of a job. Throws InputError where the current model is another than that which the
+/// job began with; JobStopped where its readings have given way to others: nobody waits for an answer on those before.
+void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step);
 
 /// The cell as an export would leave it after a fit, or with other effects: written and read again, so that what
 /// follows is what the commands would give on the files.

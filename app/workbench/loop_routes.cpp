@@ -69,7 +69,7 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
 
 Answer ladder(Workbench& workbench, const Request& request) {
   const std::uint64_t seed = seedOf(objectOf(request));
-  return beginResultJob(workbench, "ladder", "one model after another",
+  return beginResultJob(workbench, "ladder", "one model after another", JobInput::kModelAndReadings,
                         [seed](const Session& began, JobContext& context) {
                           (void)inputOf(began);
                           return ladderOver(stackOf(began), began, seed, hooksOf(context));
@@ -79,7 +79,8 @@ Answer ladder(Workbench& workbench, const Request& request) {
 void tellLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const calibration::Identification& fit,
                 JobContext& context) {
   const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), &fit);
-  finishJob(workbench, began, [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
+  finishJob(workbench, began, JobInput::kModelAndReadings,
+            [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
 }
 
 /// {"folds"?, "ladder"?: true}
@@ -95,7 +96,7 @@ void finishFit(Workbench& workbench, const Session& began, const std::string& la
   auto stack = stackOf(began);
   stack.push_back({label, fitted});
   const auto climbed = ladderOver(stack, began, seed, hooksOf(context));
-  finishJob(workbench, began, [&](Session& session) {
+  finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
     const int id = pushModel(session, label, origin, fitted);
     putResult(session, "identify", id, figures);
     putResult(session, "ladder", id, climbed);
@@ -197,7 +198,7 @@ Answer improve(Workbench& workbench, const Request& request) {
                            improvedCell(input.cell, model.cell, model.fit,
                                         calibration::withoutReadings(input.readings, model.set_aside), input.cell.path)
                                .reread()});
-                    finishJob(workbench, began, [&](Session& session) {
+                    finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
                       int id = 0;
                       for (std::size_t k = 0; k < improved.size(); ++k)
                         id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
@@ -248,7 +249,7 @@ Answer simulate(Workbench& workbench, const Request& request) {
     if (campaign.status != calibration::CampaignStatus::kDone)
       throw InputError("design", campaign.reason, "readings that the arm can make");
     const auto set = readingsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
-    finishJob(workbench, began, [&](Session& session) {
+    finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
       session.readings = set;
       forgetResultsOfReadings(session);
       putResult(
@@ -268,7 +269,7 @@ constexpr Route kLoopRoutes[] = {
 }  // namespace
 
 Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder) {
-  return beginResultJob(workbench, "compare", "where the model fails",
+  return beginResultJob(workbench, "compare", "where the model fails", JobInput::kModelAndReadings,
                         [=, &workbench](const Session& began, JobContext& context) {
                           const CellReadings input = inputOf(began);
                           if (!with_ladder) return compareModel(input, asked, hooksOf(context)).figures;
@@ -281,7 +282,7 @@ Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, boo
 }
 
 Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked) {
-  return beginResultJob(workbench, "diagnose", "what the model lacks",
+  return beginResultJob(workbench, "diagnose", "what the model lacks", JobInput::kModelAndReadings,
                         [asked](const Session& began, JobContext& context) {
                           return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
                         });

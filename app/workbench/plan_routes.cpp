@@ -33,7 +33,7 @@ Answer reach(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   (void)workcellOf(currentModel(workbench.session()).cell, "reach its holes");
   return beginResultJob(
-      workbench, "reach", "which holes the arm reaches",
+      workbench, "reach", "which holes the arm reaches", JobInput::kModel,
       [](const Session& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
@@ -56,7 +56,8 @@ Answer field(Workbench& workbench, const Request& request) {
   return beginJob(workbench, "field", of + " over the sheet", [=, &workbench](JobContext& context) {
     const Session began = workbench.session();
     const auto document = fieldOf(atModel(began, model), of, context);
-    finishJob(workbench, began, [&](Session& session) { putResult(session, "field", model, document); });
+    finishJob(workbench, began, JobInput::kModel,
+              [&](Session& session) { putResult(session, "field", model, document); });
     return "field";
   });
 }
@@ -148,7 +149,7 @@ Answer plan(Workbench& workbench, const Request& request) {
     auto outcome = std::make_shared<PlanOutcome>(planCell(currentModel(began).cell, asked, planHooksOf(context)));
     requirePlanned(*outcome);
     const json figures = planJson(asked, *outcome);
-    finishJob(workbench, began, [&](Session& session) {
+    finishJob(workbench, began, JobInput::kModel, [&](Session& session) {
       session.plan = outcome;
       session.plan_request = asked;
       putResult(session, "plan", currentModel(began).id, figures);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {begin, closable, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, begin, closable, ended, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
@@ -208,6 +208,30 @@ describe("a reading", () => {
     await rest(tab);
     assert.deepEqual(await marked(server), {set_aside: 0, held_out: 0});
     await tab.waitForFunction((was) => document.querySelector(".ladder")?.innerText === was, before);
+    await close();
+  });
+
+  it("stays picked out while other things change and the errors are compared again", async () => {
+    const {tab, server, close} = await compared("kept", "hysteresis@theta4:0.06deg");
+    const box = await tab.locator(".residual-plot .u-over").boundingBox();
+    const [first, second, third, last] = RIGHT.map(([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
+    await tab.mouse.move(...first);
+    await tab.mouse.down();
+    await tab.mouse.move(...second, {steps: 4});
+    assert.equal(await ended(server, (await ask(server, "ladder", {})).body.id), "done"); // a loop is under way
+    await tab.waitForFunction(() => !document.querySelector(".job"));
+    for (const corner of [third, last, first]) await tab.mouse.move(...corner, {steps: 4});
+    await tab.mouse.up();
+    const picked = await tab.innerText(".selection-bar b");
+    assert.match(picked, /^\d\d readings picked out$/);
+    assert.equal(await ended(server, (await ask(server, "compare", {})).body.id), "done");
+    const {revision} = (await stateOf(server)).results.compare;
+    await tab.waitForFunction(
+      (wanted) => performance.getEntriesByType("resource").filter(({name}) => name.endsWith("/compare")).length >= wanted,
+      3, // the first by itself, its result, and the new one
+    );
+    assert.ok(revision > 1);
+    assert.equal(await tab.innerText(".selection-bar b"), picked);
     await close();
   });
 

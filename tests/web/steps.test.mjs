@@ -5,7 +5,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, begin, closable, drop, ended, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, begin, closable, drop, ended, errorsOf, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 const LIMIT = {timeout: 120_000};
 let made, browser;
@@ -172,6 +172,34 @@ describe("readings that look wrong", () => {
     assert.equal(await tab.locator(".reading-checks .mistake").count(), 0);
     await tab.waitForSelector(".rung >> text=/× floor/");
     assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await server.stop();
+  });
+
+  it("are mended and replaced while they are being compared", async () => {
+    const file = simulate(made.folder, "slow", {hide: "hysteresis@theta4:0.06deg"});
+    const text = readFileSync(file, "utf8");
+    const wrong = path.join(made.folder, "slow-millimetres.csv");
+    writeFileSync(wrong, text.replace("x_in,y_in,z_in", "x_mm,y_mm,z_mm"));
+    const server = await serve(made.folder, "bench.yaml", [wrong]);
+    // What the page asks for by itself reaches the program after the click.
+    const tab = await openTab(browser, server.address, {
+      prepare: (page) =>
+        page.route("**/api/compare", async (route) => {
+          await new Promise((resolve) => setTimeout(resolve, 1500));
+          await route.continue();
+        }),
+    });
+    await tab.click(".next:has-text('Take coordinates=in'):not([disabled])", LIMIT);
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    await tab.click(".next:has-text('Diagnose')");
+    await tab.waitForFunction(() => document.querySelector(".next")?.disabled, null, LIMIT);
+    await drop(tab, "others.csv", text.replaceAll("\n", "\ny").replace(/\ny$/, "\n"));
+    await tab.click("dialog[open] >> text=Open them instead");
+    await tab.waitForSelector(".chip-more >> text=others.csv", LIMIT);
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
+    assert.deepEqual(errorsOf(tab), []);
     await tab.context().close();
     await server.stop();
   });

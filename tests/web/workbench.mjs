@@ -206,8 +206,9 @@ export function launch(limit = START_LIMIT) {
   });
 }
 
-/** A tab whose console errors are kept: a test ends by asserting that there are none. */
-export async function openTab(browser, address, options = {}) {
+/** A tab whose console errors are kept: a test ends by asserting that there are none. `prepare` is run on it before it
+ * goes to the address. */
+export async function openTab(browser, address, {prepare = async () => {}, ...options} = {}) {
   const context = await browser.newContext({
     viewport: {width: 1280, height: 720},
     ...options,
@@ -228,8 +229,14 @@ export async function openTab(browser, address, options = {}) {
   tab.errors = [];
   tab.on("console", (message) => message.type() === "error" && tab.errors.push(message.text()));
   tab.on("pageerror", (error) => tab.errors.push(error.stack ?? error.message));
+  await prepare(tab);
   await tab.goto(address);
   return tab;
+}
+
+/** Its errors, but that a result was gone again before it was fetched: the browser notes that by itself. */
+export function errorsOf(tab) {
+  return tab.errors.filter((text) => !/status of 404/.test(text));
 }
 
 /** Drops a file on the page as a hand would. */

@@ -13,7 +13,21 @@ namespace {
 
 using nlohmann::json;
 
-class WorkbenchRoutes : public WorkbenchTest {};
+class WorkbenchRoutes : public WorkbenchTest {
+ protected:
+  /// Until a job is past its waiting and its begin.
+  void untilAtWork(int id, const std::string& kind) {
+    for (std::string stage = "waiting"; stage == "waiting" || stage == kind;) stage = stageOf(id);
+  }
+
+ private:
+  std::string stageOf(int id) {
+    const json state = get("/api/state").body;
+    for (const auto& job : state["jobs"])
+      if (job["id"] == id) return job["status"] == "running" ? job["stage"].get<std::string>() : "ended";
+    return "";
+  }
+};
 
 TEST_F(WorkbenchRoutes, theStateTellsWhatIsThere) {
   serve("mockup.yaml", "mockup-true.yaml");
@@ -361,15 +375,25 @@ TEST_F(WorkbenchRoutes, aPlanStopsWhenItIsAskedTo) {
   EXPECT_EQ(get("/api/results/plan").status, 404);
 }
 
+TEST_F(WorkbenchRoutes, otherReadingsEndWhatIsFoundOutFromThoseBeforeAndNoPlan) {
+  std::filesystem::copy_file(shippedCells() / "mockup.yaml", opened() / "large.yaml");
+  serve("large.yaml");
+  simulate(400);
+  const std::string readings = get("/api/export/measurements.csv").text;
+  const int plan = post("/api/plan", {{"tubes", "spread:20"}}).body["id"];
+  const int diagnosis = post("/api/diagnose").body["id"];  // waits for the plan
+  EXPECT_EQ(client->Post("/api/measurements?name=first.csv", readings, "text/csv")->status, 200);
+  EXPECT_EQ(ended(plan)["status"], "done");
+  EXPECT_EQ(get("/api/results/plan").status, 200);
+  untilAtWork(diagnosis, "diagnose");
+  EXPECT_EQ(client->Post("/api/measurements?name=second.csv", readings, "text/csv")->status, 200);
+  EXPECT_EQ(ended(diagnosis)["status"], "cancelled");
+  EXPECT_EQ(get("/api/results/diagnose").status, 404);
+}
+
 TEST_F(WorkbenchRoutes, theLoopStopsWhereverItIs) {
   serve("bench.yaml");
   simulate(400);
-  const auto stageOf = [&](int id) -> std::string {
-    const json state = get("/api/state").body;
-    for (const auto& job : state["jobs"])
-      if (job["id"] == id) return job["status"] == "running" ? job["stage"].get<std::string>() : "ended";
-    return "";
-  };
   const json add = {{"causes", {"joint-offset@theta3"}}};
   const std::pair<const char*, json> asked[] = {{"compare", json::object()},  {"diagnose", json::object()},
                                                 {"identify", json::object()}, {"ladder", json::object()},
@@ -377,7 +401,7 @@ TEST_F(WorkbenchRoutes, theLoopStopsWhereverItIs) {
   for (const auto& [kind, body] : asked) {
     const json begun = post(std::string("/api/") + kind, body).body;
     const int id = begun["id"];
-    for (std::string stage = "waiting"; stage == "waiting" || stage == kind;) stage = stageOf(id);
+    untilAtWork(id, kind);
     post("/api/jobs/" + std::to_string(id) + "/cancel");
     EXPECT_EQ(ended(id)["status"], "cancelled") << kind;
     EXPECT_EQ(get(std::string("/api/results/") + kind).status, 404) << kind;

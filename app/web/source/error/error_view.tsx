@@ -20,6 +20,7 @@ import {ladderOf} from "./ladder";
 import {LadderBars} from "./ladder_bars";
 import {
   addEffects,
+  areChangeable,
   currentComparison,
   currentDiagnosis,
   diagnose,
@@ -192,7 +193,7 @@ function NextStep({isBusy}: {isBusy: boolean}) {
   if (mistake.value) {
     const {sentence, way} = mistake.value;
     return (
-      <button class="button first large next" title={sentence} disabled={isBusy} onClick={() => void assume(way)}>
+      <button class="button first large next" title={sentence} disabled={!areChangeable.value} onClick={() => void assume(way)}>
         Take {way}
       </button>
     );

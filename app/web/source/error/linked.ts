@@ -11,8 +11,11 @@ export function pickOut(ids: Iterable<string>, isMore: boolean): void {
 export const pointed = signal("");
 export const pickedOut = signal<ReadonlySet<string>>(new Set());
 
+// Errors that are drawn anew have other places; what was picked out of those before stays picked, where it is still here.
 effect(() => {
-  void readingErrors.value;
+  const here = new Set((readingErrors.value?.readings ?? []).map(({id}) => id));
+  const picked = pickedOut.peek(),
+    kept = [...picked].filter((id) => here.has(id));
   pointed.value = "";
-  pickedOut.value = new Set();
+  if (kept.length < picked.size) pickedOut.value = new Set(kept);
 });

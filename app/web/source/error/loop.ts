@@ -1,8 +1,15 @@
 // The loop as orders to the program: compare, diagnose, add, and what the page does of itself in between.
 import {computed, effect} from "@preact/signals";
-import type {CompareDocument, DiagnoseDocument, EffectAt, IdentifyDocument, LadderDocument} from "../server/documents";
-import {post, ServerProblem} from "../server/requests";
-import {report, result, runJob, state} from "../server/workbench";
+import type {
+  CompareDocument,
+  DiagnoseDocument,
+  EffectAt,
+  IdentifyDocument,
+  LadderDocument,
+  WorkbenchState,
+} from "../server/documents";
+import {ServerProblem} from "../server/requests";
+import {report, result, runJob, runningJobs, startJob, state, stopJobs, takeState} from "../server/workbench";
 
 export const compare = result<CompareDocument>("compare");
 export const diagnose = result<DiagnoseDocument>("diagnose");
@@ -37,11 +44,31 @@ effect(() => {
 
 async function compareAtOnce(): Promise<void> {
   try {
-    await post("/api/compare", {ladder: true});
+    await startJob("/api/compare", {ladder: true});
   } catch (error) {
     const isBegun = error instanceof ServerProblem && error.status === 409; // another browser was faster
     if (!isBegun) report("Compare", error);
   }
+}
+
+/** A comparison under way gives way to a change of the readings; other work on them is not stopped unasked. */
+export const areChangeable = computed(() => runningJobs.value.every((job) => job.kind === "compare"));
+
+/** The readings here are marked, or taken otherwise. The answer is the state after it: what is asked next is asked of that. */
+export async function changeReadings(title: string, change: () => Promise<WorkbenchState>): Promise<boolean> {
+  await stopJobs("compare");
+  try {
+    takeState(await change());
+    return true;
+  } catch (error) {
+    report(title, error);
+    return false;
+  }
+}
+
+/** Other readings are here: what is being found out from those before is not asked for any more. */
+export function stopWorkOnReadings(): Promise<void> {
+  return stopJobs("compare", "ladder", "diagnose", "identify", "add", "remove");
 }
 
 export function startDiagnose(): Promise<boolean> {

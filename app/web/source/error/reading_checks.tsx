@@ -4,8 +4,8 @@ import {MarkIcon, type Mark} from "../drawing/marks";
 import {short} from "../../../drawing/numbers.js";
 import type {ReadingCheck, ReadingsInfo, WorkbenchState} from "../server/state_documents";
 import {post} from "../server/requests";
-import {report, runningJobs, state, takeState, units} from "../server/workbench";
-import {startCompare} from "./loop";
+import {state, units} from "../server/workbench";
+import {areChangeable, changeReadings, startCompare} from "./loop";
 
 const MARKS: Record<ReadingCheck["severity"], Mark> = {
   mistake: {shape: "triangle", colour: "case0"},
@@ -50,13 +50,8 @@ export const mistake = computed(() => {
 
 /** Takes what is suspected to be so, in memory, and looks at what is left. */
 export async function assume(way: string): Promise<void> {
-  try {
-    takeState(await post<WorkbenchState>("/api/measurements/assume", {assume: [way]}));
-  } catch (error) {
-    report("The readings cannot be taken so", error);
-    return;
-  }
-  await startCompare();
+  const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: [way]});
+  if (await changeReadings("The readings cannot be taken so", taken)) await startCompare();
 }
 
 function Check({check}: {check: ReadingCheck}) {
@@ -79,7 +74,7 @@ function Check({check}: {check: ReadingCheck}) {
             <button
               key={way}
               class={`button small ${check.severity === "mistake" && way === ways[0] ? "first" : ""}`}
-              disabled={runningJobs.value.length > 0}
+              disabled={!areChangeable.value}
               title={`The readings are taken with ${way}; their file stays as it is`}
               onClick={() => void assume(way)}
             >
@@ -89,7 +84,7 @@ function Check({check}: {check: ReadingCheck}) {
           {check.severity === "mistake" ? (
             <button
               class="button small"
-              disabled={runningJobs.value.length > 0}
+              disabled={!areChangeable.value}
               title="Nothing is wrong with them: go on"
               onClick={() => void assume("as-is")}
             >

@@ -3,8 +3,9 @@ import {computed, signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import type {WorkbenchState} from "../server/documents";
 import {post} from "../server/requests";
-import {report, runningJobs, state, stopJob, takeState} from "../server/workbench";
-import {startCompare} from "./loop";
+import {state} from "../server/workbench";
+import {pickedOut} from "./linked";
+import {changeReadings, startCompare} from "./loop";
 
 export type MarkKind = "aside" | "held_out";
 
@@ -39,19 +40,8 @@ export function markingWords({kind, ids, isOn}: Marking): string {
   return `${plural(ids.length, "reading")} ${done}`;
 }
 
-/** A comparison under way gives way to a marking; other work on the readings must end first. */
-export const isMarkable = computed(() => runningJobs.value.every((job) => job.kind === "compare"));
-
-/** The answer is the state after it: what is asked next is asked of that. */
-async function send({kind, ids, isOn}: Marking): Promise<boolean> {
-  await stopJob("compare");
-  try {
-    takeState(await post<WorkbenchState>(ADDRESSES[kind], {ids, [kind]: isOn}));
-    return true;
-  } catch (error) {
-    report("Readings", error);
-    return false;
-  }
+function send({kind, ids, isOn}: Marking): Promise<boolean> {
+  return changeReadings("Readings", () => post<WorkbenchState>(ADDRESSES[kind], {ids, [kind]: isOn}));
 }
 
 /** As the next change of the readings will be counted, unless another browser is faster. */
@@ -64,6 +54,7 @@ export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean)
   const step = {kind, ids, isOn, change: nextChange(), model: state.peek()?.model ?? -1};
   if (ids.length === 0 || !(await send(step))) return;
   steps.value = [...steps.value, step];
+  pickedOut.value = new Set();
   await startCompare();
 }
 

@@ -9,7 +9,8 @@ import type {MeasurementsDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {report, state, units} from "../server/workbench";
 import {pickOut, pickedOut, pointed} from "./linked";
-import {isMarkable, markReadings} from "./reading_marks";
+import {areChangeable} from "./loop";
+import {markReadings} from "./reading_marks";
 import {columnsOf, filtered, rowsOf, sorted, type ReadingRow} from "./reading_rows";
 import {readingErrors} from "./residuals";
 import {showReading} from "./show_reading";
@@ -53,7 +54,7 @@ export function ReadingTable() {
     return sorted(filtered(all, filter.value, columns), column, order.value.isDown);
   }, [all, columns, filter.value, order.value]);
   const aside = all.filter((row) => row.isAside).map((row) => row.id);
-  const isBusy = !isMarkable.value;
+  const isBusy = !areChangeable.value;
   return (
     <div class="reading-table">
       <div class="reading-tools">

@@ -5,7 +5,7 @@ import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
 import type {CompareDocument, DiagnoseDocument, ErrorReading, Model, Vector3} from "../server/documents";
 import {get} from "../server/requests";
-import {report, state} from "../server/workbench";
+import {currentModel, report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
 
 export interface ReadingErrors extends ErrorPair<ErrorReading> {
@@ -111,7 +111,7 @@ function ofComparison(document: CompareDocument): ReadingErrors {
       jointsOf(document),
       document.readings.map((reading) => reversed(reading.error_before)),
       document.readings.map((reading) => reversed(reading.error_after)),
-      document.model === state.value?.model ? "" : ", of the model before",
+      document.model === currentModel.value?.id ? "" : ", of the model before",
     ),
     sigmas: [
       document.readings.map((reading) => reading.sigmas_before),
@@ -166,8 +166,7 @@ export const readingErrors = computed<ReadingErrors | null>(() => {
   if (!compared) return null;
   const earlier = modelBefore.value,
     before = comparisonBefore.value,
-    model = state.value?.models.find((entry) => entry.id === compared.model);
-  if (earlier && before && model && compared.model === state.value?.model)
-    return ofTwoModels(before, compared, model, earlier);
+    model = currentModel.value;
+  if (earlier && before && model && compared.model === model.id) return ofTwoModels(before, compared, model, earlier);
   return ofComparison(compared);
 });

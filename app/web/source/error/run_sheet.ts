@@ -1,8 +1,9 @@
 // A run sheet: the readings that a diagnosis proposes, as a measurement table whose coordinates are to be filled in. This
 // browser keeps it, one for each cell, with what is ticked off and typed in, also when a new diagnosis says something else.
 import {computed, effect, signal} from "@preact/signals";
-import {postText} from "../server/requests";
-import {cell, report} from "../server/workbench";
+import type {MeasurementsDocument} from "../server/documents";
+import {get, postText} from "../server/requests";
+import {cell, report, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {currentDiagnosis} from "./loop";
 import {readingErrors} from "./residuals";
@@ -52,8 +53,20 @@ effect(() => {
   });
 });
 
-/** Ids of the readings that are here. */
+/** Ids of the readings that are here, as far as their errors are drawn. */
 export const takenIds = computed(() => new Set((readingErrors.value?.readings ?? []).map(({id}) => id)));
+
+/** The same as the program has them now: the errors of readings that have just come are not here yet. None where it does
+ * not answer, for what is asked next would not be answered either. */
+export async function idsHere(): Promise<Set<string>> {
+  if (!state.peek()?.measurements) return new Set();
+  try {
+    const {rows} = await get<MeasurementsDocument>("/api/measurements");
+    return new Set(rows.map(({id}) => id));
+  } catch {
+    return new Set();
+  }
+}
 
 // ---- given back
 
@@ -78,9 +91,9 @@ export function isFilledSheet(text: string): boolean {
 }
 
 /** Of a sheet that comes back: the rows that are filled in and not here yet. */
-export function freshRows(text: string): string {
+export function freshRows(text: string, here: ReadonlySet<string>): string {
   const sheet = runSheet.peek();
   const {columns, rows} = tableOf(sheet ? filledRows(text, openColumns(tableOf(sheet.text))) : text);
-  const fresh = rows.filter((row) => !takenIds.peek().has(row[0]));
+  const fresh = rows.filter((row) => !here.has(row[0]));
   return fresh.length === 0 ? "" : `${[columns, ...fresh].map(lineOf).join("\n")}\n`;
 }

@@ -13,7 +13,7 @@ export function RunSheetPanel() {
   if (!sheet) return null;
   const table = tableOf(sheet.text);
   const taken = table.rows.filter(([id]) => takenIds.value.has(id)).length;
-  const ready = freshRows(withTyped(sheet));
+  const ready = freshRows(withTyped(sheet), takenIds.value);
   const isReady = ready !== "" && Object.keys(sheet.typed).length > 0;
   return (
     <section class="run-sheet">

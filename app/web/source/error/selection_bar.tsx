@@ -2,7 +2,8 @@
 // ladder follows; what was done last can be taken back.
 import {plural} from "../../../drawing/numbers.js";
 import {pickedOut} from "./linked";
-import {isMarkable, lastMarking, markReadings, markingWords, undoMarking} from "./reading_marks";
+import {areChangeable} from "./loop";
+import {lastMarking, markReadings, markingWords, undoMarking} from "./reading_marks";
 import {readingErrors} from "./residuals";
 
 export function SelectionBar() {
@@ -17,7 +18,7 @@ export function SelectionBar() {
           <button
             class="button small"
             title="Undo (Ctrl+Z)"
-            disabled={!isMarkable.value}
+            disabled={!areChangeable.value}
             onClick={() => void undoMarking()}
           >
             Undo
@@ -29,7 +30,7 @@ export function SelectionBar() {
 }
 
 function PickedOut({ids}: {ids: string[]}) {
-  const isBusy = !isMarkable.value;
+  const isBusy = !areChangeable.value;
   const heldOut = new Set(
     (readingErrors.value?.readings ?? []).filter((reading) => reading.held_out).map((reading) => reading.id),
   );

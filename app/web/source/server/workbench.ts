@@ -2,6 +2,7 @@
 import {computed, effect, signal, type Signal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {asProblem, get, isMissing, post} from "./requests";
+import {sharing} from "./sharing";
 
 export const state = signal<WorkbenchState | null>(null);
 export const connection = signal<"connecting" | "live" | "lost">("connecting");
@@ -36,7 +37,7 @@ let isNewConnection = true;
 export function takeState(next: WorkbenchState): void {
   if (!isNewConnection && state.value !== null && next.revision < state.value.revision) return;
   isNewConnection = false;
-  state.value = next;
+  state.value = sharing(state.value, next);
   const known = new Map<string, Job>();
   for (const job of next.jobs ?? []) known.set(String(job.id), job);
   jobs.value = known;
@@ -183,14 +184,15 @@ const starting = signal(0);
 /** Starts a job and waits for its end, as the events tell it; false where it failed or was stopped. */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
   try {
-    return await ended(String((await start(path, body)).id));
+    return await ended(String((await startJob(path, body)).id));
   } catch (error) {
     report(title, error);
     return false;
   }
 }
 
-async function start(path: string, body: unknown): Promise<Job> {
+/** Orders a job, and notes it as soon as the program has taken it. */
+export async function startJob(path: string, body: unknown): Promise<Job> {
   ++starting.value;
   try {
     const job = await post<Job>(path, body);
@@ -229,11 +231,13 @@ async function ended(id: string): Promise<boolean> {
   return job === undefined || job.status === "done";
 }
 
-/** Stops the running job of a kind, also one that is just being started, and waits for its end. */
-export async function stopJob(kind: string): Promise<void> {
+/** Stops the running jobs of these kinds, also those that are just being started, and waits for their end. */
+export async function stopJobs(...kinds: string[]): Promise<void> {
   await until(() => starting.value === 0);
-  const job = runningJob(kind);
-  if (job && (await order("Stop", `/api/jobs/${job.id}/cancel`))) await ended(String(job.id));
+  const stopped = runningJobs.peek().filter((job) => kinds.includes(job.kind));
+  await Promise.all(
+    stopped.map(async ({id}) => (await order("Stop", `/api/jobs/${id}/cancel`)) && (await ended(String(id)))),
+  );
 }
 
 // Failures of jobs are told wherever the job was started.

@@ -2,8 +2,8 @@
 import {signal} from "@preact/signals";
 import type {WorkbenchState} from "../server/documents";
 import {post, postText} from "../server/requests";
-import {startCompare} from "../error/loop";
-import {freshRows, isFilledSheet, joinReadings, takenIds} from "../error/run_sheet";
+import {startCompare, stopWorkOnReadings} from "../error/loop";
+import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
 import {tableOf} from "../error/run_sheet_table";
 import {cell, report, runJob, takeState} from "../server/workbench";
 import {askForColumns} from "./columns_dialog";
@@ -13,12 +13,13 @@ import {openInstead} from "./project";
 async function afterReadings(): Promise<void> {
   dialog.value = "";
   view.value = "error";
+  await stopWorkOnReadings();
   await startCompare();
 }
 
 /** A run sheet that comes back: what is filled in and not here yet joins the readings. */
 async function joinSheet(name: string, text: string): Promise<void> {
-  const fresh = freshRows(text);
+  const fresh = freshRows(text, await idsHere());
   view.value = "error";
   dialog.value = "";
   if (fresh !== "") await joinReadings(fresh);
@@ -26,8 +27,8 @@ async function joinSheet(name: string, text: string): Promise<void> {
 }
 
 /** Whether a measurement table has readings of which none is here: it may join those that are, or take their place. */
-function hasOthers(text: string): boolean {
-  const here = takenIds.peek();
+async function hasOthers(text: string): Promise<boolean> {
+  const here = await idsHere();
   const {columns, rows} = tableOf(text);
   const id = columns.indexOf("id");
   return (
@@ -68,7 +69,7 @@ export async function loadFiles(files: File[]): Promise<void> {
   if (files.length === 1) {
     const text = await files[0].text();
     if (isFilledSheet(text)) return joinSheet(names, text);
-    if (hasOthers(text)) {
+    if (await hasOthers(text)) {
       offer(names, text);
       return;
     }

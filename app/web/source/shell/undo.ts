@@ -1,9 +1,10 @@
 // One step back, whichever was the last: a marking of readings, else a step of the model.
 import {computed} from "@preact/signals";
-import {isMarkable, lastMarking, undoMarking} from "../error/reading_marks";
+import {areChangeable} from "../error/loop";
+import {lastMarking, undoMarking} from "../error/reading_marks";
 import {order, state} from "../server/workbench";
 
-export const canUndo = computed(() => (lastMarking.value ? isMarkable.value : (state.value?.can_undo ?? false)));
+export const canUndo = computed(() => (lastMarking.value ? areChangeable.value : (state.value?.can_undo ?? false)));
 
 export async function undo(): Promise<void> {
   if (lastMarking.peek()) await undoMarking();
