@@ -8,6 +8,7 @@
 #include "app/cli/command.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"

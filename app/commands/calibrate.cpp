@@ -11,6 +11,7 @@
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/touch_input.hpp"

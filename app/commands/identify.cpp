@@ -16,6 +16,7 @@
 #include "app/documents/overlap_report.hpp"
 #include "app/documents/predicted_centring_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/jobs/identification.hpp"
 

@@ -19,6 +19,7 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/input_error.hpp"
 #include "app/jobs/improvement.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
@@ -9,8 +11,6 @@
 namespace tubeplan::app {
 
 namespace {
-
-constexpr const char* kAsIs = "as-is";
 
 std::vector<std::string> namesOfMistakes() {
   std::vector<std::string> names;
@@ -36,6 +36,26 @@ void take(const std::string& assumption, MeasurementTable& table, Cell& cell) {
   if (mend->frees_base) cell.base_known = false;
 }
 
+/// What an assumption is about: two of one subject cannot both hold. A unit is of what stands before it; of any other
+/// kind the value belongs to the subject, since there may be several of it.
+std::string subjectOf(const std::string& assumption) {
+  const std::size_t equals = assumption.find('=');
+  const auto* kind = calibration::findMistakeKind(assumption.substr(0, equals));
+  if (!kind || !std::string_view(kind->value).ends_with("UNIT")) return assumption;
+  const std::size_t colon = assumption.find(':', equals);
+  return assumption.substr(0, colon == std::string::npos ? equals : colon);
+}
+
+/// Of several about one subject the last.
+std::vector<std::string> inForce(const std::vector<std::string>& assume) {
+  std::vector<std::string> kept;
+  for (const auto& assumption : assume) {
+    std::erase_if(kept, [&](const auto& earlier) { return subjectOf(earlier) == subjectOf(assumption); });
+    kept.push_back(assumption);
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::string assumptionsText() {
@@ -47,7 +67,7 @@ std::string assumptionsText() {
 
 bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell) {
   bool is_overruled = false;
-  for (const auto& assumption : assume)
+  for (const auto& assumption : inForce(assume))
     if (assumption == kAsIs)
       is_overruled = true;
     else

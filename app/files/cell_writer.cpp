@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/files/cell_places.hpp"
 #include "app/files/checkpoint/plan_key.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"
@@ -188,19 +189,6 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
                    "the reported " + length(result.after.rms), "nothing was written; please report this");
 }
 
-/// Of a cell that is written over itself this file, too, may be replaced.
-void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file) {
-  std::error_code error;
-  auto* record = InputRecord::current();
-  if (record && fs::equivalent(out, cell.path, error)) record->allowReplacing(file);
-}
-
-fs::path armBeside(const fs::path& cell) {
-  fs::path arm = cell;
-  arm.replace_filename(cell.stem().string() + "-arm.yaml");
-  return arm;
-}
-
 /// Everything but whether it gives the reported error.
 CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
@@ -296,18 +284,6 @@ std::string cellTextAt(const Cell& cell, const fs::path& out) {
 
 std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {
   return withBaseText(cellTextAt(cell, out), cell, base);
-}
-
-void checkWritableCell(const Cell& cell, const fs::path& out, const std::string& option) {
-  allowInPlace(cell, out, cell.path);
-  checkWritableFile(out, option);
-}
-
-void checkWritableCellAndArm(const Cell& cell, const fs::path& out, const std::string& option) {
-  checkWritableCell(cell, out, option);
-  if (cell.arm_source.text.empty()) return;
-  allowInPlace(cell, out, cell.arm_path);
-  checkWritableFile(armBeside(out), option);
 }
 
 }  // namespace tubeplan::app

@@ -62,12 +62,6 @@ void makePair(std::string& cell, TextFile& arm);
                                      const std::vector<calibration::Measurement>& readings,
                                      const std::filesystem::path& out);
 
-/// Before the work: checkWritableFile() of `out`, which may be the cell itself.
-void checkWritableCell(const Cell& cell, const std::filesystem::path& out, const std::string& option);
-
-/// The same where the arm's file is written too, beside the cell.
-void checkWritableCellAndArm(const Cell& cell, const std::filesystem::path& out, const std::string& option);
-
 /// The cell's text unchanged but for the names of its files, relative to `out`.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);
 

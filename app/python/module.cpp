@@ -17,6 +17,7 @@
 #include "app/documents/plan_files.hpp"
 #include "app/documents/plan_outcome.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/origin.hpp"
@@ -127,6 +128,7 @@ class PythonCell {
     request.seed = seed;
     return run([&] {
       const CellReadings input = readCellReadings(path_, files);
+      if (!out.empty()) checkWritableCellAndArm(input.cell, out, "out");
       auto identified = identifyModel(input, request, hooks());
       if (!out.empty() && identified.fit.status == calibration::IdentificationStatus::kDone)
         writeFilesTogether(identifiedCell(input.cell, identified.fit, input.readings, out).inOrder(), "out");

@@ -63,11 +63,12 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
 }
 
 /// What the true arm, or for want of it the cell's own, would read there.
-calibration::Measurement simulatedTouch(const Session& now, const calibration::TouchPlan& plan) {
+calibration::Measurement simulatedTouch(const Session& now, const calibration::TouchPlan& plan, double load) {
   const Cell& model = currentModel(now).cell;
   const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(requireTool(model, "touch a hole"));
+  options.load = load;
   options.seed = static_cast<std::uint64_t>(now.next_touch);
   const auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, {plan}, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
@@ -88,11 +89,11 @@ Answer addTouch(Workbench& workbench, const Request& request) {
   calibration::TouchPlan plan{fmt::format("T{}", now.next_touch), tubesheets::tubeName(tube.row, tube.column),
                               planner::holeCentre(tube),
                               body.contains("joints") ? jointsOf(body, cell) : postureUnder(cell, made.tube)};
+  const double load = loadOf(body, cell);
   if (made.is_simulated)
-    made.touch = simulatedTouch(now, plan);
+    made.touch = simulatedTouch(now, plan, load);
   else
-    made.touch = calibration::plannedTouch(plan, plan.q_start, loadOf(body, cell),
-                                           touchSigmaOf(requireTool(cell, "touch a hole")));
+    made.touch = calibration::plannedTouch(plan, plan.q_start, load, touchSigmaOf(requireTool(cell, "touch a hole")));
   workbench.change([&](Session& session) {
     session.touches.push_back(made);
     ++session.next_touch;

@@ -7,6 +7,7 @@
 #include "app/documents/trajectory_yaml.hpp"
 #include "app/documents/work_list_export.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/measurements_writer.hpp"
@@ -42,14 +43,16 @@ CellReadings inputOfResult(const Session& session, const std::string& name) {
   return input;
 }
 
-std::string exportedCell(const Session& s) {
+/// The cell and its arm, each known to the other as one of this pair.
+std::vector<TextFile> exportedFiles(const Session& s) {
   const Cell& cell = currentModel(s).cell;
-  return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml")).front().text;
+  return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml"));
 }
+std::string exportedCell(const Session& s) { return exportedFiles(s).front().text; }
 std::string exportedArm(const Session& s) {
-  const Cell& cell = currentModel(s).cell;
-  if (cell.arm_source.text.empty()) throw InputError("export", "an arm that stands in the cell", "cell.yaml");
-  return cell.arm_source.text;
+  const auto files = exportedFiles(s);
+  if (files.size() < 2) throw InputError("export", "an arm that stands in the cell", "cell.yaml");
+  return files.back().text;
 }
 std::string exportedReadings(const Session& s) {
   const CellReadings input = inputOf(s);  // refuses where there are none
@@ -136,6 +139,7 @@ Answer saveCell(Workbench& workbench, const Request& request) {
   const auto place = workbench.folder().fileToWrite(name);
   if (place.extension() != ".yaml") throw InputError("request (file)", inQuotes(name), "a name that ends in .yaml");
   const auto files = cellFiles(currentModel(workbench.session()).cell, place);
+  requireReplaceable(place, files.size() > 1, "request (file)");
   nlohmann::json written = nlohmann::json::array();
   for (const auto& file : files) {
     const auto checked = workbench.folder().fileToWrite(file.path.filename().string());

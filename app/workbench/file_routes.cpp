@@ -98,23 +98,12 @@ ReadingsWithChecks readAgain(const ReadingSource& source, const std::string& nam
                               : readAndCheck(source.files, cell, options);
 }
 
-/// What was set aside or held out by hand stays so where the same readings are read again.
-void keepMarks(const ReadingSet& before, ReadingSet& again) {
-  std::map<std::string, bool> held_out;
-  for (const auto& reading : before.readings) held_out[reading.id] = reading.is_held_out;
-  for (auto& reading : again.readings) {
-    const auto known = held_out.find(reading.id);
-    if (known == held_out.end()) continue;
-    reading.is_held_out = known->second;
-    if (before.set_aside.contains(reading.id)) again.set_aside.insert(reading.id);
-  }
-}
-
 /// {"assume": ["coordinates=in"]}: what a check of the readings suspects is taken to be so, as --assume of the commands
-/// does; `as-is`: they are as they should be.
+/// does; `as-is`: they are as they should be; none: they are taken as their file has them.
 Answer assume(Workbench& workbench, const Request& request) {
-  const auto names = textsOf(objectOf(request), "assume");
-  if (names.empty()) throw InputError("assume", "nothing", "NAME=VALUE as --assume of the commands takes it");
+  const auto body = objectOf(request);
+  (void)requiredOf(body, "assume", "a list of NAME=VALUE as --assume of the commands takes it");
+  const auto names = textsOf(body, "assume");
   if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
   const Session session = workbench.session();
   if (!session.readings) return noReadings();
@@ -122,6 +111,7 @@ Answer assume(Workbench& workbench, const Request& request) {
     return refusal(409, InputError("readings", "readings whose file is not at hand any more", "ones that were opened",
                                    "open their file again"));
   ReadingSource source = *session.readings->source;
+  if (names.empty()) source.assumed.clear();
   source.assumed.insert(source.assumed.end(), names.begin(), names.end());
   Cell cell = currentModel(session).cell;
   const bool was_known = cell.base_known;

@@ -260,7 +260,7 @@ class HttpServer::Implementation : public httplib::Server {
     for (const auto& job : news.jobs) text += eventText("job", job);
     if (!news.live.empty()) text += eventText("live", news.live);
     const auto now = std::chrono::steady_clock::now();
-    if (text.empty() && now - spoken > kHeartbeat) text = ": still here\n\n";
+    if (text.empty() && now - spoken > kHeartbeat) text = eventText("alive", "{}");
     if (text.empty()) return true;
     spoken = now;
     return sink.write(text.data(), text.size());

@@ -9,9 +9,11 @@
 #include <sstream>
 
 #include "app/documents/figures.hpp"
+#include "app/files/assumptions.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/measurements_reader.hpp"
+#include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/job_routes.hpp"
@@ -107,21 +109,45 @@ std::size_t takeArrived(Workbench& workbench, const std::string& text, const std
   return workbench.arrivals().take(std::move(readings), session.readings.get(), passes_known);
 }
 
+namespace {
+
+/// All of them as if they had come in one file: copies and mistakes show in all, and can be mended.
+std::shared_ptr<ReadingSet> joinedSet(const ReadingSet* before, const std::vector<calibration::Measurement>& arrived,
+                                      Cell cell) {
+  auto joined = std::make_shared<ReadingSet>();
+  joined->name = before && !before->name.empty() ? before->name : "live";
+  joined->change = before ? before->change + 1 : 1;
+  auto all = before ? before->readings : std::vector<calibration::Measurement>();
+  all.insert(all.end(), arrived.begin(), arrived.end());
+  ReadingSource source{{}, measurementsCsv(all, cell.arm, cell.units), 0, {}};
+  if (before && before->source && std::ranges::count(before->source->assumed, kAsIs) > 0) source.assumed = {kAsIs};
+  MeasurementOptions options;
+  options.assume = source.assumed;
+  auto [readings, checks] = parseAndCheck(source.text, joined->name, cell, options);
+  joined->readings = std::move(readings);
+  joined->checks = std::move(checks);
+  joined->source = std::make_shared<ReadingSource>(std::move(source));
+  if (before) keepMarks(*before, *joined);
+  return joined;
+}
+
+}  // namespace
+
 void joinArrived(Workbench& workbench) {
   if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;
   bool was_diagnosed = false;
-  workbench.change([&](Session& session) {
-    was_diagnosed = findResult(session, "diagnose", currentModel(session).id) != nullptr;
-    auto joined = session.readings ? std::make_shared<ReadingSet>(*session.readings) : std::make_shared<ReadingSet>();
-    if (joined->name.empty()) joined->name = "live";
-    const auto arrived = workbench.arrivals().hand();
-    joined->readings.insert(joined->readings.end(), arrived.begin(), arrived.end());
-    ++joined->change;
-    joined->source.reset();  // it has not all of them
-    session.readings = std::move(joined);
-    forgetResultsOfReadings(session);
-    return true;
-  });
+  const auto arrived = workbench.arrivals().hand();
+  for (bool is_done = false; !is_done;) {  // once more, where the readings were changed meanwhile
+    const Session before = workbench.session();
+    const auto joined = joinedSet(before.readings.get(), arrived, currentModel(before).cell);
+    is_done = workbench.change([&](Session& session) {
+      if (session.readings != before.readings) return false;
+      was_diagnosed = findResult(session, "diagnose", currentModel(session).id) != nullptr;
+      session.readings = joined;
+      forgetResultsOfReadings(session);
+      return true;
+    });
+  }
   (void)beginComparison(workbench, {}, true);
   if (was_diagnosed) (void)beginDiagnosis(workbench, {});
 }

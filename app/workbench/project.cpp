@@ -197,8 +197,10 @@ bool hasSameInputs(const Session& one, const Session& other) {
 }
 
 bool hasWork(const Session& session) {
-  return session.models.size() > 1 || !session.touches.empty() ||
-         (session.readings && !session.readings->set_aside.empty());
+  const auto isMarked = [](const ReadingSet& set) {
+    return !set.set_aside.empty() || (set.source && !set.source->assumed.empty());
+  };
+  return session.models.size() > 1 || !session.touches.empty() || (session.readings && isMarked(*session.readings));
 }
 
 bool isUnsaved(const Session& session) { return hasWork(session) && session.saved_revision != session.revision; }

@@ -34,12 +34,15 @@ struct ReadingSet {
   calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
   std::set<std::string> set_aside = {};            ///< ids of those that no fit sees
   int change = 0;                                  ///< how often that has changed
-  /// None of simulated readings, of a kept session, or where others joined.
+  /// None of simulated readings and of a kept session.
   std::shared_ptr<const ReadingSource> source = {};
 };
 
 /// Those that are not set aside.
 [[nodiscard]] std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set);
+
+/// What was set aside or held out by hand stays so where the same readings are read again.
+void keepMarks(const ReadingSet& before, ReadingSet& again);
 
 /// A hole touched, by the arm itself or by a simulated one.
 struct TouchMade {

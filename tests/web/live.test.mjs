@@ -133,3 +133,20 @@ describe("readings of a running arm", () => {
     await server.stop();
   });
 });
+
+describe("a program that says nothing", () => {
+  it("is said not to answer, until it is heard again", async () => {
+    const server = await serve(made.folder, "bench.yaml", ["--fresh"]);
+    const tab = await openTab(browser, server.address, {prepare: (page) => page.clock.install()});
+    await tab.waitForSelector(".connection.live");
+    await tab.clock.fastForward(30_000);
+    await tab.waitForSelector(".connection.lost");
+    await tab.waitForSelector(".silence");
+    await ask(server, "simulate", {design: "bench", readings: 12});
+    await tab.waitForSelector(".connection.live");
+    await tab.waitForSelector(".silence", {state: "detached"});
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await server.stop();
+  });
+});

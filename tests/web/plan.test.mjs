@@ -153,4 +153,15 @@ describe("the mock-up", () => {
     assert.equal(await tab.evaluate(() => location.hash), "#plan");
     assert.deepEqual(tab.errors, []);
   });
+
+  it("says that plan and base are of another model once their model is taken back", async () => {
+    assert.equal(await tab.locator(".other-model").count(), 0);
+    await ask(server, "undo", {});
+    await tab.waitForSelector(".plan-view .other-model >> text=base calibrated");
+    await tab.click(".rail-entry >> text=Calibrate");
+    await tab.waitForSelector(".calibrate-view .other-model >> text=base calibrated");
+    await ask(server, "redo", {});
+    await tab.waitForSelector(".other-model", {state: "detached"});
+    assert.deepEqual(tab.errors, []);
+  });
 });

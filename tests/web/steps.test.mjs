@@ -171,6 +171,9 @@ describe("readings that look wrong", () => {
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.equal(await tab.locator(".reading-checks .mistake").count(), 0);
     await tab.waitForSelector(".rung >> text=/× floor/");
+    await tab.click(".reading-checks li:has-text('Taken with coordinates=in') >> text=Take back");
+    await tab.waitForSelector(".reading-checks .mistake");
+    await idle(tab);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
     await server.stop();
@@ -199,6 +202,21 @@ describe("readings that look wrong", () => {
     await tab.waitForSelector(".chip-more >> text=others.csv", LIMIT);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
+
+    // Two tables of the program's own at once are one set; a cell is none.
+    const [header, ...lines] = text.trim().split("\n");
+    const half = (part, mark) => [header, ...part.map((line) => `${mark}${line}`), ""].join("\n");
+    await drop(tab, [
+      ["one.csv", half(lines.slice(0, 50), "a")],
+      ["two.csv", half(lines.slice(50, 90), "b")],
+    ]);
+    await tab.click("dialog[open] >> text=Open them instead");
+    await tab.waitForSelector(".verdict-figures dd >> text=90", LIMIT);
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    assert.equal((await stateOf(server)).measurements.readings, 90);
+    assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
+    await drop(tab, [["bench.yaml", "arm: cobra-arm.yaml"]]);
+    await tab.waitForSelector(".notice >> text=opened from the folder");
     assert.deepEqual(errorsOf(tab), []);
     await tab.context().close();
     await server.stop();

@@ -239,15 +239,15 @@ export function errorsOf(tab) {
   return tab.errors.filter((text) => !/status of 404/.test(text));
 }
 
-/** Drops a file on the page as a hand would. */
+/** Drops a file, or a list of names and texts, on the page as a hand would. */
 export async function drop(tab, name, text) {
   const data = await tab.evaluateHandle(
-    ([file, content]) => {
+    (files) => {
       const transfer = new DataTransfer();
-      transfer.items.add(new File([content], file, {type: "text/csv"}));
+      for (const [file, content] of files) transfer.items.add(new File([content], file, {type: "text/csv"}));
       return transfer;
     },
-    [name, text],
+    typeof name === "string" ? [[name, text]] : name,
   );
   await tab.dispatchEvent("main", "drop", {dataTransfer: data});
 }

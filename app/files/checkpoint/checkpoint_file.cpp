@@ -11,6 +11,12 @@ namespace tubeplan::app {
 
 using nlohmann::json;
 
+namespace {
+
+std::string questionChecksum(const PlanKey& question) { return fingerprintOf(json(question).dump()); }
+
+}  // namespace
+
 void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path, const std::string& found) {
   throw InputError(path.string(), found, format.expected, format.remedy);
 }
@@ -26,6 +32,9 @@ CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesys
     if (head.at("format") != format.name) refuseDamaged(format, path, "the format " + head.at("format").dump());
     file.question = head.at("question").get<PlanKey>();
     file.checksum = head.at("checksum");
+    // Version 0.1 wrote none.
+    if (head.contains("question_checksum") && head.at("question_checksum") != questionChecksum(file.question))
+      refuseDamaged(format, path, "a first line that does not match its checksum");
   } catch (const json::exception&) {
     refuseDamaged(format, path, "a first line of no known format");
   }
@@ -44,7 +53,10 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
 }
 
 std::string checkpointText(const CheckpointFormat& format, const PlanKey& question, const std::string& payload) {
-  const json head = {{"format", format.name}, {"question", question}, {"checksum", fingerprintOf(payload)}};
+  const json head = {{"format", format.name},
+                     {"question", question},
+                     {"question_checksum", questionChecksum(question)},
+                     {"checksum", fingerprintOf(payload)}};
   return head.dump() + "\n" + payload + "\n";
 }
 

@@ -1,5 +1,5 @@
-// Files that work is kept in until it goes on: a first line with the format, the question that was asked and a
-// checksum, then one line of JSON with what is done.
+// Files that work is kept in until it goes on: a first line with the format, the question that was asked, its checksum
+// and that of what follows; then one line of JSON with what is done.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,7 @@ struct CheckpointFile {
 [[noreturn]] void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path,
                                 const std::string& found);
 
-/// Throws InputError where the file cannot be read, is of another format or does not fit its checksum.
+/// Throws InputError where the file cannot be read, is of another format or does not fit its checksums.
 [[nodiscard]] CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path);
 
 /// `read` of the file's content; where that meets JSON it cannot use, the file is refused as damaged.

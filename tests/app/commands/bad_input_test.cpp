@@ -80,6 +80,21 @@ TEST_F(Program, writesACellOverItself) {
   EXPECT_EQ(run("pose bench.yaml --joints 0,30,30,30").exit_code, 0);
 }
 
+/// A cell replaces no other kind of file, and its arm not one that another cell may be read with.
+TEST_F(Program, replacesCellsByCellsAndTheirArmsAlone) {
+  ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
+  const std::string asked = " " + shipped("bench.yaml") + " set/measurements.csv --out ";
+  write("other-arm.yaml", "# of another cell\n");
+  for (const char* command : {"identify", "improve"}) {
+    expectRefused(command + asked + "other.yaml", {"--out", "other-arm.yaml", "not the arm of"});
+    expectRefused(command + asked + "other-arm.yaml", {"--out", "other-arm.yaml", "no cell"});
+  }
+  expectRefused("add " + shipped("bench.yaml") + " backlash@tool.z --out other-arm.yaml", {"--out", "no cell"});
+  EXPECT_EQ(contentOf(folder / "other-arm.yaml"), "# of another cell\n");
+  for (int times = 0; times < 2; ++times)
+    EXPECT_EQ(run("identify" + asked + "fitted.yaml --folds 0").exit_code, 0) << "its own it replaces";
+}
+
 TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {
   expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20,R10C22 --first R30 --out plan", {"--first", "R30"});
   expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20 --out ''", {"--out", "folder"});

@@ -205,6 +205,8 @@ TEST_F(CampaignCommand, RefusesDamagedTallies) {
     (void)write("made/tally.json", damaged);
     expectRefused(question, "remove it to start again");
   }
+  (void)write("made/tally.json", changed(tally, R"(["seed","1"])", R"(["seed","2"])"));
+  expectRefused(question + " --seed 2 --resume", "a first line that does not match its checksum");
 }
 
 TEST_F(CampaignCommand, RefusesBadInputWithOneMessage) {

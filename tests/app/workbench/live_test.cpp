@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/asio.hpp>
 #include <sstream>
 
@@ -107,6 +108,20 @@ TEST_F(LiveTest, ReadingsJoinTheOthersAndAreCompared) {
   EXPECT_EQ(get("/api/state").body["measurements"]["readings"], 13);
   EXPECT_EQ(send(kHeader + row(13)).status, 422) << "an id that is there";
   EXPECT_EQ(send("id,kind\n").status, 422);
+}
+
+TEST_F(LiveTest, CopiesThatJoinAreCountedOnce) {
+  serve("bench.yaml");
+  simulate();
+  std::string copies = boost::replace_all_copy(get("/api/export/measurements.csv").text, "\n", "\nN");
+  copies.pop_back();
+  ASSERT_EQ(send(copies).status, 202);
+  const json now = get("/api/state").body["measurements"];
+  EXPECT_EQ(now["readings"], 30);
+  EXPECT_NE(now["checks"].dump().find("copies"), std::string::npos) << now["checks"];
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"as-is"}}}).status, 409) << "they are being compared";
+  (void)ended(get("/api/state").body["jobs"].back()["id"]);
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"as-is"}}}).body["measurements"]["readings"], 60);
 }
 
 TEST_F(LiveTest, AReadingThatJoinsMovesThePosterior) {

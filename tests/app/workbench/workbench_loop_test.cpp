@@ -1,4 +1,5 @@
 // The loop in the workbench: compare, add, undo, export; what it gives is what the commands give.
+#include "app/files/cell_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
@@ -24,6 +25,10 @@ TEST_F(WorkbenchLoop, comparingGivesTheCommandsOwnDocument) {
   done("/api/compare");
   json document = get("/api/results/compare").body;
   EXPECT_EQ(document["model"], 0);
+  const std::string arm = contentOf(opened() / "cobra-arm.yaml");
+  for (const char* other : {"cobra-arm.yaml", "cobra.yaml"})  // over an arm; its arm over that of other cells
+    EXPECT_EQ(post("/api/cell/save", {{"file", other}, {"overwrite", true}}).status, 422) << other;
+  EXPECT_EQ(contentOf(opened() / "cobra-arm.yaml"), arm);
   write("readings.csv", get("/api/export/measurements.csv").text);
   const std::string command = "'" TUBEPLAN_PROGRAM "' compare '" + (opened() / "bench.yaml").string() + "' '" +
                               (folder / "readings.csv").string() + "' --json '" + (folder / "c.json").string() +
@@ -236,7 +241,14 @@ TEST_F(WorkbenchLoop, anExportedModelIsTheModel) {
   document.erase("model");
   document.erase("revision");
   EXPECT_EQ(document, written("c.json"));
-  EXPECT_EQ(get("/api/export/cell-arm.yaml").text, contentOf(opened() / "mine-arm.yaml"));
+  const auto areTaken = [&] {
+    write("cell.yaml", get("/api/export/cell.yaml").text);
+    write("cell-arm.yaml", get("/api/export/cell-arm.yaml").text);
+    return readCell((folder / "cell.yaml").string()).arm.jointCount() == 4;
+  };
+  EXPECT_TRUE(areTaken());
+  post("/api/undo");
+  EXPECT_TRUE(areTaken()) << "the model as it was given";
   EXPECT_EQ(get("/api/export/nothing.zip").status, 404);
   EXPECT_EQ(get("/api/export/plan.json").status, 404);
 }

@@ -237,6 +237,21 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
   done("/api/compare");
   EXPECT_LT(get("/api/results/compare").body["rms"]["after"], 0.5);
 
+  EXPECT_EQ(get("/api/state").body["measurements"]["assumed"], json({"coordinates=in"}));
+
+  // Of two units the last holds, none is the way back.
+  const auto firstX = [&] { return get("/api/measurements").body["rows"][0]["position"][0].get<double>(); };
+  const double in_inches = firstX();
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=m"}}}).status, 200);
+  EXPECT_NEAR(firstX(), in_inches / 0.0254, 1e-6 * std::abs(in_inches / 0.0254));
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=in"}}}).status, 200);
+  EXPECT_NEAR(firstX(), in_inches, 1e-9);
+  const json back = post("/api/measurements/assume", {{"assume", json::array()}}).body["measurements"];
+  EXPECT_EQ(back["assumed"], json::array());
+  EXPECT_NEAR(firstX(), in_inches / 25.4, 1e-9);
+  EXPECT_EQ(back["set_aside"], 2);
+  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=in"}}}).status, 200);
+
   const json open = post("/api/measurements/assume", {{"assume", {"base=unknown"}}}).body;
   EXPECT_EQ(open["models"].back()["label"], "base not known");
   EXPECT_EQ(get("/api/export/cell.yaml").text.find("known: true"), std::string::npos);
@@ -288,11 +303,13 @@ TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   EXPECT_EQ(replyOf(client->Delete("/api/touch/1")).status, 200);
   EXPECT_EQ(replyOf(client->Delete("/api/touch/9")).status, 404);
   EXPECT_EQ(work("/api/calibrate")["status"], "failed");  // two do not place a base
-  EXPECT_EQ(post("/api/touch", {{"hole", 6}}).status, 200);
+  EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"load", -3}}).status, 422);
+  EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"load", 20}}).status, 200);
   const json touches = get("/api/touches").body["touches"];
   ASSERT_EQ(touches.size(), 3u);
   EXPECT_EQ(touches[2]["name"], "R1C7");
   EXPECT_EQ(touches[2]["simulated"], true);
+  EXPECT_NEAR(touches[2]["load"], 20, 1e-9);
   done("/api/calibrate");
   EXPECT_EQ(get("/api/results/calibrate").body["residuals"].size(), 3u);
   EXPECT_EQ(get("/api/state").body["models"][1]["origin"], "calibration");

@@ -2,6 +2,7 @@
 import {fixed, isNumber, lengthFigure, short} from "../../../drawing/numbers.js";
 import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
 import {units} from "../server/workbench";
+import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
 import {Covariance} from "./covariance";
 import {outcome} from "./touches";
@@ -38,6 +39,7 @@ export function BasePanel() {
       <header>
         <h2>Base</h2>
         <div class="end">
+          <OtherModel name="calibrate" />
           <span class={isShort ? "bad" : "muted"}>
             {isShort ? MARKED : ""}rms {short(document.rms)} {length}
           </span>

@@ -34,8 +34,8 @@ export function TouchPanel({model}: {model: SheetModel}) {
       </header>
       <div class="panel-body touch-list">
         {done.map((touch, index) => (
-          <div class="touch-row done" key={`${index}-${touch.hole}`}>
-            <b>T{index + 1}</b>
+          <div class="touch-row done" key={touch.id}>
+            <b>{touch.id}</b>
             <span>{holeName(model, touch.hole)}</span>
             <span class="joint-list">{touch.joints.map((value) => fixed(value, 2)).join("  ")}</span>
             <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>

@@ -42,7 +42,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
       suggested.forEach((hole, i) => {
         if (!done.includes(hole)) ring(hole, colours.accent, `best ${i + 1}: ${holeName(model, hole)}`, [5, 4]);
       });
-      done.forEach((hole, i) => ring(hole, colours.good, `T${i + 1}: ${holeName(model, hole)}`, []));
+      for (const {id, hole} of touches.peek()) ring(hole, colours.good, `${id}: ${holeName(model, hole)}`, []);
     },
     [model, suggested, touches.value],
   );

@@ -11,6 +11,7 @@ import {isNumber, plural, short} from "../../../drawing/numbers.js";
 import type {DiagnoseDocument} from "../server/documents";
 import {currentModel, runningJob, state, units} from "../server/workbench";
 import {dialog} from "../shell/page_state";
+import {OtherModel} from "../shell/other_model";
 import {Nothing, ProblemWords, Waiting} from "../shell/states";
 import {EffectRanking} from "./effect_ranking";
 import {EvidencePanel} from "./evidence_panel";
@@ -259,7 +260,7 @@ function EffectsPanel() {
         <Tabs label="What is missing" tabs={tabs} value={tab.value} onChoose={(next) => (tab.value = next)} />
         {document && document.model !== state.value?.model ? (
           <div class="end">
-            <span class="muted">of the model before</span>
+            <OtherModel name="diagnose" />
           </div>
         ) : null}
       </header>
@@ -287,7 +288,7 @@ function TabBody() {
     return (
       <div class="nothing">
         <p>
-          {plural(state.value?.measurements?.readings ?? 0, "reading")} are here. Diagnose tries every effect of the
+          {plural(state.value?.measurements?.readings ?? 0, "reading")} here. Diagnose tries every effect of the
           catalogue at every place of the arm.
         </p>
       </div>

@@ -13,14 +13,15 @@ const MARKS: Record<ReadingCheck["severity"], Mark> = {
 };
 
 export function ReadingChecks({readings}: {readings: ReadingsInfo}) {
-  const {checks, missing_columns: missing} = readings;
-  if (checks.length === 0) return null;
+  const {checks, missing_columns: missing, assumed} = readings;
+  if (checks.length === 0 && assumed.length === 0) return null;
   return (
     <section class="panel reading-checks" aria-label="Checks of the readings">
       <header>
         <h2>Checks of the readings</h2>
       </header>
       <ul>
+        {assumed.length > 0 ? <Assumed assumed={assumed} /> : null}
         {checks.map((check) => (
           <Check key={check.name + (check.assume ?? "")} check={check} />
         ))}
@@ -48,10 +49,31 @@ export const mistake = computed(() => {
   return found ? {sentence: found.sentence, way: waysOf(found)[0]} : null;
 });
 
-/** Takes what is suspected to be so, in memory, and looks at what is left. */
-export async function assume(way: string): Promise<void> {
-  const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: [way]});
+/** Takes what is suspected to be so, in memory, and looks at what is left; without any, as the file has it. */
+export async function assume(...ways: string[]): Promise<void> {
+  const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: ways});
   if (await changeReadings("The readings cannot be taken so", taken)) await startCompare();
+}
+
+/** What was taken to be so, and the way back. */
+function Assumed({assumed}: {assumed: string[]}) {
+  const isAsIs = assumed.every((way) => way === "as-is");
+  return (
+    <li class="remark">
+      <MarkIcon mark={MARKS.remark} size={16} />
+      <span>{isAsIs ? "Taken as they are, whatever looks wrong" : `Taken with ${assumed.join(", ")}`}</span>
+      <span class="mends">
+        <button
+          class="button small"
+          disabled={!areChangeable.value}
+          title="As their file has them"
+          onClick={() => void assume()}
+        >
+          Take back
+        </button>
+      </span>
+    </li>
+  );
 }
 
 function Check({check}: {check: ReadingCheck}) {

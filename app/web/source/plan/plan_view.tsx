@@ -11,6 +11,7 @@ import type {PlanDocument} from "../server/documents";
 import {cell, runJob, runningJob, units} from "../server/workbench";
 import {picked, select, selection, sheet, toggleSelected} from "../shell/page_state";
 import {ExportMenu} from "../shell/export_menu";
+import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
 import {byState, bySteps} from "../sheet/colourings";
 import {toPixel} from "../../../drawing/frames.js";
@@ -79,6 +80,7 @@ function Plan({model}: {model: SheetModel}) {
       <section class="panel">
         <header>
           {document ? <Outcome document={document} /> : <h2>Tubes</h2>}
+          <OtherModel name="plan" />
           <ExportMenu exports={EXPORTS} isHere={document !== null} at="end" />
         </header>
         <div class="panel-body flush">

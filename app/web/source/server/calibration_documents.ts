@@ -8,7 +8,7 @@ export interface TouchesDocument {
 }
 
 export interface TouchList {
-  touches: {hole: number; name?: string; joints: number[]; simulated?: boolean}[];
+  touches: {id: string; hole: number; name?: string; joints: number[]; simulated?: boolean}[];
 }
 
 export interface CalibrateDocument {

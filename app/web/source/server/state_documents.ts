@@ -66,6 +66,8 @@ export interface ReadingsInfo {
   set_aside: number;
   held_out: number;
   change: number;
+  /** What they are taken with, otherwise than their file says. */
+  assumed: string[];
   checks: ReadingCheck[];
   missing_columns: MissingColumn[];
 }

@@ -18,6 +18,13 @@ export const currentModel = computed<Model | null>(
   () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
 );
 
+/** The label of the model that a result is of, where that is not the model as it is now; else "". */
+export function otherModelOf(name: string): string {
+  const id = state.value?.results[name]?.model;
+  if (id === undefined || id === state.value?.model) return "";
+  return state.value?.models.find((model) => model.id === id)?.label ?? "a model that is gone";
+}
+
 /** The running job of a kind, if one is. */
 export function runningJob(...kinds: string[]): Job | null {
   return runningJobs.value.find((job) => kinds.includes(job.kind)) ?? null;
@@ -33,6 +40,19 @@ function noteJob(job: Job): void {
 
 /** A program that was started anew may count from the beginning. */
 let isNewConnection = true;
+
+/** It says something every 10 s; from so much silence on it is taken not to answer. */
+const LONGEST_SILENCE = 25_000;
+let heard = 0;
+
+function hear(): void {
+  heard = Date.now();
+  connection.value = "live";
+}
+
+setInterval(() => {
+  if (connection.peek() === "live" && Date.now() - heard > LONGEST_SILENCE) connection.value = "lost";
+}, 1000);
 
 export function takeState(next: WorkbenchState): void {
   if (!isNewConnection && state.value !== null && next.revision < state.value.revision) return;
@@ -54,12 +74,12 @@ export function dropTokenFromAddress(): void {
 /** Follows the server; the browser reconnects by itself, and every connection begins with the whole state. */
 export function followServer(): void {
   const events = new EventSource("/api/events");
+  for (const name of ["open", "state", "job", "live", "alive"]) events.addEventListener(name, hear);
   events.addEventListener("open", () => {
-    connection.value = "live";
     isNewConnection = true;
+    notices.value = []; // of what was asked of the program before
   });
   events.addEventListener("state", (event) => {
-    connection.value = "live";
     takeState(JSON.parse(event.data) as WorkbenchState);
   });
   events.addEventListener("job", (event) => noteJob(JSON.parse(event.data) as Job));
@@ -180,9 +200,16 @@ export async function order(title: string, path: string, body: unknown = {}): Pr
 
 /** Orders for jobs that the program has not answered yet. */
 const starting = signal(0);
+const ordered = new Set<string>();
 
-/** Starts a job and waits for its end, as the events tell it; false where it failed or was stopped. */
+/** Whether a job of the kind that this address starts is being started or runs: a button pressed twice. */
+function isUnderWay(path: string): boolean {
+  return ordered.has(path) || runningJob(path.slice(path.lastIndexOf("/") + 1)) !== null;
+}
+
+/** Starts a job and waits for its end, as the events tell it; false where it failed, was stopped, or is under way. */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
+  if (isUnderWay(path)) return false;
   try {
     return await ended(String((await startJob(path, body)).id));
   } catch (error) {
@@ -194,11 +221,13 @@ export async function runJob(title: string, path: string, body: unknown = {}): P
 /** Orders a job, and notes it as soon as the program has taken it. */
 export async function startJob(path: string, body: unknown): Promise<Job> {
   ++starting.value;
+  ordered.add(path);
   try {
     const job = await post<Job>(path, body);
     noteStarted(job);
     return job;
   } finally {
+    ordered.delete(path);
     --starting.value;
   }
 }

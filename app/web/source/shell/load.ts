@@ -26,56 +26,70 @@ async function joinSheet(name: string, text: string): Promise<void> {
   else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});
 }
 
-/** Whether a measurement table has readings of which none is here: it may join those that are, or take their place. */
-async function hasOthers(text: string): Promise<boolean> {
-  const here = await idsHere();
+/** Ids of a measurement table; null where it is no such table. */
+function idsOf(text: string): string[] | null {
   const {columns, rows} = tableOf(text);
   const id = columns.indexOf("id");
-  return (
-    here.size > 0 && id >= 0 && columns.includes("kind") && rows.length > 0 && rows.every((row) => !here.has(row[id]))
-  );
+  return id >= 0 && columns.includes("kind") && rows.length > 0 ? rows.map((row) => row[id]) : null;
 }
 
-/** Readings that may join: their file's name and text. */
-export const offered = signal<{name: string; text: string} | null>(null);
-
-function offer(name: string, text: string): void {
-  offered.value = {name, text};
-  dialog.value = "join";
+/** Whether measurement tables have readings of which none is here: they may join those that are, or take their place. */
+async function haveOthers(texts: string[]): Promise<boolean> {
+  const here = await idsHere(),
+    ids = texts.map(idsOf);
+  return here.size > 0 && ids.every((own) => own !== null && own.every((id) => !here.has(id)));
 }
+
+/** Readings that may join: their files' names and texts. */
+export const offered = signal<{name: string; texts: string[]} | null>(null);
 
 export async function joinOffered(): Promise<void> {
-  const {text} = offered.peek()!;
+  const {texts} = offered.peek()!;
   dialog.value = "";
   view.value = "error";
-  await joinReadings(text);
+  await joinAll(texts);
+}
+
+/** One after another, as far as they are taken. */
+async function joinAll(texts: string[]): Promise<void> {
+  for (const text of texts) if (!(await joinReadings(text))) return;
 }
 
 export async function openOffered(): Promise<void> {
-  const {name, text} = offered.peek()!;
+  const {name, texts} = offered.peek()!;
   try {
-    takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, text));
+    await openTables(name, texts);
   } catch (error) {
     report(`${name} cannot be read`, error);
-    return;
   }
+}
+
+/** The first takes the place of the readings here, the others join it. Throws where the first is refused. */
+async function openTables(name: string, [first, ...others]: string[]): Promise<void> {
+  takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, first));
+  await stopWorkOnReadings();
+  await joinAll(others);
   await afterReadings();
 }
 
-/** One measurement table; else whatever another program wrote, in one file or in several that belong together. */
+/** Measurement tables; else whatever another program wrote, in one file or in several that belong together. */
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
+  if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
+    report(names, {message: "This is no table of readings.", advice: "A cell or a project is opened from the folder: O."});
+    return;
+  }
+  const texts = await Promise.all(files.map((file) => file.text()));
   let refused: unknown = null;
-  if (files.length === 1) {
-    const text = await files[0].text();
-    if (isFilledSheet(text)) return joinSheet(names, text);
-    if (await hasOthers(text)) {
-      offer(names, text);
-      return;
-    }
+  if (texts.length === 1 && isFilledSheet(texts[0])) return joinSheet(names, texts[0]);
+  if (await haveOthers(texts)) {
+    offered.value = {name: names, texts};
+    dialog.value = "join";
+    return;
+  }
+  if (texts.length === 1 || texts.every((text) => idsOf(text) !== null)) {
     try {
-      takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(names)}`, files[0]));
-      await afterReadings();
+      await openTables(names, texts);
       return;
     } catch (error) {
       refused = error;

@@ -1,0 +1,13 @@
+// Says of a result that it is of another model than the one that stands there now.
+import {MarkIcon} from "../drawing/marks";
+import {otherModelOf} from "../server/workbench";
+
+export function OtherModel({name}: {name: string}) {
+  const label = otherModelOf(name);
+  if (label === "") return null;
+  return (
+    <span class="other-model" title="It stays as it was made; ask for it again to have it of the model as it is now">
+      <MarkIcon mark={{shape: "triangle", colour: "case0"}} size={12} /> of another model: {label}
+    </span>
+  );
+}
