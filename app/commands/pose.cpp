@@ -55,9 +55,10 @@ nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::F
 
 void print(const char* name, const PoseFigures& f, const Units& units) {
   const double in = units.factor(dimension::kLength), deg = units.factor(dimension::kAngle);
-  fmt::print("{:<9}{:10.4f} {:10.4f} {:10.4f} {}   {:9.4f} {:9.4f} {:9.4f} {}\n", name, f.position.x() / in,
-             f.position.y() / in, f.position.z() / in, units.length().name, f.angles.x() / deg, f.angles.y() / deg,
-             f.angles.z() / deg, units.angle().name);
+  const int decimals = lengthDecimals(units);
+  fmt::print("{:<9}{:10.{}f} {:10.{}f} {:10.{}f} {}   {:9.4f} {:9.4f} {:9.4f} {}\n", name, f.position.x() / in,
+             decimals, f.position.y() / in, decimals, f.position.z() / in, decimals, units.length().name,
+             f.angles.x() / deg, f.angles.y() / deg, f.angles.z() / deg, units.angle().name);
 }
 
 Eigen::Vector3d parseVector(const std::vector<double>& numbers, const char* option, const Cell& cell,
@@ -105,9 +106,9 @@ int run(const PoseOptions& options) {
   print("rigid", toolFiguresOf(cell.arm, shape.X_BT), cell.units);
   print("flexible", toolFiguresOf(cell.arm, shape.X_BD), cell.units);
   print("change", change, cell.units);
-  fmt::print("deflection {:.4f} {}, converged in {} iterations\n",
-             change.position.norm() / cell.units.factor(dimension::kLength), cell.units.length().name,
-             shape.iterations);
+  fmt::print("deflection {:.{}f} {}, converged in {} iterations\n",
+             change.position.norm() / cell.units.factor(dimension::kLength), lengthDecimals(cell.units),
+             cell.units.length().name, shape.iterations);
   if (const std::string warning = json["segments"]["warning"]; !warning.empty()) fmt::print("warning: {}\n", warning);
   return kDone;
 }

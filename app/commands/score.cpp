@@ -12,6 +12,7 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/documents/figures.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/segments_warning.hpp"
 #include "app/files/command_inputs.hpp"
@@ -138,7 +139,9 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
     fmt::print("{:<14}", planner::nameOf(kCompensations[mode]));
     for (int count : counts[mode]) fmt::print("{:7}", count);
     const double unit = units.factor(dimension::kLength);
-    fmt::print("   {:8.4f}  {:8.4f}  {:8.4f}\n", sum / unit / std::max(1, found), worst / unit, approach / unit);
+    const int decimals = lengthDecimals(units);
+    fmt::print("   {:8.{}f}  {:8.{}f}  {:8.{}f}\n", sum / unit / std::max(1, found), decimals, worst / unit, decimals,
+               approach / unit, decimals);
   }
 }
 
@@ -159,13 +162,13 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
   const double unit = units.factor(dimension::kLength);
   fmt::print("{} runs of three calibration holes and ten test holes ({} refused{})\n", experiment.runs,
              experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
-  fmt::print("mean residual of a fit to 14 touched holes: {:.4f} {}\n", experiment.mean_touch_error / unit,
-             units.length().name);
+  fmt::print("mean residual of a fit to 14 touched holes: {:.{}f} {}\n", experiment.mean_touch_error / unit,
+             lengthDecimals(units), units.length().name);
   fmt::print("of ten holes, steps inserted       0     1     2     3   mean error, {}\n", units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     fmt::print("{:<29}", planner::nameOf(kCompensations[mode]));
     for (double count : experiment.mean_counts[mode]) fmt::print("{:6.2f}", count);
-    fmt::print("   {:.4f}\n", experiment.mean_error[mode] / unit);
+    fmt::print("   {:.{}f}\n", experiment.mean_error[mode] / unit, lengthDecimals(units));
   }
   fmt::print(
       "goal-point and via-point compensation share the posture at the hole: they differ during the approach, not in "

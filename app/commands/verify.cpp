@@ -80,15 +80,15 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
   if (!check.statics_not_covered.empty())
     fmt::print("statics not checked independently: {}\n", check.statics_not_covered);
   else if (std::isfinite(check.worst_statics))
-    fmt::print("independent statics on finely segmented members: the tip within {:.5f} {} of that\n",
-               check.worst_statics / length, units.length().name);
+    fmt::print("independent statics on finely segmented members: the tip within {} of that\n",
+               lengthText(check.worst_statics, units));
   if (std::isfinite(check.least_play))
     fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
   const std::string margin =
       std::isfinite(check.least_margin)
-          ? fmt::format("; {} {:.4f} {}",
+          ? fmt::format("; {} {}",
                         check.least_margin < 0 ? "the clearance is missed by" : "margin beyond the clearance at least",
-                        std::abs(check.least_margin) / length, units.length().name)
+                        lengthText(std::abs(check.least_margin), units))
           : "";
   fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}{}\n", check.worst_speed_share,
              check.worst_acceleration_share, margin);

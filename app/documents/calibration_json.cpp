@@ -77,25 +77,26 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
   const std::string unit(units.length().name), turn(units.angle().name);
   const nlohmann::json base = poseJson(result.X_WB, units);
   const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
-  std::string text = fmt::format("base  position {:.4f} {:.4f} {:.4f} {}  rpy {:.4f} {:.4f} {:.4f} {}\n",
-                                 base["position"][0].get<double>(), base["position"][1].get<double>(),
-                                 base["position"][2].get<double>(), unit, base["rpy"][0].get<double>(),
+  const int digits = lengthDecimals(units);
+  const auto fixed = [&](double metres) { return fmt::format("{:.{}f}", length(metres), digits); };
+  std::string text = fmt::format("base  position {:.{}f} {:.{}f} {:.{}f} {}  rpy {:.4f} {:.4f} {:.4f} {}\n",
+                                 base["position"][0].get<double>(), digits, base["position"][1].get<double>(), digits,
+                                 base["position"][2].get<double>(), digits, unit, base["rpy"][0].get<double>(),
                                  base["rpy"][1].get<double>(), base["rpy"][2].get<double>(), turn);
-  text +=
-      fmt::format("sigma position {:.4f} {:.4f} {:.4f} {}  turn {:.4f} {:.4f} {:.4f} {}\n", length(sigma[0]),
-                  length(sigma[1]), length(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
-  text += fmt::format("fit   rms {:.4f} {}, chi-square {:.2f} for {} degrees of freedom{}\n", length(result.rms), unit,
+  text += fmt::format("sigma position {} {} {} {}  turn {:.4f} {:.4f} {:.4f} {}\n", fixed(sigma[0]), fixed(sigma[1]),
+                      fixed(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
+  text += fmt::format("fit   rms {} {}, chi-square {:.2f} for {} degrees of freedom{}\n", fixed(result.rms), unit,
                       result.chi2, result.degrees_of_freedom,
                       result.degrees_of_freedom > 0 ? fmt::format(" (p = {:.3g})", result.p_value) : "");
   for (const auto& touch : result.residuals)
-    text += fmt::format("  touch {:<4} {:<8} off by {:+.4f} {:+.4f} {:+.4f} {}\n", nameInLine(touch.id),
-                        nameInLine(touch.hole), length(touch.residual_W.x()), length(touch.residual_W.y()),
-                        length(touch.residual_W.z()), unit);
+    text += fmt::format("  touch {:<4} {:<8} off by {:+.{}f} {:+.{}f} {:+.{}f} {}\n", nameInLine(touch.id),
+                        nameInLine(touch.hole), length(touch.residual_W.x()), digits, length(touch.residual_W.y()),
+                        digits, length(touch.residual_W.z()), digits, unit);
   for (const auto& check : result.distances) {
     if (!in_full) break;
-    text += fmt::format("  {} to {}: {:.4f} by the arm, {:.4f} on the sheet, {:+.4f} (sigma {:.4f}) {}\n",
-                        nameInLine(check.from), nameInLine(check.to), length(check.by_arm), length(check.on_sheet),
-                        length(check.by_arm - check.on_sheet), length(check.sigma), unit);
+    text += fmt::format("  {} to {}: {} by the arm, {} on the sheet, {:+.{}f} (sigma {}) {}\n", nameInLine(check.from),
+                        nameInLine(check.to), fixed(check.by_arm), fixed(check.on_sheet),
+                        length(check.by_arm - check.on_sheet), digits, fixed(check.sigma), unit);
   }
   return text + baseVerdictText(judgeBase(result, cell), result, units, in_full);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/files/units.hpp"
@@ -23,6 +24,12 @@ nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
 std::string lengthText(double metres, const Units& units, int digits) {
   if (!std::isfinite(metres)) return "none";
   return fmt::format("{:.{}g} {}", metres / units.factor(dimension::kLength), digits, units.length().name);
+}
+
+int lengthDecimals(const Units& units) {
+  constexpr double kSeen = 2.54e-6;  // m
+  const double decimals = std::ceil(std::log10(units.factor(dimension::kLength) / kSeen) - 1e-9);
+  return std::max(4, static_cast<int>(decimals));
 }
 
 nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {

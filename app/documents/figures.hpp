@@ -22,6 +22,9 @@ namespace tubeplan::app {
 /// "0.0123 in", to so many digits; "none" where it is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
+/// Decimals at which lengths stand in columns: a ten-thousandth of an inch is seen in every unit.
+[[nodiscard]] int lengthDecimals(const Units& units);
+
 /// How a calibration, an identification or a comparison ended; their statuses have these in this order.
 template <class Status>
 [[nodiscard]] std::string_view statusName(Status status) {

@@ -71,7 +71,6 @@ std::string plannedTubesText(const PlanOutcome& outcome) {
 std::string plannedWayText(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const Units& units = outcome.cell.units;
-  const double unit = units.factor(dimension::kLength);
   std::string text = fmt::format(
       "travel {:.1f} s (lower bound {:.1f} s, gap {:.2f} %; row by row {:.1f} s); {:.1f} s in total, {} detours\n",
       plan.travel_time, plan.lower_bound, 100 * plan.optimality_gap, plan.row_by_row_time, plan.total_time,
@@ -80,10 +79,10 @@ std::string plannedWayText(const PlanOutcome& outcome) {
     text += fmt::format("{} travels with the tip on a straight line, within {} of it\n", plan.lines,
                         lengthText(plan.line_deviation, units));
   if (std::isfinite(minClearance(outcome)))
-    text += fmt::format("clearance at least {:.3f} {} ({:.3f} asked for{}), tightest {}\n",
-                        minClearance(outcome) / unit, units.length().name, outcome.model.scene.clearance / unit,
-                        outcome.padding > 0 ? fmt::format(", beyond the uncertainty of the base: {:.3f} at a tip",
-                                                          outcome.padding / unit)
+    text += fmt::format("clearance at least {} ({} asked for{}), tightest {}\n",
+                        lengthText(minClearance(outcome), units), lengthText(outcome.model.scene.clearance, units),
+                        outcome.padding > 0 ? fmt::format(", beyond the uncertainty of the base: {} at a tip",
+                                                          lengthText(outcome.padding, units))
                                             : "",
                         tightestText(outcome));
   if (!outcome.play.empty())

@@ -158,7 +158,6 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
 }
 
 std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
-  const double unit = cell.units.factor(dimension::kLength);
   std::string text = fmt::format(
       "{} postures at work{}; base {}\n", report.work,
       report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
@@ -166,10 +165,9 @@ std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
   if (!std::isfinite(report.figures.mean_deflection))
     return text +
            "no figures: the deflected shape does not converge at some of these postures; check loads and stiffnesses\n";
-  text += fmt::format("mean deflection {:.4f} {}, mean {} without compensation {:.4f} {}\n",
-                      report.figures.mean_deflection / unit, cell.units.length().name,
-                      report.has_sheet ? "centring error" : "error", report.figures.mean_uncompensated / unit,
-                      cell.units.length().name);
+  text += fmt::format(
+      "mean deflection {}, mean {} without compensation {}\n", lengthText(report.figures.mean_deflection, cell.units),
+      report.has_sheet ? "centring error" : "error", lengthText(report.figures.mean_uncompensated, cell.units));
   return text + designText(report, cell) + estimateText(report, cell);
 }
 

@@ -186,8 +186,10 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
 }  // namespace
 
 double RowReader::number(std::size_t index) const {
+  constexpr double kMost = 1e30;  // beyond any quantity, and its squares can still be summed
   const auto value = tubesheets::parseNumber(field(index));
   if (!value) fail(index, field(index).empty() ? "nothing" : inQuotes(field(index)), "a finite number");
+  if (std::abs(*value) > kMost) fail(index, inQuotes(field(index)), fmt::format("a number within {:g} of zero", kMost));
   return *value;
 }
 

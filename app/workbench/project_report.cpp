@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "app/files/commit.hpp"
 #include "app/files/measurements_writer.hpp"
@@ -81,10 +82,20 @@ json ladderRungs(const Session& session) {
   return rungs;
 }
 
+/// As a shell takes it for one word.
+std::string inShell(const std::filesystem::path& path) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+:@,";
+  const std::string word = path.string();
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
 /// On the files of projectFiles(), in this order.
 json commandsJson(const Session& session, const ProjectReportRequest& request) {
-  const auto in = [&](const std::string& name) { return (std::filesystem::path(request.files) / name).string(); };
-  json commands = {fmt::format("tubeplan report {} --files {}", request.project, request.files)};
+  const auto in = [&](const std::string& name) { return inShell(std::filesystem::path(request.files) / name); };
+  json commands = {fmt::format("tubeplan report {} --files {}", inShell(request.project), inShell(request.files))};
   if (!session.readings) return commands;
   std::string stack;
   for (std::size_t k = 0; k <= session.current; ++k) {

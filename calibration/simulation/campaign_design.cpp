@@ -116,8 +116,10 @@ int readingsPerPosture(const CampaignDesign& design) {
 }
 
 int pointsOf(const CampaignDesign& design, int readings) {
-  const int each = readingsPerPoint(design);
-  return (readings + each - 1) / each;
+  const int each = readingsPerPoint(design), points = readings / each, left = readings % each;
+  // A single touch of an unknown point says nothing: the point before has it.
+  const bool is_kept = left > 1 || (left == 1 && (design.points_known || points == 0));
+  return points + (is_kept ? 1 : 0);
 }
 
 std::string findDesignProblem(const CampaignDesign& design, int readings) {

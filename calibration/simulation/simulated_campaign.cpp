@@ -65,7 +65,7 @@ class CampaignMaker {
     bool goes_on = design_.place != CampaignPlace::kPlane || findPlane();
     for (int point = 0; goes_on && point < points; ++point) {
       const auto site = static_cast<std::size_t>(point) * sites_.size() / static_cast<std::size_t>(points);
-      goes_on = addPoint(sites_[site], point + 1);
+      goes_on = addPoint(sites_[site], point + 1, point + 1 == points);
     }
     if (!goes_on) return std::move(result_);
     relate();
@@ -104,11 +104,11 @@ class CampaignMaker {
   }
 
   /// All readings of one point, or of one posture.
-  bool addPoint(const CampaignSite& site, int number) {
+  bool addPoint(const CampaignSite& site, int number, bool is_last) {
     const auto each = static_cast<std::size_t>(readingsPerPosture(design_) * design_.postures_per_point);
     const std::size_t left = static_cast<std::size_t>(options_.readings) - result_.readings.size();
     std::vector<ReadingConditions> conditions;
-    while (conditions.size() < std::min(each, left)) conditions.push_back(series_.next());
+    while (conditions.size() < (is_last ? left : std::min(each, left))) conditions.push_back(series_.next());
     RefusalCounts counts{};
     for (int draws = 0; draws < options_.max_draws; ++draws) {
       if (wantsStop()) return false;

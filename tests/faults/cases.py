@@ -9,7 +9,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "study"))
 from workbench_client import Workbench
 
-OLD = b"an old file\n"
+OLD = b"arm: new-arm.yaml  # an old file, which a cell may replace\n"
 
 
 class Inputs:

@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 
-OLD = "an old file\n"
+OLD = "arm: new-arm.yaml  # an old file, which a cell may replace\n"
 TELLS_SO_FAR = {"score"}  # figures of the runs that were made, with status stopped
 KEPT = {"new/progress.json", "new/tally.json"}
 BENCH = "cells/bench.yaml made/measurements.csv"

@@ -146,7 +146,7 @@ std::string probabilityText(const json& probability) {
 }
 
 std::string numberText(const json& value) {
-  return value.is_null() ? "      -" : fmt::format("{:7.4f}", value.get<double>());
+  return value.is_null() ? "        -" : fmt::format("{:9.4g}", value.get<double>());
 }
 
 std::string wayText(const std::string& name, const json& way) {
@@ -200,8 +200,8 @@ std::string centringText(const json& figures) {
       fmt::format("{} of {} runs, {} holes in each of {} in reach of {}\n", figures["runs_done"].get<std::uint64_t>(),
                   figures["runs"].get<std::uint64_t>(), figures["holes_in_a_run"].get<int>(),
                   figures["tubes"]["in_reach"].get<int>(), figures["tubes"]["asked"].get<int>());
-  text += fmt::format("{:<14}{:>7}   {:>7}", "error, " + length, "mean", "");
-  for (const char* share : {"50 %", "90 %", "95 %", "99 %"}) text += fmt::format("  {:>7}", share);
+  text += fmt::format("{:<14}{:>9}   {:>9}", "error, " + length, "mean", "");
+  for (const char* share : {"50 %", "90 %", "95 %", "99 %"}) text += fmt::format("  {:>9}", share);
   for (std::size_t k = 1; k <= figures["step_tolerances"].size(); ++k)
     text += fmt::format("  {:<18}", fmt::format("{} or more steps, %", k));
   while (text.ends_with(' ')) text.pop_back();

@@ -256,6 +256,17 @@ std::string shareText(const json& share) {
                      100 * share["low"].get<double>(), 100 * share["high"].get<double>());
 }
 
+/// What no rate says apart: diagnoses without a verdict, and readings that could not be diagnosed at all.
+std::string undecidedText(const std::string& hidden, const json& outcomes) {
+  std::string text;
+  for (const auto kind : {DiagnosisOutcomeKind::kInconclusive, DiagnosisOutcomeKind::kNotMade}) {
+    const auto k = static_cast<std::size_t>(kind);
+    const auto count = outcomes[std::string(kDiagnosisOutcomes[k])].get<std::uint64_t>();
+    if (count > 0) text += fmt::format("{}: {} runs {}\n", hidden, count, kOutcomeWords[k]);
+  }
+  return text;
+}
+
 std::string diagnosisCampaignText(const json& figures) {
   const auto& hidden = figures["hidden"];
   std::string text = fmt::format("{} of {} runs, {} readings of {} in each\n",
@@ -264,6 +275,8 @@ std::string diagnosisCampaignText(const json& figures) {
   text += "nothing hidden: false alarms " + shareText(figures["nothing_hidden"]["false_alarms"]) + "\n";
   for (const auto& [key, words] : kRates)
     text += fmt::format("an effect hidden: {:<24}{}\n", words, shareText(hidden[key]));
+  text += undecidedText("nothing hidden", figures["nothing_hidden"]["outcomes"]);
+  text += undecidedText("an effect hidden", hidden["outcomes"]);
   for (const auto& entry : figures["by_size"])
     text += fmt::format("  of {:.2g} to {:.2g} of the largest plausible size: truth among the answers {}\n",
                         entry["size"][0].get<double>(), entry["size"][1].get<double>(),

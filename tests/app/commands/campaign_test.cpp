@@ -234,6 +234,13 @@ TEST_F(CampaignCommand, RefusesBadInputWithOneMessage) {
   expectRefused("campaign " + shipped("bench.yaml") + " --kind diagnose --runs 5 --readings 0", "--readings");
 }
 
+TEST_F(CampaignCommand, SaysHowManyDiagnosesWereWithoutAVerdict) {
+  const std::string few = "campaign " + shipped("bench.yaml") + " --kind diagnose --runs 3 --seed 1 --nothing 0 --readings ";
+  const Outcome undecided = run(few + "3"), impossible = run(few + "1");
+  expectSays(undecided.out, "an effect hidden: 3 runs inconclusive");
+  expectSays(impossible.out, "an effect hidden: 3 runs not made");
+}
+
 TEST_F(CampaignCommand, CountsWhatDiagnosesSay) {
   const std::string question = "campaign " + shipped("bench.yaml") + " --kind diagnose --runs 6 --readings 60 --seed 2";
   ASSERT_EQ(run(question + " --jobs 1 --out one").exit_code, 0);

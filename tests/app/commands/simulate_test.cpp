@@ -1,6 +1,9 @@
 // Simulated campaigns from outside: files that the readers take, the truth beside them, refusals.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -72,8 +75,19 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
   }
   for (const auto& m : simulate("bowl.yaml", "--design bowl --readings 30"))
     EXPECT_TRUE(m.kind == MeasurementKind::kTouch && m.p_W);
-  for (const auto& m : simulate("bench.yaml", "--design touch --readings 31"))
-    EXPECT_TRUE(m.kind == MeasurementKind::kTouch && !m.p_W && !m.point.empty());
+  for (const int readings : {31, 32, 33}) {
+    std::map<std::string, int> touches;
+    for (const auto& m : simulate("bench.yaml", fmt::format("--design touch --readings {}", readings))) {
+      EXPECT_TRUE(m.kind == MeasurementKind::kTouch && !m.p_W && !m.point.empty());
+      ++touches[m.point];
+    }
+    int all = 0;
+    for (const auto& [point, count] : touches) {
+      EXPECT_GE(count, 2) << point << " of " << readings;  // one touch of an unknown point says nothing
+      all += count;
+    }
+    EXPECT_EQ(all, readings);
+  }
   for (const auto& m : simulate("bench.yaml", "--design distance.yaml --readings 30"))
     EXPECT_TRUE(m.kind == MeasurementKind::kDistance && m.own[0] > 0);
   const auto deflections = simulate("bowl.yaml", "--design deflection.yaml");

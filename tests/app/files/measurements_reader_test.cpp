@@ -71,6 +71,11 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
   EXPECT_EQ(m.approach_directions, (std::vector<int>{-1, 0, 1, 1}));
 }
 
+TEST_F(MeasurementsReader, refusesNumbersBeyondAnyQuantity) {
+  for (const char* number : {"1e31", "-1e160", "1e300"})
+    expectSays(refusal(std::string(kHeader) + "1,position,,0,0,90,0,0," + number + ",0,0,0.01\n"), "within 1e+30 of zero");
+}
+
 TEST_F(MeasurementsReader, refusesBadHeaders) {
   expectSays(refusal("id,kind,theta1_deg,theta2_deg,theta3_deg\n"), "no column 'theta4_");
   expectSays(refusal(changed(kHeader, "x_in", "x_inch")), "unknown unit 'inch'");

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "app/documents/figures.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "tests/app/test_files.hpp"
 
@@ -24,6 +25,11 @@ TEST(Units, convertsByExactFactors) {
               1e-13);
   EXPECT_NEAR(units.toInternal(1, dimension::kLengthToTheFourth), 4.162314256e-7, 1e-20);
   EXPECT_NEAR(units.toInternal(1, dimension::kForcePerLength), 175.126835246, 1e-8);
+}
+
+TEST(Units, showLengthsToATenThousandthOfAnInch) {
+  for (const auto& [unit, decimals] : {std::pair("in", 4), {"mm", 4}, {"cm", 4}, {"ft", 6}, {"m", 6}})
+    EXPECT_EQ(lengthDecimals(unitsOf(std::string("{length: ") + unit + ", angle: deg, force: N}")), decimals) << unit;
 }
 
 TEST(Units, convertsTemperatures) {
