@@ -238,9 +238,7 @@ Run configureCampaign(CLI::App& cli) {
   addCell(cli, options->request.cell);
   cli.add_option("--runs", options->runs, "how many, up to 1000000000")->required();
   cli.add_option("--kind", options->kind, kindHelp())->capture_default_str();
-  cli.add_option("--seed", options->request.seed, "seed of the random numbers")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addSeed(cli, options->request.seed, "seed of the random numbers");
   cli.add_option(
       "--jobs", options->jobs,
       isBuiltForRanks()

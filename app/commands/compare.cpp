@@ -52,7 +52,7 @@ Run configureCompare(CLI::App& cli) {
   addReportOptions(cli, options->report, "write a report with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
-  cli.add_option("--seed", options->request.seed, "seed of the folds");
+  addSeed(cli, options->request.seed, "seed of the folds");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

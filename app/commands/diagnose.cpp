@@ -72,7 +72,7 @@ Run configureDiagnose(CLI::App& cli) {
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
+  addSeed(cli, options->request.seed, "seed of the simulated noise and the folds");
   cli.add_option("--run-sheet", options->run_sheet,
                  "write the proposed readings (CSV), to be filled in and given back after the readings");
   addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");

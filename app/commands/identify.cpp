@@ -98,7 +98,7 @@ Run configureIdentify(CLI::App& cli) {
       ->check(CLI::Range(0, kMostFolds));
   cli.add_option("--drop", options->request.drop, "drop parameters that are not significant at this level (0.05)")
       ->check(CLI::Range(0., 0.5));
-  cli.add_option("--seed", options->request.seed, "seed of the initial values and the folds");
+  addSeed(cli, options->request.seed, "seed of the initial values and the folds");
   cli.add_flag("-v,--verbose", options->verbose,
                "print every iteration of the fit: chi-square (with the priors' part), length of the step, damping");
   addJson(cli, options->json);

@@ -140,7 +140,7 @@ Run configureImprove(CLI::App& cli) {
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
   cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(CLI::Range(1, 20));
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--seed", options->request.seed, "seed of the simulated noise and the folds");
+  addSeed(cli, options->request.seed, "seed of the simulated noise and the folds");
   addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");
   addJson(cli, options->json);
   return [options] { return run(*options); };

@@ -75,7 +75,7 @@ Run configureLadder(CLI::App& cli) {
   cli.add_option("--holes", options->request.holes, "random holes of the step table")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  cli.add_option("--seed", options->request.seed, "seed of the folds and the holes");
+  addSeed(cli, options->request.seed, "seed of the folds and the holes");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

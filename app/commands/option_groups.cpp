@@ -1,5 +1,7 @@
 #include "app/commands/option_groups.hpp"
 
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
 
 #include "app/cli/browser.hpp"
@@ -12,6 +14,18 @@ void addCell(CLI::App& cli, std::string& cell) { cli.add_option("CELL", cell, "t
 
 void addReadings(CLI::App& cli, ReadingFiles& files) {
   cli.add_option("MEASUREMENTS", files, "readings of any kind (CSV), taken together")->required();
+}
+
+void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of) {
+  cli.add_option("--seed", seed, of)
+      ->check([](const std::string& text) {
+        const bool is_whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        std::uint64_t value = 0;
+        const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+        return is_whole && parsed.ec == std::errc() ? std::string()
+                                                    : inQuotes(text) + ", not a whole number from 0 to 2^64 - 1";
+      })
+      ->capture_default_str();
 }
 
 void addJson(CLI::App& cli, std::string& json) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "app/files/reading_input.hpp"
 
@@ -10,6 +13,9 @@ namespace tubeplan::app {
 void addCell(CLI::App& cli, std::string& cell);
 void addReadings(CLI::App& cli, ReadingFiles& files);  ///< MEASUREMENTS, one or several files
 void addJson(CLI::App& cli, std::string& json);
+
+/// --seed; `of`: what it is the seed of, for --help.
+void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
 /// --sigma, --prior and --assume, of every command that fits a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);

@@ -125,9 +125,7 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--insertion", request.insertion,
                  "insertion depth of the tip past a hole's face, in the cell's unit of length")
       ->capture_default_str();
-  cli.add_option("--seed", request.seed, "seed of the random numbers")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addSeed(cli, request.seed, "seed of the random numbers");
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
       ->required();
   cli.add_flag("--resume", options->resume,

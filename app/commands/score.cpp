@@ -12,8 +12,8 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/documents/figures.hpp"
 #include "app/documents/calibration_json.hpp"
+#include "app/documents/figures.hpp"
 #include "app/documents/segments_warning.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
@@ -230,9 +230,7 @@ Run configureScore(CLI::App& cli) {
   cli.add_option("--stiffness", options->stiffness,
                  "with --runs: relative standard deviation of the true arm's stiffnesses")
       ->check(CLI::NonNegativeNumber);
-  cli.add_option("--seed", options->seed, "seed of the random numbers")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addSeed(cli, options->seed, "seed of the random numbers");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

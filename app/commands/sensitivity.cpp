@@ -156,9 +156,7 @@ Run configureSensitivity(CLI::App& cli) {
   cli.add_option("--postures", options->postures, "number of random postures, where there is no tube sheet")
       ->check(CLI::Range(3, 10000))
       ->capture_default_str();
-  cli.add_option("--seed", options->seed, "seed of the random postures")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addSeed(cli, options->seed, "seed of the random postures");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

@@ -71,9 +71,7 @@ Run configureSimulate(CLI::App& cli) {
   cli.add_option("--design", options->request.design, designHelp())->required();
   cli.add_option("--readings", options->request.readings,
                  "number of readings; a design file may state `postures` instead");
-  cli.add_option("--seed", options->request.seed, "seed of the random numbers")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addSeed(cli, options->request.seed, "seed of the random numbers");
   cli.add_option("--out", options->out, "the folder for measurements.csv and truth.yaml")->required();
   cli.add_option("--loads", options->request.loads, "loads hung on the tip, in the cell's unit of force: 0,20,40")
       ->delimiter(',')

@@ -83,9 +83,7 @@ Run configureTouches(CLI::App& cli) {
                  "standard deviation of a coordinate, in the cell's unit of length (default: that of the readings, or "
                  "of the tool)");
   cli.add_option("--csv", options->csv, "write the proposals as a measurement table, its coordinates to be filled in");
-  cli.add_option("--seed", request.seed, "seed of the random postures and draws")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addSeed(cli, request.seed, "seed of the random postures and draws");
   addJson(cli, options->json);
   return [options] { return run(*options); };
 }

@@ -227,7 +227,8 @@ describe("a reading", () => {
     assert.equal(await ended(server, (await ask(server, "compare", {})).body.id), "done");
     const {revision} = (await stateOf(server)).results.compare;
     await tab.waitForFunction(
-      (wanted) => performance.getEntriesByType("resource").filter(({name}) => name.endsWith("/compare")).length >= wanted,
+      (wanted) =>
+        performance.getEntriesByType("resource").filter(({name}) => name.endsWith("/compare")).length >= wanted,
       3, // the first by itself, its result, and the new one
     );
     assert.ok(revision > 1);

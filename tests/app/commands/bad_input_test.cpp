@@ -100,6 +100,16 @@ TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {
   expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20 --out ''", {"--out", "folder"});
 }
 
+TEST_F(Program, refusesSeedsThatAreNone) {
+  for (const char* seed : {"-1", "18446744073709551616", "1.5", "''", "0x10"})
+    expectRefused("simulate " + shipped("bench.yaml") + " --design bench --readings 5 --out set --seed " + seed,
+                  {"--seed", "a whole number from 0 to 2^64 - 1"});
+  EXPECT_EQ(
+      run("simulate " + shipped("bench.yaml") + " --design bench --readings 5 --out set --seed 18446744073709551615")
+          .exit_code,
+      0);
+}
+
 TEST_F(Program, refusesCommandLinesThatMakeNoSense) {
   expectRefused("mapp", {"'mapp'", "did you mean 'map'?"});
   expectRefused("map", {"CELL"});

@@ -73,13 +73,15 @@ function fallOfError(): Answer | null {
     now = rungs.at(-1)!;
   if (now.heldout === null || before.heldout === null) return null;
   const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
-  const verb = now.heldout < before.heldout ? "fell" : "rose";
+  const [from, to] = [short(before.heldout), short(now.heldout)];
+  const change =
+    from === to ? `stays at ${to}` : `${now.heldout < before.heldout ? "fell" : "rose"} from ${from} to ${to}`;
   return {
     words: isAtFloor ? "At the noise floor" : "Above the noise floor",
     mark: verdictMark(isAtFloor ? "adequate" : "falls-short"),
     items: sentencesOf(
-      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${verb} from ${short(before.heldout)} to ` +
-        `${short(now.heldout)} ${unit}; noise alone leaves ${short(floor)} ${unit}.`,
+      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${change} ${unit}; ` +
+        `noise alone leaves ${short(floor)} ${unit}.`,
     ),
   };
 }
@@ -194,7 +196,12 @@ function NextStep({isBusy}: {isBusy: boolean}) {
   if (mistake.value) {
     const {sentence, way} = mistake.value;
     return (
-      <button class="button first large next" title={sentence} disabled={!areChangeable.value} onClick={() => void assume(way)}>
+      <button
+        class="button first large next"
+        title={sentence}
+        disabled={!areChangeable.value}
+        onClick={() => void assume(way)}
+      >
         Take {way}
       </button>
     );

@@ -10,7 +10,8 @@ export function sharing<T>(before: unknown, next: T): T {
     return next;
   const shared = Object.entries(next).map(([key, part]) => [key, sharing(before[key], part)] as const);
   const isSame =
-    shared.length === Object.keys(before).length && shared.every(([key, part]) => key in before && part === before[key]);
+    shared.length === Object.keys(before).length &&
+    shared.every(([key, part]) => key in before && part === before[key]);
   if (isSame) return before as T;
   return (Array.isArray(next) ? shared.map(([, part]) => part) : Object.fromEntries(shared)) as T;
 }

@@ -14,7 +14,7 @@ const LIST: [string, [string, string][]][] = [
       ["1 … 6", "sheet, arm, error, plan, calibrate, effects"],
       ["O", "open a cell or readings"],
       ["Ctrl Z", "undo the last change of the model or of the readings"],
-      ["Ctrl Shift Z", "redo"],
+      ["Ctrl Shift Z, Ctrl Y", "redo"],
       ["Ctrl S", "save as a project"],
       ["D", "dark or light"],
       ["?", "this list"],
@@ -77,10 +77,11 @@ function closeMenu(): boolean {
 function onKey(event: KeyboardEvent): void {
   if (isTyping(event) || event.defaultPrevented) return;
   const key = event.key.toLowerCase();
-  if ((event.ctrlKey || event.metaKey) && key === "z") {
+  if ((event.ctrlKey || event.metaKey) && (key === "z" || key === "y")) {
     event.preventDefault();
-    if (event.shiftKey && state.value?.can_redo) void order("Redo", "/api/redo");
-    if (!event.shiftKey && canUndo.value) void undo();
+    const isRedo = key === "y" || event.shiftKey;
+    if (isRedo && state.value?.can_redo) void order("Redo", "/api/redo");
+    if (!isRedo && canUndo.value) void undo();
     return;
   }
   if ((event.ctrlKey || event.metaKey) && key === "s") {

@@ -76,7 +76,10 @@ async function openTables(name: string, [first, ...others]: string[]): Promise<v
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
   if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
-    report(names, {message: "This is no table of readings.", advice: "A cell or a project is opened from the folder: O."});
+    report(names, {
+      message: "This is no table of readings.",
+      advice: "A cell or a project is opened from the folder: O.",
+    });
     return;
   }
   const texts = await Promise.all(files.map((file) => file.text()));
