@@ -140,8 +140,7 @@ describe("a program that says nothing", () => {
     const tab = await openTab(browser, server.address, {prepare: (page) => page.clock.install()});
     await tab.waitForSelector(".connection.live");
     await tab.clock.fastForward(30_000);
-    await tab.waitForSelector(".connection.lost");
-    await tab.waitForSelector(".silence");
+    await tab.waitForFunction(() => document.querySelector(".connection.lost") && document.querySelector(".silence"));
     await ask(server, "simulate", {design: "bench", readings: 12});
     await tab.waitForSelector(".connection.live");
     await tab.waitForSelector(".silence", {state: "detached"});
