@@ -19,11 +19,11 @@ void addReadings(CLI::App& cli, ReadingFiles& files) {
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of) {
   cli.add_option("--seed", seed, of)
       ->check([](const std::string& text) {
-        const bool is_whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        const char* const end = text.data() + text.size();
         std::uint64_t value = 0;
-        const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-        return is_whole && parsed.ec == std::errc() ? std::string()
-                                                    : inQuotes(text) + ", not a whole number from 0 to 2^64 - 1";
+        const auto [stop, problem] = std::from_chars(text.data(), end, value);
+        return problem == std::errc() && stop == end ? std::string()
+                                                     : inQuotes(text) + ", not a whole number from 0 to 2^64 - 1";
       })
       ->capture_default_str();
 }

@@ -56,6 +56,21 @@ void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file
   if (record && fs::equivalent(out, cell.path, error)) record->allowReplacing(file);
 }
 
+constexpr const char* kAdvice = "choose another name: it would be lost";
+
+void requireCellOrNothing(const fs::path& cell, const std::string& option) {
+  if (isFilled(cell) && !isCellFile(cell))
+    throw InputError(option, fmt::format("'{}', which is no cell", cell.string()), "the file of a cell, or a new one",
+                     kAdvice);
+}
+
+void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
+  const fs::path arm = armBeside(cell);
+  if (isFilled(arm) && beginningOf(cell).find(arm.filename().string()) == std::string::npos)
+    throw InputError(option, fmt::format("'{}' there, which is not the arm of '{}'", arm.string(), cell.string()),
+                     "a place for the arm beside the cell", kAdvice);
+}
+
 }  // namespace
 
 bool isCellFile(const fs::path& file) { return isLikeACell(beginningOf(file)); }
@@ -67,20 +82,14 @@ fs::path armBeside(const fs::path& cell) {
 }
 
 void requireReplaceable(const fs::path& cell, bool has_arm_file, const std::string& option) {
-  constexpr const char* kAdvice = "choose another name: it would be lost";
-  if (isFilled(cell) && !isCellFile(cell))
-    throw InputError(option, fmt::format("'{}', which is no cell", cell.string()), "the file of a cell, or a new one",
-                     kAdvice);
-  const fs::path arm = armBeside(cell);
-  if (has_arm_file && isFilled(arm) && beginningOf(cell).find(arm.filename().string()) == std::string::npos)
-    throw InputError(option, fmt::format("'{}' there, which is not the arm of '{}'", arm.string(), cell.string()),
-                     "a place for the arm beside the cell", kAdvice);
+  requireCellOrNothing(cell, option);
+  if (has_arm_file) requireOwnArmOrNothing(cell, option);
 }
 
 void checkWritableCell(const Cell& cell, const fs::path& out, const std::string& option) {
   allowInPlace(cell, out, cell.path);
   checkWritableFile(out, option);
-  requireReplaceable(out, false, option);
+  requireCellOrNothing(out, option);
 }
 
 void checkWritableCellAndArm(const Cell& cell, const fs::path& out, const std::string& option) {
@@ -88,7 +97,7 @@ void checkWritableCellAndArm(const Cell& cell, const fs::path& out, const std::s
   if (cell.arm_source.text.empty()) return;
   allowInPlace(cell, out, cell.arm_path);
   checkWritableFile(armBeside(out), option);
-  requireReplaceable(out, true, option);
+  requireOwnArmOrNothing(out, option);
 }
 
 }  // namespace tubeplan::app

@@ -1,7 +1,6 @@
 // Files of the opened folder: cells and readings in, everything that was made out.
 #include <fmt/format.h>
 
-#include <map>
 #include <sstream>
 
 #include "app/documents/foreign_json.hpp"
@@ -16,6 +15,7 @@
 #include "app/workbench/cell_names.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/project.hpp"
+#include "app/workbench/reading_sets.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -75,27 +75,10 @@ void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
 
 std::string shortName(const std::string& name) { return name.empty() ? "readings.csv" : name.substr(0, 200); }
 
-Answer takeText(Workbench& workbench, const std::string& text, const std::string& name,
-                const MeasurementOptions& options = {}) {
-  auto set = std::make_shared<ReadingSet>();
-  set->name = shortName(name);
+Answer takeText(Workbench& workbench, const std::string& text, const std::string& name, double sigma = 0) {
   Cell cell = currentModel(workbench.session()).cell;
-  auto [readings, checks] = parseAndCheck(text, set->name, cell, options);
-  set->readings = std::move(readings);
-  set->checks = std::move(checks);
-  set->source = std::make_shared<ReadingSource>(ReadingSource{{}, text, options.sigma, {}});
-  take(workbench, set);
+  take(workbench, readSet({{}, text, sigma, {}}, shortName(name), cell));
   return answerOf(stateJson(workbench));
-}
-
-/// The readings of a source once more, with what is said to be wrong with them, for a cell that is changed where its
-/// base is said not to be known.
-ReadingsWithChecks readAgain(const ReadingSource& source, const std::string& name, Cell& cell) {
-  MeasurementOptions options;
-  options.sigma = source.sigma;
-  options.assume = source.assumed;
-  return source.files.empty() ? parseAndCheck(source.text, name, cell, options)
-                              : readAndCheck(source.files, cell, options);
 }
 
 /// {"assume": ["coordinates=in"]}: what a check of the readings suspects is taken to be so, as --assume of the commands
@@ -115,14 +98,9 @@ Answer assume(Workbench& workbench, const Request& request) {
   source.assumed.insert(source.assumed.end(), names.begin(), names.end());
   Cell cell = currentModel(session).cell;
   const bool was_known = cell.base_known;
-  auto set = std::make_shared<ReadingSet>();
-  set->name = session.readings->name;
-  auto [readings, checks] = readAgain(source, set->name, cell);
-  set->readings = std::move(readings);
-  set->checks = std::move(checks);
+  const auto set = readSet(std::move(source), session.readings->name, cell);
   keepMarks(*session.readings, *set);
   set->change = session.readings->change + 1;
-  set->source = std::make_shared<ReadingSource>(std::move(source));
   take(workbench, set);
   if (was_known && !cell.base_known) {
     const Cell& known = currentModel(session).cell;
@@ -165,9 +143,7 @@ Answer takeForeign(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   ForeignRequest foreign{foreignTablesOf(body), {textsOf(body, "columns"), {}}, textOf(body, "kind")};
   const auto readings = readForeign(foreign, currentModel(workbench.session()).cell.arm);
-  MeasurementOptions options;
-  options.sigma = numberOf(body, "sigma", 0);
-  return takeText(workbench, readings.text, foreign.tables.front().file, options);
+  return takeText(workbench, readings.text, foreign.tables.front().file, numberOf(body, "sigma", 0));
 }
 
 Answer openReadingsFile(Workbench& workbench, const Request& request) {

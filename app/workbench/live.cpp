@@ -9,14 +9,13 @@
 #include <sstream>
 
 #include "app/documents/figures.hpp"
-#include "app/files/assumptions.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/measurements_reader.hpp"
-#include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/job_routes.hpp"
+#include "app/workbench/reading_sets.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
@@ -108,30 +107,6 @@ std::size_t takeArrived(Workbench& workbench, const std::string& text, const std
   auto readings = parseReadings(text, name, currentModel(session).cell);
   return workbench.arrivals().take(std::move(readings), session.readings.get(), passes_known);
 }
-
-namespace {
-
-/// All of them as if they had come in one file: copies and mistakes show in all, and can be mended.
-std::shared_ptr<ReadingSet> joinedSet(const ReadingSet* before, const std::vector<calibration::Measurement>& arrived,
-                                      Cell cell) {
-  auto joined = std::make_shared<ReadingSet>();
-  joined->name = before && !before->name.empty() ? before->name : "live";
-  joined->change = before ? before->change + 1 : 1;
-  auto all = before ? before->readings : std::vector<calibration::Measurement>();
-  all.insert(all.end(), arrived.begin(), arrived.end());
-  ReadingSource source{{}, measurementsCsv(all, cell.arm, cell.units), 0, {}};
-  if (before && before->source && std::ranges::count(before->source->assumed, kAsIs) > 0) source.assumed = {kAsIs};
-  MeasurementOptions options;
-  options.assume = source.assumed;
-  auto [readings, checks] = parseAndCheck(source.text, joined->name, cell, options);
-  joined->readings = std::move(readings);
-  joined->checks = std::move(checks);
-  joined->source = std::make_shared<ReadingSource>(std::move(source));
-  if (before) keepMarks(*before, *joined);
-  return joined;
-}
-
-}  // namespace
 
 void joinArrived(Workbench& workbench) {
   if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;

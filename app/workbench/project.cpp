@@ -15,6 +15,7 @@
 #include "app/files/reading_input.hpp"
 #include "app/files/touch_input.hpp"
 #include "app/version.hpp"
+#include "app/workbench/reading_sets.hpp"
 
 namespace tubeplan::app {
 
@@ -197,9 +198,7 @@ bool hasSameInputs(const Session& one, const Session& other) {
 }
 
 bool hasWork(const Session& session) {
-  const auto isMarked = [](const ReadingSet& set) {
-    return !set.set_aside.empty() || (set.source && !set.source->assumed.empty());
-  };
+  const auto isMarked = [](const ReadingSet& set) { return !set.set_aside.empty() || !assumedOf(set).empty(); };
   return session.models.size() > 1 || !session.touches.empty() || (session.readings && isMarked(*session.readings));
 }
 

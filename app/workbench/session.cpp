@@ -94,17 +94,6 @@ void putResult(Session& session, const std::string& name, int model, nlohmann::j
   boundResults(session);
 }
 
-void keepMarks(const ReadingSet& before, ReadingSet& again) {
-  std::map<std::string, bool> held_out;
-  for (const auto& reading : before.readings) held_out[reading.id] = reading.is_held_out;
-  for (auto& reading : again.readings) {
-    const auto known = held_out.find(reading.id);
-    if (known == held_out.end()) continue;
-    reading.is_held_out = known->second;
-    if (before.set_aside.contains(reading.id)) again.set_aside.insert(reading.id);
-  }
-}
-
 void forgetResultsOfReadings(Session& session) {
   for (const char* name : {"compare", "diagnose", "identify", "ladder", "improve", "touches", "simulate"})
     session.results.erase(name);

@@ -41,9 +41,6 @@ struct ReadingSet {
 /// Those that are not set aside.
 [[nodiscard]] std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set);
 
-/// What was set aside or held out by hand stays so where the same readings are read again.
-void keepMarks(const ReadingSet& before, ReadingSet& again);
-
 /// A hole touched, by the arm itself or by a simulated one.
 struct TouchMade {
   calibration::Measurement touch;

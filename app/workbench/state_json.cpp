@@ -14,6 +14,7 @@
 #include "app/files/units_json.hpp"
 #include "app/version.hpp"
 #include "app/workbench/project.hpp"
+#include "app/workbench/reading_sets.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/formula.hpp"
@@ -109,7 +110,6 @@ json measurementsJson(const Session& session) {
     setups.insert(reading.setup);
     if (!(sigma >= reading.sigma)) sigma = reading.sigma;
   }
-  using Names = std::vector<std::string>;
   json document = {{"name", session.readings->name},
                    {"readings", session.readings->readings.size()},
                    {"kinds", kinds},
@@ -118,7 +118,7 @@ json measurementsJson(const Session& session) {
                    {"held_out", std::count_if(session.readings->readings.begin(), session.readings->readings.end(),
                                               [](const auto& reading) { return reading.is_held_out; })},
                    {"change", session.readings->change},
-                   {"assumed", session.readings->source ? session.readings->source->assumed : Names()},
+                   {"assumed", assumedOf(*session.readings)},
                    {"sigma", lengthOf(sigma, currentModel(session).cell.units)}};
   addChecks(session.readings->checks, currentModel(session).cell.units, document);
   return document;

@@ -9,6 +9,7 @@
 #include "app/files/measurements_reader.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/workbench/project.hpp"
+#include "app/workbench/reading_sets.hpp"
 
 namespace tubeplan::app {
 
@@ -102,17 +103,6 @@ Session openCell(const std::string& file, const std::string& truth) {
   session.truth = truth;
   session.models.push_back(makeModel(0, "as given", "given", readCell(file)));
   return session;
-}
-
-std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell) {
-  auto set = std::make_shared<ReadingSet>();
-  Cell own = cell;
-  auto [readings, checks] = readAndCheck(files, own, {});
-  set->readings = std::move(readings);
-  set->checks = std::move(checks);
-  set->source = std::make_shared<ReadingSource>(ReadingSource{files, "", 0, {}});
-  for (const auto& file : files) set->name += (set->name.empty() ? "" : " + ") + fs::path(file).filename().string();
-  return set;
 }
 
 }  // namespace tubeplan::app

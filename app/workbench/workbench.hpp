@@ -60,7 +60,4 @@ class Workbench {
 /// The situation of a cell, or of a project, just opened. Throws InputError.
 [[nodiscard]] Session openCell(const std::string& file, const std::string& truth);
 
-/// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.
-[[nodiscard]] std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, const Cell& cell);
-
 }  // namespace tubeplan::app

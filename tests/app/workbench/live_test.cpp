@@ -7,8 +7,11 @@
 #include <boost/asio.hpp>
 #include <sstream>
 
+#include "app/files/cell_reader.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/reading_input.hpp"
 #include "app/workbench/line_server.hpp"
+#include "app/workbench/reading_sets.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
 namespace tubeplan::app {
@@ -122,6 +125,21 @@ TEST_F(LiveTest, CopiesThatJoinAreCountedOnce) {
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"as-is"}}}).status, 409) << "they are being compared";
   (void)ended(get("/api/state").body["jobs"].back()["id"]);
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"as-is"}}}).body["measurements"]["readings"], 60);
+}
+
+TEST_F(LiveTest, WhatCannotBeReadTogetherJoinsAsItIs) {
+  const Cell cell = readCell((opened() / "bench.yaml").string());
+  auto readings = parseReadings(kHeader + row(1) + row(2), "two", cell);
+  const auto known = joinedSet(nullptr, readings, cell);
+  EXPECT_EQ(known->readings.size(), 2u);
+  EXPECT_NE(known->source, nullptr);
+  readings.resize(1);
+  readings.front().id = "3";
+  readings.front().q[0] = 100;  // far beyond its limits: refused where a file is read
+  const auto joined = joinedSet(known.get(), readings, cell);
+  EXPECT_EQ(joined->readings.size(), 3u);
+  EXPECT_EQ(joined->source, nullptr);
+  EXPECT_EQ(joined->change, known->change + 1);
 }
 
 TEST_F(LiveTest, AReadingThatJoinsMovesThePosterior) {

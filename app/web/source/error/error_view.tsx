@@ -29,6 +29,7 @@ import {
   ladder,
   startCompare,
   startDiagnose,
+  WORK_ON_READINGS,
 } from "./loop";
 import {ParameterTable} from "./parameter_table";
 import {assume, mistake, ReadingChecks} from "./reading_checks";
@@ -125,7 +126,7 @@ export function ErrorView() {
 
 function VerdictBand() {
   const now = answer.value;
-  const job = runningJob("compare", "diagnose", "add", "remove", "identify", "ladder");
+  const job = runningJob(...WORK_ON_READINGS);
   const document = currentDiagnosis.value ?? currentComparison.value;
   return (
     <section class="panel verdict" aria-live="polite">
@@ -265,11 +266,9 @@ function EffectsPanel() {
     <section class="panel">
       <header>
         <Tabs label="What is missing" tabs={tabs} value={tab.value} onChoose={(next) => (tab.value = next)} />
-        {document && document.model !== state.value?.model ? (
-          <div class="end">
-            <OtherModel name="diagnose" />
-          </div>
-        ) : null}
+        <div class="end">
+          <OtherModel name="diagnose" />
+        </div>
       </header>
       <div class="panel-body" role="tabpanel">
         <TabBody />

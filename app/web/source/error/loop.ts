@@ -66,9 +66,12 @@ export async function changeReadings(title: string, change: () => Promise<Workbe
   }
 }
 
+/** Kinds of jobs whose answer is of the readings. */
+export const WORK_ON_READINGS = ["compare", "ladder", "diagnose", "identify", "add", "remove"];
+
 /** Other readings are here: what is being found out from those before is not asked for any more. */
 export function stopWorkOnReadings(): Promise<void> {
-  return stopJobs("compare", "ladder", "diagnose", "identify", "add", "remove");
+  return stopJobs(...WORK_ON_READINGS);
 }
 
 export function startDiagnose(): Promise<boolean> {

@@ -199,12 +199,11 @@ export async function order(title: string, path: string, body: unknown = {}): Pr
 }
 
 /** Orders for jobs that the program has not answered yet. */
-const starting = signal(0);
-const ordered = new Set<string>();
+const starting = signal<readonly string[]>([]);
 
 /** Whether a job of the kind that this address starts is being started or runs: a button pressed twice. */
 function isUnderWay(path: string): boolean {
-  return ordered.has(path) || runningJob(path.slice(path.lastIndexOf("/") + 1)) !== null;
+  return starting.peek().includes(path) || runningJob(path.slice(path.lastIndexOf("/") + 1)) !== null;
 }
 
 /** Starts a job and waits for its end, as the events tell it; false where it failed, was stopped, or is under way. */
@@ -220,15 +219,13 @@ export async function runJob(title: string, path: string, body: unknown = {}): P
 
 /** Orders a job, and notes it as soon as the program has taken it. */
 export async function startJob(path: string, body: unknown): Promise<Job> {
-  ++starting.value;
-  ordered.add(path);
+  starting.value = [...starting.peek(), path];
   try {
     const job = await post<Job>(path, body);
     noteStarted(job);
     return job;
   } finally {
-    ordered.delete(path);
-    --starting.value;
+    starting.value = starting.peek().toSpliced(starting.peek().indexOf(path), 1);
   }
 }
 
@@ -262,7 +259,7 @@ async function ended(id: string): Promise<boolean> {
 
 /** Stops the running jobs of these kinds, also those that are just being started, and waits for their end. */
 export async function stopJobs(...kinds: string[]): Promise<void> {
-  await until(() => starting.value === 0);
+  await until(() => starting.value.length === 0);
   const stopped = runningJobs.peek().filter((job) => kinds.includes(job.kind));
   await Promise.all(
     stopped.map(async ({id}) => (await order("Stop", `/api/jobs/${id}/cancel`)) && (await ended(String(id)))),

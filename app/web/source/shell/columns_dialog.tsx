@@ -30,8 +30,7 @@ const sigma = signal("");
 let afterTaking: () => Promise<void> = async () => {};
 
 /** Opens the dialog where those texts are tables; else says so by throwing. */
-export async function askForColumns(files: File[], then: () => Promise<void>): Promise<void> {
-  const tables = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
+export async function askForColumns(tables: Foreign["tables"], then: () => Promise<void>): Promise<void> {
   const document = await post<ColumnsDocument>("/api/measurements/columns", {tables});
   foreign.value = {tables, document, choices: rememberedChoices(document) ?? guessed(document)};
   problem.value = null;

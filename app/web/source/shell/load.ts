@@ -10,9 +10,13 @@ import {askForColumns} from "./columns_dialog";
 import {dialog, view} from "./page_state";
 import {openInstead} from "./project";
 
-async function afterReadings(): Promise<void> {
+function showErrors(): void {
   dialog.value = "";
   view.value = "error";
+}
+
+async function afterReadings(): Promise<void> {
+  showErrors();
   await stopWorkOnReadings();
   await startCompare();
 }
@@ -20,8 +24,7 @@ async function afterReadings(): Promise<void> {
 /** A run sheet that comes back: what is filled in and not here yet joins the readings. */
 async function joinSheet(name: string, text: string): Promise<void> {
   const fresh = freshRows(text, await idsHere());
-  view.value = "error";
-  dialog.value = "";
+  showErrors();
   if (fresh !== "") await joinReadings(fresh);
   else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});
 }
@@ -45,8 +48,7 @@ export const offered = signal<{name: string; texts: string[]} | null>(null);
 
 export async function joinOffered(): Promise<void> {
   const {texts} = offered.peek()!;
-  dialog.value = "";
-  view.value = "error";
+  showErrors();
   await joinAll(texts);
 }
 
@@ -67,9 +69,10 @@ export async function openOffered(): Promise<void> {
 /** The first takes the place of the readings here, the others join it. Throws where the first is refused. */
 async function openTables(name: string, [first, ...others]: string[]): Promise<void> {
   takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, first));
+  if (others.length === 0) return afterReadings();
+  showErrors();
   await stopWorkOnReadings();
-  await joinAll(others);
-  await afterReadings();
+  await joinAll(others); // which are compared as they join
 }
 
 /** Measurement tables; else whatever another program wrote, in one file or in several that belong together. */
@@ -82,7 +85,8 @@ export async function loadFiles(files: File[]): Promise<void> {
     });
     return;
   }
-  const texts = await Promise.all(files.map((file) => file.text()));
+  const tables = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()}))),
+    texts = tables.map(({text}) => text);
   let refused: unknown = null;
   if (texts.length === 1 && isFilledSheet(texts[0])) return joinSheet(names, texts[0]);
   if (await haveOthers(texts)) {
@@ -99,7 +103,7 @@ export async function loadFiles(files: File[]): Promise<void> {
     }
   }
   try {
-    await askForColumns(files, afterReadings);
+    await askForColumns(tables, afterReadings);
     if (refused !== null) report(`${names} is no measurement table as it is`, refused);
   } catch (error) {
     report(`${names} cannot be read`, refused ?? error);

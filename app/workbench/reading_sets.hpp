@@ -1,0 +1,31 @@
+// Sets of readings for a session: read from files or text, read otherwise, and joined by others.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/workbench/session.hpp"
+
+namespace tubeplan::app {
+
+/// The readings of a source, with what looks wrong with them beside what is taken to be so. The base of `cell` is not
+/// known afterwards where that is said of it. Throws InputError.
+[[nodiscard]] std::shared_ptr<ReadingSet> readSet(ReadingSource source, const std::string& name, Cell& cell);
+
+/// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.
+[[nodiscard]] std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, Cell cell);
+
+/// What was set aside or held out by hand stays so where the same readings are read again.
+void keepMarks(const ReadingSet& before, ReadingSet& again);
+
+/// Those of a set (none: null) and these as if all had come in one file: copies and mistakes show in all, and can be
+/// mended. Where they cannot be read so they join as they are, and what is asked of them next says why.
+[[nodiscard]] std::shared_ptr<const ReadingSet> joinedSet(const ReadingSet* before,
+                                                          const std::vector<calibration::Measurement>& arrived,
+                                                          Cell cell);
+
+/// What the readings are taken with, otherwise than their source says.
+[[nodiscard]] std::vector<std::string> assumedOf(const ReadingSet& set);
+
+}  // namespace tubeplan::app
