@@ -11,6 +11,7 @@ constexpr std::size_t kJobsTold = 20;
 void Events::stateChanged() {
   const std::lock_guard lock(mutex_);
   ++state_;
+  ++moment_;
   changed_.notify_all();
 }
 

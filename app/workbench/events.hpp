@@ -2,6 +2,7 @@
 // listener asks for what is newer than what it has seen, so that a slow one holds up nobody and nothing is kept for it.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -29,6 +30,11 @@ class Events {
   /// At most that many listeners at a time.
   explicit Events(int most_listeners) : most_listeners_(most_listeners) {}
 
+  /// The number of the newest change. What was made of the state after asking for it has all changes up to it: of two
+  /// answers that come by two connections, the one with the greater number is the newer.
+  [[nodiscard]] std::uint64_t moment() const { return moment_; }
+  std::uint64_t nextMoment() { return ++moment_; }
+
   void stateChanged();
   void jobMoved(int id, std::string json);
   void liveMoved(std::string json);
@@ -50,6 +56,7 @@ class Events {
 
   std::mutex mutex_;
   std::condition_variable changed_;
+  std::atomic<std::uint64_t> moment_ = 1;
   std::uint64_t state_ = 1, job_number_ = 0, live_number_ = 0;
   std::string live_;
   std::map<int, JobNews> jobs_;

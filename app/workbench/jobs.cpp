@@ -25,6 +25,7 @@ struct Jobs::Job {
   int id = 0;
   std::string kind, label, status = "running", stage = "waiting", result;
   std::size_t done = 0, total = 0;
+  std::uint64_t moment = 0;  ///< of its newest change
   Clock::time_point stage_began = Clock::now(), told;
   nlohmann::json error;
   JobWork work;
@@ -44,6 +45,7 @@ class Jobs::Context : public JobContext {
     job_.stage = stage;
     job_.done = done;
     job_.total = total;
+    job_.moment = jobs_.events_.nextMoment();
     if (!is_new && now - job_.told < kBetweenNews) return;
     job_.told = now;
     jobs_.events_.jobMoved(job_.id, jobs_.jsonOf(job_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -82,6 +84,7 @@ Jobs::Begun Jobs::begin(const std::string& kind, const std::string& label, JobWo
   job->kind = kind;
   job->label = label.substr(0, kLongestLabel);
   job->work = std::move(work);
+  job->moment = events_.nextMoment();
   jobs_.push_back(job);
   waiting_.push_back(job);
   for (auto old = jobs_.begin(); jobs_.size() > kJobsKept && old != jobs_.end();)
@@ -95,6 +98,7 @@ std::optional<nlohmann::json> Jobs::cancel(int id) {
   const auto found = std::find_if(jobs_.begin(), jobs_.end(), [&](const auto& job) { return job->id == id; });
   if (found == jobs_.end()) return std::nullopt;
   (*found)->stop = true;
+  (*found)->moment = events_.nextMoment();
   return jsonOf(**found);
 }
 
@@ -116,12 +120,13 @@ nlohmann::json Jobs::jsonOf(const Job& job) const {
   const bool is_running = job.status == "running";
   nlohmann::json left;
   if (is_running && rate > 0) left = static_cast<double>(job.total - std::min(job.done, job.total)) / rate;
-  return {{"id", job.id},       {"kind", job.kind},
-          {"label", job.label}, {"status", job.status},
-          {"stage", job.stage}, {"done", job.done},
-          {"total", job.total}, {"rate", is_running && rate > 0 ? nlohmann::json(rate) : nlohmann::json()},
-          {"left_s", left},     {"stopping", is_running && job.stop},
-          {"error", job.error}, {"result", job.result.empty() ? nlohmann::json() : nlohmann::json(job.result)}};
+  return {{"id", job.id},        {"kind", job.kind},
+          {"label", job.label},  {"status", job.status},
+          {"stage", job.stage},  {"done", job.done},
+          {"total", job.total},  {"rate", is_running && rate > 0 ? nlohmann::json(rate) : nlohmann::json()},
+          {"left_s", left},      {"stopping", is_running && job.stop},
+          {"error", job.error},  {"result", job.result.empty() ? nlohmann::json() : nlohmann::json(job.result)},
+          {"moment", job.moment}};
 }
 
 void Jobs::run() {
@@ -166,6 +171,7 @@ void Jobs::end(Job& job, const std::string& status) {
   {
     const std::lock_guard lock(mutex_);
     job.status = status;
+    job.moment = events_.nextMoment();
     job.work = nullptr;  // with what it holds
     events_.jobMoved(job.id, jsonOf(job).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }

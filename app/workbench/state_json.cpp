@@ -138,8 +138,10 @@ json resultsJson(const Session& session) {
 }  // namespace
 
 json stateJson(const Workbench& workbench) {
+  const auto moment = workbench.events().moment();  // before anything is looked at
   const Session session = workbench.session();
   return {{"revision", session.revision},
+          {"moment", moment},
           {"version", kVersion},
           {"folder", workbench.folder().path().string()},
           {"cell", cellJson(session)},

@@ -43,6 +43,7 @@ class Workbench {
   [[nodiscard]] const SessionKeeper& keeper() const { return keeper_; }
   [[nodiscard]] const OpenedFolder& folder() const { return folder_; }
   [[nodiscard]] Events& events() { return events_; }
+  [[nodiscard]] const Events& events() const { return events_; }
   [[nodiscard]] Arrivals& arrivals() { return arrivals_; }
   [[nodiscard]] Jobs& jobs() { return jobs_; }
   [[nodiscard]] const Jobs& jobs() const { return jobs_; }

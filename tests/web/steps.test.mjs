@@ -222,6 +222,30 @@ describe("readings that look wrong", () => {
     await server.stop();
   });
 
+  it("are replaced where the answer comes after the word that the work on those before has ended", async () => {
+    const text = readFileSync(simulate(made.folder, "late", {hide: "hysteresis@theta4:0.06deg"}), "utf8");
+    const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, "late.csv")]);
+    const isIdle = async () => (await stateOf(server)).jobs.every((job) => job.status !== "running");
+    const tab = await openTab(browser, server.address, {
+      prepare: (page) =>
+        page.route("**/api/measurements?name=*", async (route) => {
+          const response = await route.fetch();
+          while (!(await isIdle())) await new Promise((resolve) => setTimeout(resolve, 30));
+          await new Promise((resolve) => setTimeout(resolve, 500)); // in which the page is told of it
+          await route.fulfill({response});
+        }),
+    });
+    await tab.click(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    await drop(tab, "others.csv", text.replaceAll("\n", "\ny").replace(/\ny$/, "\n"));
+    await tab.click("dialog[open] >> text=Open them instead");
+    await tab.waitForSelector(".chip-more >> text=others.csv", LIMIT);
+    await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
+    assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
+    assert.deepEqual(tab.errors, []);
+    await tab.context().close();
+    await server.stop();
+  });
+
   it("too few of them lead to more, and what was compared stays to be seen", async () => {
     const lines = readFileSync(simulate(made.folder, "many", {readings: 30}), "utf8").split("\n");
     const few = path.join(made.folder, "few.csv");

@@ -18,6 +18,8 @@ export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan
 export const page = process.env.TUBEPLAN_PAGE ?? "";
 /** How many times slower than here the page runs, so that tests are also tried on a machine that is busy. */
 const slowness = Number(process.env.TUBEPLAN_SLOWNESS ?? 1);
+/** Milliseconds that each question, and each answer, is held up at most, so that they overtake the events. */
+const jitter = Number(process.env.TUBEPLAN_JITTER ?? 0);
 // Milliseconds. What does not start is told in seconds.
 const SIMULATE_LIMIT = 120_000;
 const START_LIMIT = 20_000;
@@ -206,6 +208,20 @@ export function launch(limit = START_LIMIT) {
   });
 }
 
+const heldUp = () => new Promise((resolve) => setTimeout(resolve, Math.random() * jitter));
+
+/** Questions and answers on their way for different times; the events come as they are. */
+async function holdUp(route) {
+  await heldUp();
+  try {
+    const response = await route.fetch();
+    await heldUp();
+    await route.fulfill({response});
+  } catch {
+    await route.abort().catch(() => {}); // a tab that is closed meanwhile
+  }
+}
+
 /** A tab whose console errors are kept: a test ends by asserting that there are none. `prepare` is run on it before it
  * goes to the address. */
 export async function openTab(browser, address, {prepare = async () => {}, ...options} = {}) {
@@ -229,6 +245,7 @@ export async function openTab(browser, address, {prepare = async () => {}, ...op
   tab.errors = [];
   tab.on("console", (message) => message.type() === "error" && tab.errors.push(message.text()));
   tab.on("pageerror", (error) => tab.errors.push(error.stack ?? error.message));
+  if (jitter > 0) await tab.route(/\/api\/(?!events)/, holdUp);
   await prepare(tab);
   await tab.goto(address);
   return tab;

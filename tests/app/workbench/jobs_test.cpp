@@ -40,6 +40,28 @@ TEST(Jobs, tellHowTheyEnd) {
   EXPECT_EQ(ended(jobs, stopped)["status"], "cancelled");
 }
 
+TEST(Jobs, areNewerWithEveryChange) {
+  Events events(4);
+  Jobs jobs(events);
+  std::promise<void> started, go;
+  const auto begun = jobs.begin("long", "", [&](JobContext& context) {
+    started.set_value();
+    go.get_future().wait();
+    beginStage(context, "last");
+    return "result";
+  });
+  started.get_future().wait();
+  const auto moment = [&] { return jobs.list().back()["moment"].get<std::uint64_t>(); };
+  const std::uint64_t running = moment();
+  EXPECT_GT(running, begun.job["moment"].get<std::uint64_t>());
+  const std::uint64_t asked = events.moment();  // as of an answer that is being made
+  EXPECT_GE(asked, running);
+  const auto stopping = (*jobs.cancel(begun.job["id"]))["moment"].get<std::uint64_t>();
+  EXPECT_GT(stopping, asked);
+  go.set_value();
+  EXPECT_GT(ended(jobs, begun.job["id"])["moment"].get<std::uint64_t>(), stopping);
+}
+
 TEST(Jobs, areStoppedAtTheirNextStep) {
   Events events(4);
   Jobs jobs(events);

@@ -100,6 +100,7 @@ export interface Job {
   left_s: number | null;
   error: Problem | null;
   result: string | null;
+  moment: number;
 }
 
 export interface ResultMark {
@@ -120,6 +121,8 @@ export interface LiveNews {
 
 export interface WorkbenchState {
   revision: number;
+  /** Of two states, and of two words of a job, the greater is the newer, whichever came first. */
+  moment: number;
   version: string;
   folder: string;
   cell: CellInfo;

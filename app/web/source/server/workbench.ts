@@ -2,6 +2,7 @@
 import {computed, effect, signal, type Signal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {asProblem, get, isMissing, post} from "./requests";
+import {newestJobs, withJob} from "./newest_jobs";
 import {sharing} from "./sharing";
 
 export const state = signal<WorkbenchState | null>(null);
@@ -33,9 +34,7 @@ export function runningJob(...kinds: string[]): Job | null {
 // ---- events
 
 function noteJob(job: Job): void {
-  const known = new Map(jobs.value);
-  known.set(String(job.id), job);
-  jobs.value = known;
+  jobs.value = withJob(jobs.value, job);
 }
 
 /** A program that was started anew may count from the beginning. */
@@ -55,12 +54,11 @@ setInterval(() => {
 }, 1000);
 
 export function takeState(next: WorkbenchState): void {
-  if (!isNewConnection && state.value !== null && next.revision < state.value.revision) return;
+  if (!isNewConnection && state.value !== null && next.moment < state.value.moment) return;
+  const known = isNewConnection ? new Map<string, Job>() : jobs.value;
   isNewConnection = false;
   state.value = sharing(state.value, next);
-  const known = new Map<string, Job>();
-  for (const job of next.jobs ?? []) known.set(String(job.id), job);
-  jobs.value = known;
+  jobs.value = newestJobs(known, next);
 }
 
 /** The server keeps the token in a cookie; it need not stay in the address bar. */
@@ -222,16 +220,11 @@ export async function startJob(path: string, body: unknown): Promise<Job> {
   starting.value = [...starting.peek(), path];
   try {
     const job = await post<Job>(path, body);
-    noteStarted(job);
+    noteJob(job);
     return job;
   } finally {
     starting.value = starting.peek().toSpliced(starting.peek().indexOf(path), 1);
   }
-}
-
-/** Unless an event was faster than the answer. */
-function noteStarted(job: Job): void {
-  if (!jobs.value.has(String(job.id))) noteJob(job);
 }
 
 function until(holds: () => boolean): Promise<void> {
