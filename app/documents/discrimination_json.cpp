@@ -73,13 +73,11 @@ std::string neverText(const DiscriminatingMeasurements& result) {
 }
 
 std::string jointsText(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
-  const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
+  const auto joints = jointFigures(arm, reading.q, units);
   std::string text;
-  for (Eigen::Index j = 0; j < joints.size(); ++j) {
-    const char* sense = reading.approach_directions.empty()                            ? ""
-                        : reading.approach_directions[static_cast<std::size_t>(j)] > 0 ? "+"
-                                                                                       : "-";
-    text += fmt::format(" {:9.2f}{}", joints[j], sense);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const char* sense = reading.approach_directions.empty() ? "" : reading.approach_directions[j] > 0 ? "+" : "-";
+    text += fmt::format(" {:>9}{}", joints[j], sense);
   }
   return text;
 }

@@ -201,9 +201,8 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
       ++count;
     }
   if (!count) return "not scored";
-  const double unit = outcome.cell.units.factor(dimension::kLength);
-  return fmt::format("{:.3f} {} mean, {:.3f} worst", sum / count / unit, outcome.cell.units.length().name,
-                     worst / unit);
+  const Units& units = outcome.cell.units;
+  return fmt::format("{} mean, {} worst", lengthText(sum / count, units), lengthText(worst, units));
 }
 
 /// How many tubes should take how many steps, and whose opinion that is.
@@ -220,7 +219,6 @@ std::string chancesText(const PlanOutcome& outcome) {
 
 json summaryData(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
-  const double unit = outcome.cell.units.factor(dimension::kLength);
   const auto travels = std::count_if(plan.segments.begin(), plan.segments.end(),
                                      [](const auto& segment) { return segment.kind == planner::SegmentKind::kTravel; });
   json rows = json::array();
@@ -231,8 +229,8 @@ json summaryData(const PlanOutcome& outcome) {
   rows.push_back({"error without compensation", errorText(outcome, 0)});
   rows.push_back({"error with compensation", errorText(outcome, 2)});
   rows.push_back({"base", outcome.calibration
-                              ? fmt::format("from {} touched holes, rms {:.3f} {}", outcome.touches.size(),
-                                            outcome.calibration->flexible.rms / unit, outcome.cell.units.length().name)
+                              ? fmt::format("from {} touched holes, rms {}", outcome.touches.size(),
+                                            lengthText(outcome.calibration->flexible.rms, outcome.cell.units))
                               : std::string("as given in the cell")});
   for (const auto& warning : outcome.cell.warnings) rows.push_back({"warning", warning});
   if (outcome.calibration)

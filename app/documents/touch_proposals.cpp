@@ -106,9 +106,9 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& pr
 }
 
 std::string proposedJointsText(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
-  const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
   std::string text;
-  for (Eigen::Index k = 0; k < q.size(); ++k) text += fmt::format(" {:9.3f}", q[k] / factors[k]);
+  for (const auto& figure : jointFigures(outcome.cell.arm, q, outcome.cell.units))
+    text += fmt::format(" {:>9}", figure);
   return text;
 }
 

@@ -1,5 +1,5 @@
 // What a reading says of itself, and what would be read next.
-import {exact, fixed, isNumber, probability, short} from "./numbers.js";
+import {exact, fixed, isNumber, jointDecimals, probability, short} from "./numbers.js";
 
 /**
  * @typedef {{joints?: readonly number[], senses?: readonly number[] | null, load?: number | null,
@@ -16,10 +16,10 @@ export function senseArrow(sense) {
  * Joints, load and force of a reading: what each is called, its figure, its unit, the sense of the joint's last motion.
  * @param {Conditions} reading @param {readonly JointName[]} joints @param {{force?: string}} units
  */
-export function conditionsOf(reading, joints, units, digits = 2) {
+export function conditionsOf(reading, joints, units) {
   const rows = joints.map(({name, unit = ""}, k) => ({
     name,
-    figure: fixed(reading.joints?.[k], digits),
+    figure: fixed(reading.joints?.[k], jointDecimals(unit)),
     unit,
     sense: senseArrow(reading.senses?.[k]),
   }));

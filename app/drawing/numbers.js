@@ -144,5 +144,5 @@ export function lengthAndUnit(value, unit, decimals = 3) {
 
 /** Decimals of a joint's reading, by its unit. @param {string} unit */
 export function jointDecimals(unit) {
-  return unit === "deg" ? 2 : unit === "rad" ? 4 : 3 + (DECIMALS[unit] ?? 0);
+  return unit === "deg" || unit === "" ? 2 : unit === "rad" ? 4 : 3 + (DECIMALS[unit] ?? 0);
 }

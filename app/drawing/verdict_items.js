@@ -1,11 +1,11 @@
 // A verdict as a list: every sentence of it, figures to as many digits as noise carries, nothing cut.
-import {explanationTitle, sizesOf} from "./explanations.js";
-import {isNumber, percent, short} from "./numbers.js";
+import {effectTitle, explanationTitle, sizesOf} from "./explanations.js";
+import {fixed, isNumber, percent, short} from "./numbers.js";
 
 /** @typedef {import("./explanations.js").FoundEffect} FoundEffect */
 /** @typedef {{verdict: string, sentence?: string, units?: {length: string}, rms?: Record<string, number | null>,
  *    explanations?: {effects: FoundEffect[]}[], alternatives?: FoundEffect[][], splitting?: {advice?: string} | null,
- *    probability?: {scatter_alone?: number | null} | null,
+ *    probability?: {scatter_alone?: number | null} | null, repeats?: {noise_ratio: number} | null,
  *    remainder?: {size: number | null, follows: {variable: string, share: number}[]} | null}} Diagnosed */
 /**
  * @typedef {{sentence?: string, units?: {length: string}, rms?: Record<string, number | null>,
@@ -28,9 +28,10 @@ function findingItems(document) {
   if (first && (verdict === "explained" || verdict === "partly-explained")) {
     const sizes = first.effects.length > MOST_SIZES ? [] : sizesOf(first);
     return [
-      `Missing: ${explanationTitle(first)}${sizes.length > 0 ? ` (${sizes.join("; ")})` : ""}.`,
+      `Missing: ${explanationTitle(first)}${sizes.length > 0 ? ` (${sizes.join("; ")})` : ""}${equalsText(first)}.`,
       `With it ${fallText(error)}`,
       ...remainderItems(document),
+      ...repeatsItems(document),
     ];
   }
   if (verdict === "ambiguous" && alternatives.length > 1)
@@ -39,7 +40,10 @@ function findingItems(document) {
       `With the first, ${explanationTitle({effects: alternatives[0]})}, ${fallText(error)}`,
     ];
   if (verdict === "adequate")
-    return [`Nothing is missing: the error of ${error("before")} is explained by noise (${error("noise_floor")}).`];
+    return [
+      `Nothing is missing: the error of ${error("before")} is explained by noise (${error("noise_floor")}).`,
+      ...repeatsItems(document),
+    ];
   if (verdict === "unexplained" && !isScatter(document))
     return ["Something is missing, and no known effect is certain to be part of it.", ...remainderItems(document)];
   return sentencesOf(document.sentence ?? "");
@@ -61,8 +65,8 @@ function fallText(error) {
  * Beyond the stated noise, and following nothing: then the program's own words say what that can be.
  * @param {Diagnosed} document
  */
-function isScatter({probability}) {
-  return (probability?.scatter_alone ?? 0) > 0.5;
+function isScatter({probability, remainder}) {
+  return (probability?.scatter_alone ?? 0) > 0.5 && (remainder?.follows ?? []).length === 0;
 }
 
 /** @param {Diagnosed} document */
@@ -70,8 +74,26 @@ function remainderItems({remainder, units}) {
   if (!remainder || !isNumber(remainder.size) || !(remainder.size > 0)) return [];
   const follows = (remainder.follows ?? []).slice(0, 3).map(({variable, share}) => `${variable} (${percent(share)})`);
   const what =
-    follows.length > 0 ? `; it follows ${follows.join(", ")}` : ", and depends on nothing recorded in the readings";
-  return [`${short(remainder.size)} ${units?.length ?? ""} remains that no known effect explains${what}.`];
+    follows.length > 0
+      ? `no known effect explains; it follows ${follows.join(", ")}`
+      : "follows no slow function of what the readings record";
+  return [`${short(remainder.size)} ${units?.length ?? ""} remains that ${what}.`];
+}
+
+/** Effects that no reading could tell from those that were found. @param {{effects: FoundEffect[]}} explanation */
+function equalsText({effects}) {
+  const equals = effects.flatMap((effect) =>
+    (effect.also ?? []).map((other) => `${effectTitle(other)} in place of ${effectTitle(effect)}`),
+  );
+  return equals.length > 0 ? `, or ${equals.join(" and ")}, which no reading with this tool tells apart` : "";
+}
+
+/** @param {Diagnosed} document */
+function repeatsItems({repeats}) {
+  if (!repeats) return [];
+  return [
+    `Repeated readings scatter ${fixed(repeats.noise_ratio, 2)} times as much as stated, and this is all that is left.`,
+  ];
 }
 
 /** The comparison's reasons, one by one. @param {Compared} document */

@@ -46,7 +46,7 @@ export function readingName(reading) { return `reading ${textOf(reading?.id)}`; 
 
 /// "theta1 \u221253.1, theta2 75.7; load 20 lbf".
 export function conditionsText(report, reading) {
-  const joints = jointNames(report, reading), rows = conditionsOf(reading, joints, object(report.units) ?? {}, 1);
+  const joints = jointNames(report, reading), rows = conditionsOf(reading, joints, object(report.units) ?? {});
   const ofJoints = rows.slice(0, joints.length).map(({name, figure, sense}) => `${name} ${figure}${sense}`);
   const others = rows.slice(joints.length).map(({name, figure, unit}) => `${name}\u00a0${figure}\u00a0${unit}`);
   return [ofJoints.join(", "), ...others].filter((text) => text).join("; ");

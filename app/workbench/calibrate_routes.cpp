@@ -32,7 +32,7 @@ Answer propose(Workbench& workbench, const Request& request) {
   asked.goal = textOf(body, "goal", "base");
   if (asked.goal != "base" && asked.goal != "parameters" && asked.goal != "both")
     throw InputError("request (goal)", inQuotes(asked.goal), "base, parameters or both");
-  asked.count = integerOf(body, "count", 0, 0, 50);
+  asked.count = integerOf(body, "count", 0, 1, 50);
   const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   if (cell.sheet && body.contains("tubes")) asked.tubes = tubesText(body, *cell.sheet, "spread:60");

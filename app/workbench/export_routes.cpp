@@ -24,13 +24,14 @@ namespace tubeplan::app {
 namespace {
 
 const PlanOutcome& planOf(const Session& session) {
-  if (!session.plan) throw InputError("export", "no plan", "one that was made");
+  if (!session.plan) throw InputError("export", "no plan yet", "a plan", "POST /api/plan makes one");
   return *session.plan;
 }
 
 nlohmann::json figuresOf(const Session& session, const std::string& name) {
   const auto result = findResult(session, name);
-  if (!result) throw InputError("export", "no result '" + name + "'", "one that was asked for");
+  if (!result)
+    throw InputError("export", "no result of " + name + " yet", "a result", "POST /api/" + name + " makes one");
   return result->document;
 }
 
@@ -124,7 +125,8 @@ Answer download(Workbench& workbench, const Request& request) {
   const auto found = std::find_if(std::begin(kExports), std::end(kExports),
                                   [&](const Export& e) { return e.name == request.words[1]; });
   if (found == std::end(kExports))
-    return refusal(404, InputError(inQuotes(request.words[1]), "no such export", "another"));
+    return refusal(404, InputError(inQuotes(request.words[1]), "no export of that name",
+                                   "one of those that docs/workbench_api.md lists"));
   try {
     return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.session()));
   } catch (const InputError& error) {

@@ -1,21 +1,8 @@
-// Files of the opened folder: cells and readings in, everything that was made out.
-#include <fmt/format.h>
-
-#include <sstream>
-
-#include "app/documents/foreign_json.hpp"
-#include "app/documents/leverage_json.hpp"
-#include "app/documents/moments_json.hpp"
+// Files of the opened folder: cells and projects opened, and saved.
 #include "app/files/atomic_file.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/input_error.hpp"
-#include "app/files/reading_input.hpp"
-#include "app/files/text_file.hpp"
 #include "app/workbench/cell_names.hpp"
-#include "app/workbench/job_routes.hpp"
 #include "app/workbench/project.hpp"
-#include "app/workbench/reading_sets.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -24,8 +11,6 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kMostLoaded = Arrivals::kMost;  // every look at them solves the arm's shape as often
-
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();
   return answerOf({{"folder", folder.path().string()},
@@ -33,188 +18,6 @@ Answer files(Workbench& workbench, const Request&) {
                    {"measurements", folder.names(".csv")},
                    {"projects", folder.names(kProjectExtension)},
                    {"recent", workbench.keeper().recent()}});
-}
-
-Answer noReadings() { return refusal(404, InputError("measurements", "none loaded", "some")); }
-
-Answer readings(Workbench& workbench, const Request&) {
-  const Session session = workbench.session();
-  return session.readings ? answerOf(readingsJson(currentModel(session), *session.readings)) : noReadings();
-}
-
-Answer moments(Workbench& workbench, const Request&) {
-  const Session session = workbench.session();
-  return session.readings ? answerOf(momentsJson(currentModel(session).cell, session.readings->readings))
-                          : noReadings();
-}
-
-/// "theta3,forearm.z" in the address.
-std::vector<std::string> namesAt(const Request& request) {
-  std::vector<std::string> names;
-  std::stringstream text(request.asked("at"));
-  for (std::string name; std::getline(text, name, ',');) names.push_back(name);
-  return names;
-}
-
-Answer leverage(Workbench& workbench, const Request& request) {
-  const Session session = workbench.session();
-  if (!session.readings) return noReadings();
-  return answerOf(leverageJson(currentModel(session).cell, session.readings->readings, namesAt(request)));
-}
-
-void take(Workbench& workbench, std::shared_ptr<const ReadingSet> set) {
-  if (set->readings.size() > kMostLoaded)
-    throw InputError(set->name, fmt::format("{} readings", set->readings.size()),
-                     fmt::format("at most {} in the workbench", kMostLoaded), "the commands take more");
-  workbench.change([&](Session& session) {
-    session.readings = std::move(set);
-    forgetResultsOfReadings(session);
-    return true;
-  });
-}
-
-std::string shortName(const std::string& name) { return name.empty() ? "readings.csv" : name.substr(0, 200); }
-
-Answer takeText(Workbench& workbench, const std::string& text, const std::string& name, double sigma = 0) {
-  Cell cell = currentModel(workbench.session()).cell;
-  take(workbench, readSet({{}, text, sigma, {}}, shortName(name), cell));
-  return answerOf(stateJson(workbench));
-}
-
-/// {"assume": ["coordinates=in"]}: what a check of the readings suspects is taken to be so, as --assume of the commands
-/// does; `as-is`: they are as they should be; none: they are taken as their file has them.
-Answer assume(Workbench& workbench, const Request& request) {
-  const auto body = objectOf(request);
-  (void)requiredOf(body, "assume", "a list of NAME=VALUE as --assume of the commands takes it");
-  const auto names = textsOf(body, "assume");
-  if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
-  const Session session = workbench.session();
-  if (!session.readings) return noReadings();
-  if (!session.readings->source)
-    return refusal(409, InputError("readings", "readings whose file is not at hand any more", "ones that were opened",
-                                   "open their file again"));
-  ReadingSource source = *session.readings->source;
-  if (names.empty()) source.assumed.clear();
-  source.assumed.insert(source.assumed.end(), names.begin(), names.end());
-  Cell cell = currentModel(session).cell;
-  const bool was_known = cell.base_known;
-  const auto set = readSet(std::move(source), session.readings->name, cell);
-  keepMarks(*session.readings, *set);
-  set->change = session.readings->change + 1;
-  take(workbench, set);
-  if (was_known && !cell.base_known) {
-    const Cell& known = currentModel(session).cell;
-    const BaseChange unknown{known.X_WB, std::nullopt, false};
-    const Cell open = rereadCell(known, cellTextWithBase(known, unknown, known.path));
-    workbench.change([&](Session& now) {
-      (void)pushModel(now, "base not known", "assumption", open);
-      return true;
-    });
-  }
-  return answerOf(stateJson(workbench));
-}
-
-Answer uploadReadings(Workbench& workbench, const Request& request) {
-  return takeText(workbench, request.body, request.asked("name"));
-}
-
-/// {"tables": [{"name", "text"}]}, as other programs wrote them.
-std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
-  std::vector<ForeignTable> tables;
-  for (const auto& table : requiredOf(body, "tables", "tables of text")) {
-    const std::string name = shortName(textOf(table, "name"));
-    const std::string text = textOf(table, "text");
-    checkText(name, text);
-    tables.push_back(parseForeignTable(text, name));
-  }
-  if (tables.empty()) throw InputError("tables", "none", "tables of text");
-  return tables;
-}
-
-/// What the columns of foreign tables seem to be.
-Answer foreignColumns(Workbench& workbench, const Request& request) {
-  const auto tables = foreignTablesOf(objectOf(request));
-  return answerOf(foreignColumnsJson(tables, currentModel(workbench.session()).cell));
-}
-
-/// The same with {"columns": ["x_mm=points.txt:X"], "kind"?, "sigma"?}: they become the readings, with that noise where
-/// no column states it.
-Answer takeForeign(Workbench& workbench, const Request& request) {
-  const auto body = objectOf(request);
-  ForeignRequest foreign{foreignTablesOf(body), {textsOf(body, "columns"), {}}, textOf(body, "kind")};
-  const auto readings = readForeign(foreign, currentModel(workbench.session()).cell.arm);
-  return takeText(workbench, readings.text, foreign.tables.front().file, numberOf(body, "sigma", 0));
-}
-
-Answer openReadingsFile(Workbench& workbench, const Request& request) {
-  const auto path = workbench.folder().fileToRead(textOf(objectOf(request), "file"));
-  take(workbench, openReadings({path.string()}, currentModel(workbench.session()).cell));
-  return answerOf(stateJson(workbench));
-}
-
-std::set<std::string> idsOf(const ReadingSet& set) {
-  std::set<std::string> ids;
-  for (const auto& reading : set.readings) ids.insert(reading.id);
-  return ids;
-}
-
-void requireIds(const ReadingSet& set, const std::vector<std::string>& ids) {
-  const auto known = idsOf(set);
-  for (const auto& id : ids)
-    if (!known.contains(id)) throw InputError("ids", inQuotes(id), "ids of the readings");
-}
-
-/// The set with those ids set aside, or taken back. Throws InputError where nothing would be left.
-ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, bool aside) {
-  for (const auto& id : ids) {
-    if (aside)
-      set.set_aside.insert(id);
-    else
-      set.set_aside.erase(id);
-  }
-  if (set.set_aside.size() >= set.readings.size()) throw InputError("ids", "all readings to be set aside", "some left");
-  return set;
-}
-
-/// The set with those ids held out of fits, or taken into them. Throws InputError where nothing would be left to fit.
-ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool held_out) {
-  const std::set<std::string> chosen(ids.begin(), ids.end());
-  std::size_t fitted = 0;
-  for (auto& reading : set.readings) {
-    if (chosen.contains(reading.id)) reading.is_held_out = held_out;
-    fitted += !reading.is_held_out && !set.set_aside.contains(reading.id) ? 1 : 0;
-  }
-  if (fitted == 0) throw InputError("ids", "all readings to be held out", "some left to fit");
-  return set;
-}
-
-/// {"ids", and `word`: true or false}: readings are marked, and what was found out from them is gone.
-Answer mark(Workbench& workbench, const Request& request, const char* word,
-            ReadingSet (*marked)(ReadingSet, const std::vector<std::string>&, bool)) {
-  const auto body = objectOf(request);
-  const auto ids = textsOf(body, "ids");
-  const bool is_on = booleanOf(body, word, true);
-  if (workbench.jobs().isBusy()) return refusal(409, InputError("readings", "a job that is not done yet", "none"));
-  bool has_readings = false;
-  workbench.change([&](Session& session) {
-    has_readings = session.readings != nullptr;
-    if (!has_readings) return false;
-    requireIds(*session.readings, ids);
-    auto changed = std::make_shared<ReadingSet>(marked(*session.readings, ids, is_on));
-    ++changed->change;
-    session.readings = std::move(changed);
-    forgetResultsOfReadings(session);
-    return true;
-  });
-  return has_readings ? answerOf(stateJson(workbench)) : noReadings();
-}
-
-Answer setAside(Workbench& workbench, const Request& request) {
-  return mark(workbench, request, "aside", withSetAside);
-}
-
-Answer holdOut(Workbench& workbench, const Request& request) {
-  return mark(workbench, request, "held_out", withHeldOut);
 }
 
 /// Another cell or project instead of what is there; work that stands in no project is not dropped unasked.
@@ -263,16 +66,6 @@ Answer saveProject(Workbench& workbench, const Request& request) {
 
 constexpr Route kFileRoutes[] = {
     {"GET", "files", files},
-    {"GET", "measurements", readings},
-    {"GET", "moments", moments},
-    {"GET", "leverage", leverage},
-    {"POST", "measurements", uploadReadings},
-    {"POST", "measurements/columns", foreignColumns},
-    {"POST", "measurements/foreign", takeForeign},
-    {"POST", "measurements/open", openReadingsFile},
-    {"POST", "measurements/set-aside", setAside},
-    {"POST", "measurements/hold-out", holdOut},
-    {"POST", "measurements/assume", assume},
     {"POST", "cell/open", openCellFile},
     {"POST", "project/open", openProject},
     {"POST", "project/save", saveProject},

@@ -65,7 +65,8 @@ Answer refused(int status, const httplib::Request& request) {
       return refusal(415, InputError("Content-Type", inQuotes(request.get_header_value("Content-Type")),
                                      "application/json or text/csv"));
     default:
-      return refusal(status, InputError("request", "one that cannot be answered", "another"));
+      return refusal(status,
+                     InputError("request", fmt::format("one that HTTP refuses ({})", status), "a request by HTTP/1.1"));
   }
 }
 

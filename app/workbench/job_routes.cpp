@@ -8,7 +8,8 @@ namespace tubeplan::app {
 Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work) {
   const auto begun = workbench.jobs().begin(kind, label, std::move(work));
   if (!begun.refused.empty())
-    return refusal(409, InputError("jobs", begun.refused, "room for one", "wait, or cancel it"));
+    return refusal(
+        409, InputError("jobs", begun.refused, "none of that kind, and at most four that wait", "wait, or cancel it"));
   workbench.events().stateChanged();
   return answerOf(begun.job, 202);
 }

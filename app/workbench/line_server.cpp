@@ -36,7 +36,7 @@ std::vector<std::string> wordsOf(std::string line) {
 double loadOf(const std::string& word, const Units& units) {
   const auto load = tubesheets::parseNumber(word);
   if (!load) throw InputError("line", inQuotes(word), "a load");
-  return parseLoad(*load, units);
+  return parseLoad(*load, units, "line (load)");
 }
 
 std::string tipText(const nlohmann::json& shown) {

@@ -118,8 +118,7 @@ void joinArrived(Workbench& workbench) {
     is_done = workbench.change([&](Session& session) {
       if (session.readings != before.readings) return false;
       was_diagnosed = findResult(session, "diagnose", currentModel(session).id) != nullptr;
-      session.readings = joined;
-      forgetResultsOfReadings(session);
+      putReadings(session, joined);
       return true;
     });
   }

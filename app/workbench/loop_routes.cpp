@@ -225,8 +225,8 @@ SimulationRequest simulationAsked(const nlohmann::json& body) {
 }
 
 /// As they would be read from the file that the command writes.
-std::shared_ptr<const ReadingSet> readingsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
-                                             const std::string& name) {
+std::shared_ptr<ReadingSet> readingsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
+                                       const std::string& name) {
   auto set = std::make_shared<ReadingSet>();
   set->name = name;
   set->readings = parseReadings(measurementsCsv(campaign.readings, cell.arm, cell.units), name, cell);
@@ -250,8 +250,7 @@ Answer simulate(Workbench& workbench, const Request& request) {
       throw InputError("design", campaign.reason, "readings that the arm can make");
     const auto set = readingsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
     finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
-      session.readings = set;
-      forgetResultsOfReadings(session);
+      putReadings(session, set);
       putResult(
           session, "simulate", currentModel(session).id,
           {{"design", asked.design}, {"readings", set->readings.size()}, {"hidden", asked.hide}, {"seed", asked.seed}});

@@ -130,7 +130,7 @@ Answer plan(Workbench& workbench, const Request& request) {
     throw InputError("request (compensation)", inQuotes(asked.compensation), "none, goal-point or via-point");
   asked.travel = textOf(body, "travel", asked.travel);
   asked.load = numberOf(body, "load", 0);
-  (void)parseLoad(asked.load, cell.units);
+  (void)parseLoad(asked.load, cell.units, "request (load)");
   asked.seed = seedOf(body);
   asked.conditions = {textOf(body, "start"), textOf(body, "end"), {}, numberOf(body, "dwell", 0)};
   asked.padding = numberOf(body, "padding", 0);

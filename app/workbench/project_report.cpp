@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "app/documents/ladder_json.hpp"
 #include "app/files/commit.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/sha256.hpp"
@@ -69,17 +70,9 @@ json historyJson(const Session& session) {
   return history;
 }
 
-json ladderRungs(const Session& session) {
-  json rungs = json::array();
+json modelsOfLadder(const Session& session) {
   const auto ladder = findResult(session, "ladder");
-  if (!ladder) return rungs;
-  for (const auto& rung : ladder->document["rungs"])
-    rungs.push_back({{"name", rung["name"]},
-                     {"rms", rung["rms"]["fitted"]},
-                     {"heldout_rms", rung["rms"]["heldout"]},
-                     {"chi2_per_dof", rung["chi2_per_dof"]},
-                     {"numbers", rung["fitted_numbers"]}});
-  return rungs;
+  return ladder ? ladderModels(ladder->document["rungs"]) : json::array();
 }
 
 /// As a shell takes it for one word.
@@ -154,7 +147,7 @@ json projectReportJson(const Session& session, const ProjectReportRequest& reque
                  {"measurements", session.readings ? session.readings->name : ""},
                  {"units", unitsJson(cell.units)},
                  {"facts", factsJson(session, request)},
-                 {"models", ladderRungs(session)},
+                 {"models", modelsOfLadder(session)},
                  {"history", historyJson(session)},
                  {"inputs", inputsJson(session)},
                  {"commands", commandsJson(session, request)},

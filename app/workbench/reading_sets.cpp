@@ -11,6 +11,25 @@
 
 namespace tubeplan::app {
 
+namespace {
+
+/// The readings of a set looked at as if they had come in one file, its marks kept.
+std::shared_ptr<ReadingSet> lookedAtAgain(ReadingSet set, Cell cell) {
+  ReadingSource source{{}, measurementsCsv(set.readings, cell.arm, cell.units), 0, {}};
+  if (std::ranges::count(assumedOf(set), kAsIs) > 0) source.assumed = {kAsIs};
+  try {
+    auto again = readSet(std::move(source), set.name, cell);
+    keepMarks(set, *again);
+    again->joined = std::move(set.joined);
+    return again;
+  } catch (const InputError&) {
+    set.source.reset();  // it has other readings
+    return std::make_shared<ReadingSet>(std::move(set));
+  }
+}
+
+}  // namespace
+
 std::shared_ptr<ReadingSet> readSet(ReadingSource source, const std::string& name, Cell& cell) {
   MeasurementOptions options;
   options.sigma = source.sigma;
@@ -25,7 +44,7 @@ std::shared_ptr<ReadingSet> readSet(ReadingSource source, const std::string& nam
   return set;
 }
 
-std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, Cell cell) {
+std::shared_ptr<ReadingSet> openReadings(const std::vector<std::string>& files, Cell cell) {
   std::string name;
   for (const auto& file : files) name += (name.empty() ? "" : " + ") + std::filesystem::path(file).filename().string();
   return readSet({files, "", 0, {}}, name, cell);
@@ -42,23 +61,28 @@ void keepMarks(const ReadingSet& before, ReadingSet& again) {
   }
 }
 
-std::shared_ptr<const ReadingSet> joinedSet(const ReadingSet* before,
-                                            const std::vector<calibration::Measurement>& arrived, Cell cell) {
+std::shared_ptr<ReadingSet> joinedSet(const ReadingSet* before, const std::vector<calibration::Measurement>& arrived,
+                                      Cell cell) {
   ReadingSet all = before ? *before : ReadingSet();
   if (all.name.empty()) all.name = "live";
   all.readings.insert(all.readings.end(), arrived.begin(), arrived.end());
-  ++all.change;
-  ReadingSource source{{}, measurementsCsv(all.readings, cell.arm, cell.units), 0, {}};
-  if (std::ranges::count(assumedOf(all), kAsIs) > 0) source.assumed = {kAsIs};
-  try {
-    auto joined = readSet(std::move(source), all.name, cell);
-    keepMarks(all, *joined);
-    joined->change = all.change;
-    return joined;
-  } catch (const InputError&) {
-    all.source.reset();  // it has not all of them
-    return std::make_shared<const ReadingSet>(std::move(all));
-  }
+  all.joined.clear();
+  if (before)
+    for (const auto& reading : arrived) all.joined.insert(reading.id);
+  return lookedAtAgain(std::move(all), std::move(cell));
+}
+
+std::shared_ptr<ReadingSet> partedSet(const ReadingSet& joined, Cell cell) {
+  ReadingSet left = joined;
+  std::erase_if(left.readings, [&](const auto& reading) { return joined.joined.contains(reading.id); });
+  for (const auto& id : joined.joined) left.set_aside.erase(id);
+  left.joined.clear();
+  return lookedAtAgain(std::move(left), std::move(cell));
+}
+
+std::size_t joinedCount(const ReadingSet& set) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(set.readings, [&](const auto& reading) { return set.joined.contains(reading.id); }));
 }
 
 std::vector<std::string> assumedOf(const ReadingSet& set) {

@@ -14,16 +14,21 @@ namespace tubeplan::app {
 [[nodiscard]] std::shared_ptr<ReadingSet> readSet(ReadingSource source, const std::string& name, Cell& cell);
 
 /// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.
-[[nodiscard]] std::shared_ptr<const ReadingSet> openReadings(const std::vector<std::string>& files, Cell cell);
+[[nodiscard]] std::shared_ptr<ReadingSet> openReadings(const std::vector<std::string>& files, Cell cell);
 
 /// What was set aside or held out by hand stays so where the same readings are read again.
 void keepMarks(const ReadingSet& before, ReadingSet& again);
 
 /// Those of a set (none: null) and these as if all had come in one file: copies and mistakes show in all, and can be
 /// mended. Where they cannot be read so they join as they are, and what is asked of them next says why.
-[[nodiscard]] std::shared_ptr<const ReadingSet> joinedSet(const ReadingSet* before,
-                                                          const std::vector<calibration::Measurement>& arrived,
-                                                          Cell cell);
+[[nodiscard]] std::shared_ptr<ReadingSet> joinedSet(const ReadingSet* before,
+                                                    const std::vector<calibration::Measurement>& arrived, Cell cell);
+
+/// A set without those that joined it last.
+[[nodiscard]] std::shared_ptr<ReadingSet> partedSet(const ReadingSet& joined, Cell cell);
+
+/// How many of its readings joined the others last; copies that are counted once are not among them.
+[[nodiscard]] std::size_t joinedCount(const ReadingSet& set);
 
 /// What the readings are taken with, otherwise than their source says.
 [[nodiscard]] std::vector<std::string> assumedOf(const ReadingSet& set);

@@ -14,10 +14,12 @@ namespace tubeplan::app {
 Eigen::VectorXd jointsOf(const nlohmann::json& body, const Cell& cell) {
   std::vector<std::string> texts;
   for (const double value : numbersOf(body, "joints")) texts.push_back(fmt::format("{}", value));
-  return parseJoints(fmt::format("{}", fmt::join(texts, ",")), cell.arm, cell.units);
+  return parseJoints(fmt::format("{}", fmt::join(texts, ",")), cell.arm, cell.units, "request (joints)");
 }
 
-double loadOf(const nlohmann::json& body, const Cell& cell) { return parseLoad(numberOf(body, "load", 0), cell.units); }
+double loadOf(const nlohmann::json& body, const Cell& cell) {
+  return parseLoad(numberOf(body, "load", 0), cell.units, "request (load)");
+}
 
 std::optional<int> holeOf(const nlohmann::json& body, const Cell& cell) {
   if (!body.contains("hole") || body["hole"].is_null()) return std::nullopt;

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 namespace {
 
 using RouteTable = std::span<const Route> (*)();
-constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,   loopRoutes,
+constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,   readingRoutes, loopRoutes,
                                   calibrateRoutes, planRoutes,     exportRoutes, liveRoutes};
 
 bool fits(std::string_view path, const std::vector<std::string>& words) {
@@ -50,15 +50,19 @@ Answer answer(Workbench& workbench, const Request& request) {
     bool known_path = false;
     const Route* route = findRoute(request, known_path);
     if (route) return route->answer(workbench, request);
-    if (known_path) return refusal(405, InputError(pathOf(request), request.method, "another method"));
-    return refusal(404, InputError(pathOf(request), "no such address", "one of the workbench"));
+    if (known_path)
+      return refusal(405, InputError(pathOf(request), request.method + ", which this address does not take",
+                                     "the other of GET and POST"));
+    return refusal(404,
+                   InputError(pathOf(request), "no address of the workbench", "one that docs/workbench_api.md lists"));
   } catch (const InputError& error) {
     return refusal(422, error);
   } catch (const nlohmann::json::exception& error) {
     return refusal(400, InputError("request body", error.what(), "the JSON that this address takes"));
   } catch (const std::exception& error) {
     fmt::print(stderr, "tubeplan: {} {}: internal error: {}\n", request.method, pathOf(request), error.what());
-    return refusal(500, InputError(pathOf(request), "an internal error", "an answer", "see the program's own output"));
+    return refusal(500,
+                   InputError(pathOf(request), "an internal error of the program", "none", "its output says more"));
   }
 }
 

@@ -94,7 +94,9 @@ void putResult(Session& session, const std::string& name, int model, nlohmann::j
   boundResults(session);
 }
 
-void forgetResultsOfReadings(Session& session) {
+void putReadings(Session& session, std::shared_ptr<ReadingSet> set) {
+  set->change = session.readings ? session.readings->change + 1 : 0;
+  session.readings = std::move(set);
   for (const char* name : {"compare", "diagnose", "identify", "ladder", "improve", "touches", "simulate"})
     session.results.erase(name);
 }

@@ -33,9 +33,10 @@ struct ReadingSet {
   std::vector<calibration::Measurement> readings;  ///< each with its sigma
   calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
   std::set<std::string> set_aside = {};            ///< ids of those that no fit sees
-  int change = 0;                                  ///< how often that has changed
+  int change = 0;                                  ///< how often readings or marks have changed
   /// None of simulated readings and of a kept session.
   std::shared_ptr<const ReadingSource> source = {};
+  std::set<std::string> joined = {};  ///< ids of those that joined the others last; none of a kept session
 };
 
 /// Those that are not set aside.
@@ -89,7 +90,7 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
 /// Of other models' documents that list readings the oldest give way where all would be too large.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
-/// Everything that was found out from the readings is gone.
-void forgetResultsOfReadings(Session& session);
+/// Takes these for the readings, one change later than those before; what was found out from those is gone.
+void putReadings(Session& session, std::shared_ptr<ReadingSet> set);
 
 }  // namespace tubeplan::app

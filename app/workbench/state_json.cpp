@@ -118,6 +118,7 @@ json measurementsJson(const Session& session) {
                    {"held_out", std::count_if(session.readings->readings.begin(), session.readings->readings.end(),
                                               [](const auto& reading) { return reading.is_held_out; })},
                    {"change", session.readings->change},
+                   {"joined", joinedCount(*session.readings)},
                    {"assumed", assumedOf(*session.readings)},
                    {"sigma", lengthOf(sigma, currentModel(session).cell.units)}};
   addChecks(session.readings->checks, currentModel(session).cell.units, document);

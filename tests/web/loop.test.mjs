@@ -205,7 +205,7 @@ describe("practice readings", () => {
     await tab.waitForSelector(".next:not([disabled])", {timeout: 60000});
     tab.errors.length = 0; // the refusal above is a 4xx, which the browser notes
     await own.stop();
-    await tab.waitForSelector(".silence >> text=does not answer");
+    await tab.waitForSelector(".silence >> text=does not respond");
     await tab.context().close();
   });
 });

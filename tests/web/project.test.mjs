@@ -52,8 +52,8 @@ describe("the work", () => {
 
     await tab.keyboard.press("o");
     await tab.click(".file >> text=mockup.yaml");
-    await tab.waitForSelector("dialog[open] >> text=stands in no project");
-    await tab.click("dialog[open] >> text=Stay");
+    await tab.waitForSelector("dialog[open] >> text=is not saved in a project");
+    await tab.click("dialog[open] >> text=Cancel");
     assert.equal((await stateOf(server)).models.length, 2);
 
     await tab.keyboard.press("Control+s");

@@ -148,6 +148,11 @@ describe("several explanations", () => {
     await tab.click("dialog[open] >> text=Add them to these");
     await tab.waitForSelector(".verdict-figures dd >> text=70", LIMIT);
     await idle(tab);
+    await tab.click(".reading-checks li:has-text('30 readings joined the 40 before') >> text=Take out again");
+    await tab.waitForSelector(".verdict-figures dd >> text=40", LIMIT);
+    await tab.waitForSelector(".rung >> text=/× floor/", LIMIT);
+    await tab.waitForFunction(() => !document.querySelector(".reading-checks"), null, LIMIT);
+    await idle(tab);
     await drop(tab, "third.csv", others.replaceAll("\nx", "\ny"));
     await tab.click("dialog[open] >> text=Open them instead");
     await tab.waitForSelector(".chip-more >> text=third.csv", LIMIT);

@@ -197,6 +197,11 @@ describe("verdicts", () => {
       "Missing: slack at wrist.z (half gap 0.100 ± 0.010).",
       "With it the held-out error falls from 0.0204 to 0.0059 in; the noise floor is 0.0057 in.",
     ]);
+    const equal = {...slack, also: [{effect: "stiffening", at: "wrist.z"}]};
+    expect(verdictItems({...explained, explanations: [{effects: [equal]}]})[0]).toContain(
+      ", or stiffening at wrist.z in place of slack at wrist.z, which no reading with this tool tells apart.",
+    );
+    expect(verdictItems({...explained, repeats: {noise_ratio: 1.734}}).at(-1)).toContain("1.73 times as much");
     const remainder = {size: 0.01, follows: [{variable: "load", share: 0.5}]};
     expect(verdictItems({...explained, verdict: "partly-explained", remainder}).at(-1)).toMatch(/it follows load \(50/);
   });

@@ -279,7 +279,13 @@ describe("the table of readings", () => {
     set_aside: k === 4,
   }));
   const rows = rowsOf(measured, null);
-  const columns = columnsOf(["theta1", "theta2"]);
+  const columns = columnsOf(
+    [
+      {name: "theta1", unit: "deg"},
+      {name: "lift", unit: "m"},
+    ],
+    {length: "m", angle: "deg", force: "N"},
+  );
   it("sorts by any column, what is missing last", () => {
     const by = (key: string, isDown: boolean) =>
       sorted(
@@ -295,5 +301,8 @@ describe("the table of readings", () => {
     expect(filtered(rows, "P3", columns)).toHaveLength(10);
     expect(filtered(rows, "load=40 theta1>0", columns).every((row) => row.load === 40 && row.joints[0] > 0)).toBe(true);
     expect(filtered(rows, "aside", columns).map((row) => row.id)).toEqual(["5"]);
+  });
+  it("says the units", () => {
+    expect(columns.map(({unit}) => unit)).toEqual(["", "", "m", "m", "", "N", "deg", "m"]);
   });
 });

@@ -143,6 +143,7 @@ class RandomCalls {
                                            "/api/measurements/set-aside",
                                            "/api/measurements/hold-out",
                                            "/api/measurements/assume",
+                                           "/api/measurements/part",
                                            "/api/live/encoders",
                                            "/api/live/readings",
                                            "/api/project/open",

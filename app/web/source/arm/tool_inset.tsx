@@ -2,7 +2,7 @@
 // off it is.
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
-import {fixed, lengthAndUnit} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals, lengthAndUnit} from "../../../drawing/numbers.js";
 import type {PoseDocument} from "../server/documents";
 import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
@@ -41,7 +41,7 @@ export function ToolInset() {
         <dt>off centre</dt>
         <dd>{lengthAndUnit(centring?.distance, units.value.length, 4)}</dd>
         <dt>tilt</dt>
-        <dd>{centring ? `${fixed(centring.tilt, 2)} ${units.value.angle}` : "–"}</dd>
+        <dd>{centring ? `${fixed(centring.tilt, jointDecimals(units.value.angle))} ${units.value.angle}` : "–"}</dd>
         <dt>height</dt>
         <dd>{lengthAndUnit(centring?.height, units.value.length, 4)}</dd>
       </dl>

@@ -1,11 +1,15 @@
 // The list of touches: made, proposed, and the hole that is picked; joints are entered or simulated.
 import {Icon} from "../drawing/icons";
-import {fixed} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals} from "../../../drawing/numbers.js";
 import {remove} from "../server/requests";
 import {cell, order, report, runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
 import {holeOf, proposals, touches} from "./touches";
+
+function jointsText(values: readonly number[]): string {
+  return values.map((value, k) => fixed(value, jointDecimals(cell.value?.joints[k]?.unit ?? ""))).join("  ");
+}
 
 export function TouchPanel({model}: {model: SheetModel}) {
   const suggested = (proposals.value.document?.next_readings ?? []).map((reading) => ({
@@ -37,7 +41,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
           <div class="touch-row done" key={touch.id}>
             <b>{touch.id}</b>
             <span>{holeName(model, touch.hole)}</span>
-            <span class="joint-list">{touch.joints.map((value) => fixed(value, 2)).join("  ")}</span>
+            <span class="joint-list">{jointsText(touch.joints)}</span>
             <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>
               <Icon name="close" size={14} />
             </button>
@@ -48,7 +52,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
         ))}
         {own ? <TouchForm key={picked.value} name={holeName(model, picked.value)} hole={picked.value} /> : null}
         {done.length + open.length === 0 && !own ? (
-          <p class="muted">Suggest rings the three holes that tell most, or pick one on the sheet.</p>
+          <p class="muted">Suggest marks the three most informative holes, or pick one on the sheet.</p>
         ) : null}
         <button
           class="button first"

@@ -147,13 +147,13 @@ function PlaceTable({kind, shown}: {kind: EffectKind; shown: string}) {
       <caption class="muted">
         {twins.value
           ? `By ${plural(twins.value.readings, "reading")} and the numbers that are fitted`
-          : "With readings open, what they tell of it stands here"}
+          : "Open readings to see how observable this effect is"}
         {hasLeast ? "" : "; the least size that would be seen, after a diagnosis"}
       </caption>
       <thead>
         <tr>
           <th>at</th>
-          <th class="number" title="What no fitted number can do instead">
+          <th class="number" title="The part of its signature that the fitted parameters do not absorb">
             observable
           </th>
           {hasLeast ? <th class="number">smallest detectable</th> : null}

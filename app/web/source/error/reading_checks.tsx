@@ -1,7 +1,7 @@
 // What looked wrong with the readings when they were opened: one line for each, and how to mend it.
 import {computed} from "@preact/signals";
 import {MarkIcon, type Mark} from "../drawing/marks";
-import {short} from "../../../drawing/numbers.js";
+import {plural, short} from "../../../drawing/numbers.js";
 import type {ReadingCheck, ReadingsInfo, WorkbenchState} from "../server/state_documents";
 import {post} from "../server/requests";
 import {state, units} from "../server/workbench";
@@ -13,8 +13,8 @@ const MARKS: Record<ReadingCheck["severity"], Mark> = {
 };
 
 export function ReadingChecks({readings}: {readings: ReadingsInfo}) {
-  const {checks, missing_columns: missing, assumed} = readings;
-  if (checks.length === 0 && assumed.length === 0) return null;
+  const {checks, missing_columns: missing, assumed, joined} = readings;
+  if (checks.length === 0 && assumed.length === 0 && joined === 0) return null;
   return (
     <section class="panel reading-checks" aria-label="Checks of the readings">
       <header>
@@ -22,6 +22,7 @@ export function ReadingChecks({readings}: {readings: ReadingsInfo}) {
       </header>
       <ul>
         {assumed.length > 0 ? <Assumed assumed={assumed} /> : null}
+        {joined > 0 ? <Joined count={joined} all={readings.readings} /> : null}
         {checks.map((check) => (
           <Check key={check.name + (check.assume ?? "")} check={check} />
         ))}
@@ -59,17 +60,48 @@ export async function assume(...ways: string[]): Promise<void> {
 function Assumed({assumed}: {assumed: string[]}) {
   const isAsIs = assumed.every((way) => way === "as-is");
   return (
+    <Reversible
+      words={isAsIs ? "Taken as they are, whatever looks wrong" : `Taken with ${assumed.join(", ")}`}
+      back="Take back"
+      title="As their file has them"
+      onBack={() => void assume()}
+    />
+  );
+}
+
+/** Takes those that joined last out again, and looks at what is left. */
+async function part(): Promise<void> {
+  const parted = () => post<WorkbenchState>("/api/measurements/part", {});
+  if (await changeReadings("The readings stay together", parted)) await startCompare();
+}
+
+function Joined({count, all}: {count: number; all: number}) {
+  return (
+    <Reversible
+      words={`${plural(count, "reading")} joined the ${all - count} before`}
+      back="Take out again"
+      title="The others stay, with what is set aside or held out of them"
+      onBack={() => void part()}
+    />
+  );
+}
+
+interface Step {
+  words: string;
+  back: string;
+  title: string;
+  onBack: () => void;
+}
+
+/** What was done with the readings as they came, and the way back. */
+function Reversible({words, back, title, onBack}: Step) {
+  return (
     <li class="remark">
       <MarkIcon mark={MARKS.remark} size={16} />
-      <span>{isAsIs ? "Taken as they are, whatever looks wrong" : `Taken with ${assumed.join(", ")}`}</span>
+      <span>{words}</span>
       <span class="mends">
-        <button
-          class="button small"
-          disabled={!areChangeable.value}
-          title="As their file has them"
-          onClick={() => void assume()}
-        >
-          Take back
+        <button class="button small" disabled={!areChangeable.value} title={title} onClick={onBack}>
+          {back}
         </button>
       </span>
     </li>

@@ -1,6 +1,6 @@
 // The readings as rows of a table: everything that is said of one, what is searched, and in which order.
 import {isNumber} from "../../../drawing/numbers.js";
-import type {MeasurementRow, Vector3} from "../server/documents";
+import type {MeasurementRow, Units, Vector3} from "../server/documents";
 import type {ReadingErrors} from "./residuals";
 
 export interface ReadingRow {
@@ -19,6 +19,9 @@ export interface ReadingRow {
 export interface Column {
   key: string;
   words: string;
+  unit: string;
+  /** Of the table's column, in CSS. */
+  width: string;
   of: (row: ReadingRow) => number | string | null;
 }
 
@@ -49,15 +52,22 @@ export function rowsOf(measured: readonly MeasurementRow[], errors: ReadingError
   });
 }
 
-export function columnsOf(joints: readonly string[]): Column[] {
+export function columnsOf(joints: readonly {name: string; unit: string}[], {length, force}: Units): Column[] {
+  const id = (row: ReadingRow) => (isNumber(Number(row.id)) ? Number(row.id) : row.id);
   return [
-    {key: "id", words: "id", of: (row) => (isNumber(Number(row.id)) ? Number(row.id) : row.id)},
-    {key: "sigma", words: "σ", of: (row) => row.sigmas},
-    {key: "before", words: "before", of: (row) => row.before},
-    {key: "after", words: "after", of: (row) => row.after},
-    {key: "name", words: "point", of: (row) => row.name},
-    {key: "load", words: "load", of: (row) => row.load},
-    ...joints.map((name, k) => ({key: name, words: name, of: (row: ReadingRow) => row.joints[k]})),
+    {key: "id", words: "id", unit: "", width: "44px", of: id},
+    {key: "sigma", words: "σ", unit: "", width: "60px", of: (row) => row.sigmas},
+    {key: "before", words: "before", unit: length, width: "66px", of: (row) => row.before},
+    {key: "after", words: "after", unit: length, width: "58px", of: (row) => row.after},
+    {key: "name", words: "point", unit: "", width: "minmax(56px,1fr)", of: (row) => row.name},
+    {key: "load", words: "load", unit: force, width: "56px", of: (row) => row.load},
+    ...joints.map(({name, unit}, k) => ({
+      key: name,
+      words: name,
+      unit,
+      width: "70px",
+      of: (row: ReadingRow) => row.joints[k],
+    })),
   ];
 }
 

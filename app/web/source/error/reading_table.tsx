@@ -3,7 +3,7 @@
 import {computed, effect as follow, signal} from "@preact/signals";
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {senseArrow} from "../../../drawing/conditions.js";
-import {exact, fixed, plural, short} from "../../../drawing/numbers.js";
+import {exact, fixed, jointDecimals, plural, short} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import type {MeasurementsDocument} from "../server/documents";
 import {get} from "../server/requests";
@@ -11,7 +11,7 @@ import {report, state, units} from "../server/workbench";
 import {pickOut, pickedOut, pointed} from "./linked";
 import {areChangeable} from "./loop";
 import {markReadings} from "./reading_marks";
-import {columnsOf, filtered, rowsOf, sorted, type ReadingRow} from "./reading_rows";
+import {columnsOf, filtered, rowsOf, sorted, type Column, type ReadingRow} from "./reading_rows";
 import {readingErrors} from "./residuals";
 import {showReading} from "./show_reading";
 
@@ -22,7 +22,9 @@ const measured = signal<MeasurementsDocument | null>(null);
 const isWanted = signal(false);
 const key = computed(() => {
   const now = state.value;
-  return now?.measurements && isWanted.value ? `${now.measurements.name} ${now.measurements.change} ${now.model}` : "";
+  return now?.measurements && isWanted.value
+    ? `${now.cell.file} ${now.measurements.name} ${now.measurements.change} ${now.model}`
+    : "";
 });
 follow(() => {
   const wanted = key.value;
@@ -43,8 +45,11 @@ export function ReadingTable() {
     isWanted.value = true;
     return () => (isWanted.value = false);
   }, []);
-  const joints = measured.value?.joints.map((joint) => joint.name) ?? [];
-  const columns = useMemo(() => columnsOf(joints), [joints.join()]);
+  const joints = measured.value?.joints ?? [];
+  const columns = useMemo(
+    () => columnsOf(joints, units.value),
+    [joints.map(({name, unit}) => `${name} ${unit}`).join(), units.value],
+  );
   const all = useMemo(
     () => rowsOf(measured.value?.rows ?? [], readingErrors.value),
     [measured.value, readingErrors.value],
@@ -77,7 +82,7 @@ export function ReadingTable() {
           </button>
         ) : null}
       </div>
-      <Rows rows={rows} joints={joints} columns={columns} isBusy={isBusy} />
+      <Rows rows={rows} columns={columns} isBusy={isBusy} />
     </div>
   );
 }
@@ -90,17 +95,7 @@ function pickRows(rows: ReadingRow[]): void {
   );
 }
 
-function Rows({
-  rows,
-  joints,
-  columns,
-  isBusy,
-}: {
-  rows: ReadingRow[];
-  joints: string[];
-  columns: ReturnType<typeof columnsOf>;
-  isBusy: boolean;
-}) {
+function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Column[]; isBusy: boolean}) {
   const box = useRef<HTMLDivElement>(null);
   const place = useRef(signal({top: 0, height: 300})).current;
   useEffect(() => {
@@ -114,7 +109,7 @@ function Rows({
   const first = Math.max(0, Math.floor(place.value.top / ROW) - MORE),
     last = Math.min(rows.length, first + Math.ceil(place.value.height / ROW) + 2 * MORE);
   const layout = {
-    gridTemplateColumns: `26px 44px 60px 58px 58px minmax(56px,1fr) 46px ${joints.map(() => "62px").join(" ")}`,
+    gridTemplateColumns: `26px ${columns.map(({width}) => width).join(" ")}`,
   };
   return (
     <div
@@ -144,20 +139,30 @@ function Rows({
             }
           >
             {column.words}
+            {column.unit ? <small> {column.unit}</small> : null}
             {order.value.column === column.key ? (order.value.isDown ? " ↓" : " ↑") : ""}
           </button>
         ))}
       </div>
       <div class="reading-space" style={{height: `${ROW * rows.length}px`}}>
         {rows.slice(first, last).map((row, k) => (
-          <Row key={row.id} row={row} top={ROW * (first + k)} layout={layout} isBusy={isBusy} />
+          <Row key={row.id} row={row} columns={columns} top={ROW * (first + k)} layout={layout} isBusy={isBusy} />
         ))}
       </div>
     </div>
   );
 }
 
-function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: object; isBusy: boolean}) {
+interface RowPlace {
+  row: ReadingRow;
+  columns: readonly Column[];
+  top: number;
+  layout: object;
+  isBusy: boolean;
+}
+
+function Row({row, columns, top, layout, isBusy}: RowPlace) {
+  const joints = columns.slice(columns.length - row.joints.length);
   const {text, isMany} = sigmasText(row.sigmas, READING_SIGMAS);
   const isMarked = pointed.value === row.id || pickedOut.value.has(row.id);
   return (
@@ -194,7 +199,7 @@ function Row({row, top, layout, isBusy}: {row: ReadingRow; top: number; layout: 
       </span>
       {row.joints.map((value, k) => (
         <span class="number">
-          {fixed(value, 1)}
+          {fixed(value, jointDecimals(joints[k].unit))}
           {senseArrow(row.senses[k])}
         </span>
       ))}

@@ -1,6 +1,6 @@
 // The run sheet on the page: printed or taken along as CSV, ticked off, filled in or dropped back.
 import {Icon} from "../drawing/icons";
-import {fixed, isNumber, plural, short} from "../../../drawing/numbers.js";
+import {fixed, isNumber, jointDecimals, plural, short} from "../../../drawing/numbers.js";
 import {senseArrow} from "../../../drawing/conditions.js";
 import {poseRequest} from "../arm/pose_link";
 import {cell} from "../server/workbench";
@@ -56,10 +56,9 @@ function csvAddress(text: string): string {
 }
 
 /** What a column of joints is for. */
-function jointOf(column: string): {name: string; isSense: boolean} | null {
-  const joints = cell.value?.joints.map((joint) => joint.name) ?? [];
-  const name = joints.find((joint) => column === joint || column.startsWith(`${joint}_`));
-  return name ? {name, isSense: column === `${name}_dir`} : null;
+function jointOf(column: string): {name: string; unit: string; isSense: boolean} | null {
+  const joint = cell.value?.joints.find(({name}) => column === name || column.startsWith(`${name}_`));
+  return joint ? {name: joint.name, unit: joint.unit, isSense: column === `${joint.name}_dir`} : null;
 }
 
 function SheetTable({sheet, table}: {sheet: RunSheet; table: RunSheetTable}) {
@@ -76,8 +75,8 @@ function SheetTable({sheet, table}: {sheet: RunSheet; table: RunSheetTable}) {
         <tr>
           <th>taken</th>
           <th>id</th>
-          {joints.map(({name}) => (
-            <th class="number">{name}</th>
+          {joints.map(({name, unit}) => (
+            <th class="number">{unit === "" ? name : `${name}, ${unit}`}</th>
           ))}
           {load >= 0 ? <th class="number">load</th> : null}
           {sheet.separations.length > 0 ? (
@@ -106,9 +105,9 @@ function SheetTable({sheet, table}: {sheet: RunSheet; table: RunSheetTable}) {
                 />
               </td>
               <td>{row[0]}</td>
-              {joints.map(({k, sense}) => (
+              {joints.map(({k, unit, sense}) => (
                 <td class="number" title={row[k]}>
-                  {fixed(Number(row[k]), 2)}
+                  {fixed(Number(row[k]), jointDecimals(unit))}
                   {sense >= 0 ? senseArrow(Number(row[sense])) : ""}
                 </td>
               ))}

@@ -29,7 +29,7 @@ async function ask<T>(path: string, options?: RequestInit): Promise<T> {
     response = await fetch(path, {credentials: "same-origin", cache: "no-store", ...options});
   } catch {
     throw new ServerProblem(0, {
-      message: "The program does not answer.",
+      message: "The program does not respond.",
       advice: "See whether `tubeplan serve` still runs in its terminal; this page goes on by itself once it does.",
     });
   }

@@ -66,6 +66,8 @@ export interface ReadingsInfo {
   set_aside: number;
   held_out: number;
   change: number;
+  /** How many joined the others last: they can be taken out again. */
+  joined: number;
   /** What they are taken with, otherwise than their file says. */
   assumed: string[];
   checks: ReadingCheck[];

@@ -93,12 +93,12 @@ function ColumnsForm({shown}: {shown: Foreign}) {
         </label>
       )}
       <p class="muted" role="status">
-        {missing.length > 0 ? `Still to be said: ${missing.join(", ")}` : "Nothing else must be said."}
+        {missing.length > 0 ? `Missing: ${missing.join(", ")}` : "All columns are assigned."}
       </p>
       {problem.value ? <ProblemWords problem={problem.value} /> : null}
       <div class="row">
         <button class="button first" type="submit" disabled={missing.length > 0}>
-          Take the readings
+          Import
         </button>
       </div>
     </form>

@@ -52,7 +52,7 @@ function JobProgress({job}: {job: Job}) {
 }
 
 function Connection() {
-  const words = {live: "connected", connecting: "connecting", lost: "the program does not answer"}[connection.value];
+  const words = {live: "connected", connecting: "connecting", lost: "the program does not respond"}[connection.value];
   return (
     <span class={`connection ${connection.value}`} role="status" title={words}>
       <span class="hidden">{words}</span>

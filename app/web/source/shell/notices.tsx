@@ -10,7 +10,7 @@ export function Notices() {
         <section class="notice" key={notice.id}>
           <header>
             <h2>{notice.title}</h2>
-            <button class="tool" title="Put away (Esc)" onClick={() => dismiss(notice.id)}>
+            <button class="tool" title="Dismiss (Esc)" onClick={() => dismiss(notice.id)}>
               <Icon name="close" size={16} />
             </button>
           </header>

@@ -113,7 +113,7 @@ export function UnsavedDialog() {
   return (
     <Dialog isOpen={dialog.value === "unsaved"} title="Keep the work?" onClose={() => closeDialog("unsaved")}>
       <p class="lead">
-        The work on <b>{cell.value?.name}</b> stands in no project. Opening {opening.value?.name} puts it away
+        The work on <b>{cell.value?.name}</b> is not saved in a project. Opening {opening.value?.name} closes it
         {project.value?.kept ? "; it stays under Open, Recent" : ""}.
       </p>
       <div class="row">
@@ -124,7 +124,7 @@ export function UnsavedDialog() {
           Open {opening.value?.name}
         </button>
         <button class="button" onClick={() => closeDialog("unsaved")}>
-          Stay
+          Cancel
         </button>
       </div>
     </Dialog>
@@ -149,9 +149,9 @@ export function ProjectTools() {
   const isUnsaved = project.value?.unsaved ?? false;
   const words = isUnsaved ? "not saved as a project" : project.value?.file ? `saved as ${project.value.file}` : "";
   const kept = project.value?.problem
-    ? `, not kept: ${project.value.problem}`
+    ? `, not autosaved: ${project.value.problem}`
     : project.value?.kept
-      ? "; kept by itself"
+      ? "; autosaved"
       : "";
   const exports: [string, string][] = [
     ...ALWAYS.map(([name, title]): [string, string] => [name, title]),

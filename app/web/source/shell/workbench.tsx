@@ -25,7 +25,7 @@ const PlanView = lazy(() => import("../plan/plan_view"));
 function CurrentView({name}: {name: ViewName}) {
   if (state.value === null) {
     return connection.value === "lost" ? (
-      <Waiting words="The program does not answer. See whether `tubeplan serve` still runs; this page goes on by itself." />
+      <Waiting words="The program does not respond. Check that `tubeplan serve` still runs; this page reconnects by itself." />
     ) : (
       <Waiting words="Asking the program for its cell" isBusy />
     );
@@ -69,8 +69,8 @@ export function Workbench() {
       </main>
       {state.value !== null && connection.value === "lost" ? (
         <p class="silence" role="alert">
-          The program does not answer: what stands here is its last word. See whether <code>tubeplan serve</code> still
-          runs; the page goes on by itself.
+          The program does not respond: the page shows the last state that it received. Check that{" "}
+          <code>tubeplan serve</code> still runs; the page reconnects by itself.
         </p>
       ) : null}
       {dialog.value === "" ? <Notices /> : null}
